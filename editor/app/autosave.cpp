@@ -153,7 +153,7 @@ void Autosave::end() {
         try {
             document::discard(std::move(left));
         } catch (const Error&) {
-            continue;  // it is offered once more then
+            continue;  // it is offered again next time
         }
     }
     recovered_.clear();

@@ -1,9 +1,9 @@
-// What is not saved yet, kept in the user's state folder, and offered again after a crash.
+// Keeps unsaved work in the user's state folder and offers it after a crash.
 //
-// It is kept 2 s after the last change, but no later than 5 s after the first one; at once when something goes wrong;
-// and once more when it has been saved. Written on a thread of its own. end() removes it, when everything has been
-// saved or given up by choice. After a crash it stays, and find() of the next editor offers it. What was recovered
-// stays as well, until that work is saved.
+// The work is kept 2 s after the last change, but no later than 5 s after the first one; at once when something goes
+// wrong; and again when it has been saved. A separate thread writes it. end() removes it, when everything has been
+// saved or the user has chosen to discard it. After a crash it stays, and find() of the next editor offers it. Work
+// that was recovered also stays until it is saved.
 #pragma once
 
 #include <cstdint>
@@ -33,11 +33,12 @@ class Autosave {
     void update(double now);
     /// When update() is wanted at the latest, s; infinite: nothing has to be kept.
     double due() const { return due_; }
-    /// With the next update(): something has gone wrong. What notices tell of faults does the same.
+    /// Keeps the work with the next update(), because something has gone wrong. Notices about faults do the same.
     void soon();
-    /// At once, and waits for it: the editor is about to end by a fault. Never throws.
+    /// Keeps the work at once and waits until it is written: the editor is about to end because of a fault. Never
+    /// throws.
     void write_now() noexcept;
-    /// Everything was saved, or given up by choice: nothing is kept any longer.
+    /// Called when everything was saved or the user chose to discard it: nothing is kept any longer.
     void end();
 
     // --- after a crash ----------------------------------------------------------------------------------------------
@@ -69,9 +70,9 @@ class Autosave {
     std::filesystem::path state_folder_;
     std::uint64_t faults_seen_ = 0;  ///< of notices_
     document::KeepFolder folder_;    ///< used by the writer's thread; by others only while nothing runs there
-    std::uint64_t seen_ = 0;         ///< state() when it was last looked at
+    std::uint64_t seen_ = 0;         ///< state() when it was last checked
     bool unsaved_ = false, written_ = false, told_ = false, soon_ = false;
-    /// s; `latest_`: the limit while changes go on.
+    /// s; `latest_` is the limit while changes continue.
     double due_ = std::numeric_limits<double>::infinity(), latest_ = due_;
     std::vector<Offer> offers_;
     std::vector<document::LeftBehind> recovered_;

@@ -1,12 +1,12 @@
-// Presets in folders: the shipped ones, those beside the preset that is open, and where the user keeps more; with
-// thumbnails.
+// Presets in folders, with thumbnails: the shipped ones, those next to the open preset, and those in folders that the
+// user has added.
 //
-//     browser.show();                                  // by the panel, in each build: it is looked at
+//     browser.show();                                  // called by the panel in each build: it is visible
 //     for (std::size_t i : browser.found()) draw(browser.files()[i]);
 //     browser.take_values(i);
 //
-// Folders are read in a job when the panel comes to be seen, when the preset was saved and by reload(); nothing is read
-// or rendered for a panel that is not seen. UI thread.
+// A job reads the folders when the panel becomes visible, when the preset was saved and by reload(). Nothing is read or
+// rendered for a panel that is not visible. UI thread.
 #pragma once
 
 #include <cstdint>

@@ -192,7 +192,7 @@ void ClipShelf::update(double now) {
     follow();
 }
 
-/// Whether the clips, the folder that they may be in, or what is known of them have changed.
+/// Whether the clips, the folder that they may be in, or the reports about them have changed.
 bool ClipShelf::stale() const {
     return (document_.preset_changes_since(followed_) & redo::clips) != 0 || grown_ != followed_grown_ ||
            document_.preset_file().native() != followed_file_;

@@ -30,7 +30,7 @@ namespace lapfx::app {
 class PreviewHost;
 class Settings;
 
-/// What is known of one clip's file.
+/// The facts about one clip's file.
 struct ClipFacts {
     std::filesystem::path path;  ///< empty: not found
     bool known = false;          ///< `report` holds
@@ -61,9 +61,9 @@ class ClipShelf {
     /// Once before each frame. `now`: s.
     void update(double now);
 
-    /// Of the preset's clip of this number; facts without content where there is none.
+    /// The facts about the preset's clip with this number; empty facts if there is no such clip.
     const ClipFacts& of(std::size_t clip) const;
-    /// How it plays in the preview, a few times a second; null: not in it.
+    /// How the clip plays in the preview, updated a few times a second; null: the preview does not have it.
     const ClipStatus* playing(std::size_t clip) const;
     /// All that is wrong with a clip, file and values, a line each.
     const std::vector<std::string>& faults(std::size_t clip) const;
@@ -73,14 +73,14 @@ class ClipShelf {
     bool any_outside() const;
     /// The folder that the preset's clips belong in; empty while the preset has no folder yet.
     std::filesystem::path home() const;
-    /// All files are looked through anew: they have changed on the disk.
+    /// Examines all files again, because they have changed on the disk.
     void look_again();
 
     // --- changing ----------------------------------------------------------------------------------------------------
-    /// Looks through files, by a job, and adds those that are clips, or puts the first one in the place of clip
-    /// `replace`. What is wrong with the others is in refused().
+    /// Examines files in a job and adds those that are clips, or replaces clip `replace` by the first one. refused()
+    /// says what is wrong with the others.
     void add(const std::vector<std::string>& files, std::optional<std::size_t> replace = {});
-    /// Copies every clip that lies outside into home(), by a job, and names it there.
+    /// Copies every clip that is outside into home(), in a job, and names the copy in the preset.
     void copy_beside();
     /// Copies into `folder`, by a job, the clips that a preset there could not name, and uses the copies. Then calls
     /// `then`.
@@ -127,7 +127,7 @@ class ClipShelf {
     double asked_ = -1;  ///< s, when the preview was asked for it
 };
 
-/// Of 16:9, cut out of the middle; RGBA of `size`.
+/// The middle of an image, cut to 16:9 and reduced to `size`, as RGBA.
 std::vector<std::uint8_t> shrunk(const Image& image, glm::ivec2 size);
 
 }  // namespace lapfx::app

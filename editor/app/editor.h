@@ -157,7 +157,7 @@ class Editor {
     std::unique_ptr<HotReload> hot_reload_;
     std::unique_ptr<Meter> meter_;
     double now_ = -1;
-    // As they were at the last frame.
+    // The state at the last frame.
     std::size_t events_before_ = 0;
     std::vector<std::size_t> selected_before_;
     bool picked_before_ = false;

@@ -1,4 +1,4 @@
-// A scene's events as a person sees them: contacts that go on from each other (lapfx/tool.h) are one stroke, and are
+// A scene's events as a person sees them: contacts that continue each other (lapfx/tool.h) are one stroke and are
 // moved, stretched and erased together. Pure functions.
 //
 //     for (const app::Stroke& stroke : app::strokes_of(scene.events))
@@ -17,7 +17,7 @@ namespace lapfx::app {
 inline constexpr std::size_t most_events = 4096;  ///< of a scene
 inline constexpr double last_event_time = 3600;   ///< s, also the longest duration
 
-/// From press to release: contacts that go on from each other.
+/// Contacts that continue each other, from press to release.
 struct Stroke {
     std::vector<std::size_t> events;  ///< indices, in the order of their times
     ToolAction action = ToolAction::cauterise;

@@ -1,6 +1,6 @@
-// Presets, bundles, pictures and videos that are written out, by the code of `lapfx render`, one frame at a time, while
-// the editor can be used. What is exported is a copy made at the start, so editing goes on. A file appears only when it
-// is whole and has been read back.
+// Exports presets, bundles, pictures and videos with the code of `lapfx render`, one frame at a time, while the editor
+// can be used. It exports a copy of the document made at the start, so a person can continue to edit. A file appears
+// only when it is complete and has been read back.
 //
 //     exports.propose(OutputKind::video);
 //     exports.form.fps = 30;
@@ -89,7 +89,7 @@ class Exports {
 
     ExportForm form;
 
-    /// Of the dialog that asks for a file of that kind.
+    /// The title of the dialog that asks for a file of that kind.
     static std::string title(OutputKind kind);
     /// Fills in what the person has not set yet: names where such files were written last, beside the person's own
     /// preset or among their documents; the time that is shown, the range of play.

@@ -26,13 +26,14 @@ class FileChooser {
     FileChooser(const EditorOptions& options, Settings& settings, Screen& screen);
 
     /// Opens the dialog; `then` gets the paths that were chosen, of save one that may exist (the person was asked).
-    /// Without a folder in `request` it begins where files of this title were chosen last. After the first frame.
+    /// Opens the dialog. If `request` has no folder, it starts where files of this title were chosen last. Call it
+    /// after the first frame.
     void ask(ui::FileRequest request, Then then);
     /// Once a frame, while the UI is built.
     void build(ui::Ui& ui);
 
-    /// Where something is written unless the person says otherwise: where it was last (`title` of the dialog), in
-    /// `beside`, among the user's documents; never among the files that came with the program.
+    /// The folder to write to unless the person chooses another one: the last one (for this `title` of the dialog),
+    /// `beside`, or the user's documents; never a folder of files that came with the program.
     std::filesystem::path own_folder(const std::string& title, const std::filesystem::path& beside = {}) const;
     /// What came with the program: Save does not write over it, nor is anything proposed there.
     bool shipped(const std::filesystem::path& file) const;

@@ -14,7 +14,7 @@ ui::FileFilter document_filter();  ///< presets and scenes
 std::vector<ui::FileFilter> clip_filters(std::string videos);
 /// What Open takes: first all of it, then by kind.
 std::vector<ui::FileFilter> open_filters();
-/// Of what an export writes.
+/// The filter for the files that an export writes.
 ui::FileFilter written_filter(std::string name, Content content);
 
 }  // namespace lapfx::app

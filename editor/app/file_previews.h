@@ -44,8 +44,8 @@ class FilePreviews : public ui::FilePictures {
     void make_with(const std::filesystem::path& program) { program_ = program; }
 
   private:
-    /// Of a file with this size and time of change; when either differs it is made anew. A preset is shown on the scene
-    /// that was open.
+    /// The preview of a file with this size and time of change; if either differs, it is made again. A preset is shown
+    /// on the scene that was open.
     struct Kept {
         std::string path;
         std::uint64_t bytes = 0;

@@ -226,7 +226,7 @@ void Files::save(Kind kind, Then then) {
     const document::OnDisk& known =
         kind == Kind::scene ? editor_.document.scene_on_disk() : editor_.document.preset_on_disk();
     const document::OnDisk now = document::OnDisk::of(to);
-    // Where the file is gone, saving replaces nobody's work.
+    // If the file no longer exists, saving does not replace anybody's work.
     if (!now.exists || now == known) return save_to(kind, to, std::move(then));
     ask({.title = in_marks(to) + " has been changed by another program",
          .text = "The file on the disk is not the one that was opened here. Saving would replace it.",

@@ -48,9 +48,9 @@ class Files {
     /// The same for files that a person brings (dropped, chosen, recent): a video may be a smoke clip or the reference,
     /// and is asked about; an organ is opened by the dialog that sets its unit and orientation.
     void bring(const std::vector<std::string>& files);
-    /// As open(), but what is not saved is given up: the person has been asked.
+    /// Does the same as open(), but discards unsaved changes: the person has been asked.
     void open_anyway(const std::vector<std::string>& files);
-    /// What an editor left that ended by a fault (Autosave::offers) becomes the document.
+    /// Makes the work that an editor left when it crashed (Autosave::offers) the document.
     void recover(std::size_t offer);
     /// The program itself has put something into the document, at its start or recovered: asks the same question
     /// afterwards.

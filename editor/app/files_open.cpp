@@ -1,4 +1,4 @@
-// What Files opens: documents, organs and videos, and what is asked before they take the place of others.
+// The part of Files that opens documents, organs and videos, and asks before they replace others.
 #include <algorithm>
 
 #include "app/autosave.h"

@@ -110,11 +110,11 @@ class KeyingBench {
     const std::shared_ptr<Job>& suggesting() const { return suggesting_; }
     void cancel_suggesting();
 
-    /// Where the clip's smoke starts, by a job; one undo step.
+    /// Finds the place where the clip's smoke starts, in a job; this is one undo step.
     void find_source();
     const std::shared_ptr<Job>& finding_source() const { return finding_source_; }
     void cancel_finding_source();
-    /// Of the clip that is selected, as long as nobody has selected another one.
+    /// The suggestion for the selected clip, until another clip is selected.
     const std::optional<KeyingSuggestion>& suggestion() const { return suggestion_; }
     static constexpr double sure_from = 0.5;  ///< confidence below which a person should look first
     /// What it changed, and for whom: "For this clip only: Luma low 16 to 31". Empty once the document has changed
@@ -155,8 +155,8 @@ class KeyingBench {
     bool wanted_ = false, shown_ = false;
     std::shared_ptr<BenchWork> work_;
     std::shared_ptr<Job> job_;
-    std::unique_ptr<Request> asked_;      ///< last
-    std::unique_ptr<Request> requested_;  ///< made by request(); kept, so that its texts are not allocated anew
+    std::unique_ptr<Request> asked_;      ///< the last one that was asked for
+    std::unique_ptr<Request> requested_;  ///< made by request(); kept, so that its texts are not allocated again
     std::shared_ptr<const Image> backdrop_;
     double backdrop_time_ = -1, time_before_ = -1;
 

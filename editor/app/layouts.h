@@ -39,9 +39,9 @@ class Layouts {
     bool seen(std::string_view panel) const;
     /// Brings it there, also if it was closed.
     void bring_to_front(std::string_view panel);
-    /// Of the standard ones ("Tune", "Key", "Compare", "Stage") and the user's own.
+    /// The names of the standard layouts ("Tune", "Key", "Compare", "Stage") and of the user's own.
     std::vector<std::string> names() const;
-    /// False: there is none of this name; case does not matter.
+    /// Returns false if there is no layout of this name; case does not matter.
     bool choose(std::string_view name);
     void reset() { choose(name_); }
     /// Keeps what is shown under this name; a standard name is refused (false).

@@ -21,7 +21,7 @@ fs::path preset_file_of(const Scene& scene) {
 
 void open_scene(Opened& opened, const fs::path& file) {
     Scene& scene = opened.content.scene = load_scene(file);
-    // With the same paths as the document: what was loaded early is then what it asks for.
+    // The paths are the same as in the document, so that it asks for the files that were loaded early.
     scene.folder = document::folder_of(file);
     opened.content.preset = preset_of(scene);
     opened.scene_file = file;

@@ -16,10 +16,10 @@ enum class FileKind { scene, preset, organ, video, unknown };
 FileKind kind_of(const std::filesystem::path& file);
 
 bool is_organ_name(const std::filesystem::path& file);
-/// Of a preset or a scene.
+/// Whether this is the name of a preset or a scene.
 bool is_document_name(const std::filesystem::path& file);
 
-/// What has been read, to become the document.
+/// The files that have been read and will become the document.
 struct Opened {
     document::Content content;
     std::filesystem::path scene_file, preset_file;  ///< empty: none of its own
@@ -29,9 +29,9 @@ struct Opened {
 /// The sample scene with its preset. Throws Error.
 Opened open_sample(const std::filesystem::path& data_folder);
 
-/// Puts files into `opened`: a scene takes the place of all, a preset of the preset, an organ of the scene's organ
-/// (seen from the front, without events), a video becomes the plume. In whatever order they are named, the scene comes
-/// first. Throws Error.
+/// Opens files into `opened`: a scene replaces everything, a preset the preset, an organ the scene's organ (seen from
+/// the front, without events), and a video becomes the plume. The scene is always opened first, in whatever order the
+/// files are named. Throws Error.
 void open_files(Opened& opened, const std::vector<std::string>& files);
 
 /// The preset that a scene names; the default one if it names none. Throws Error.

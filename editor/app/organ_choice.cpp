@@ -19,7 +19,7 @@ bool close(double a, double b) {
     return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
 }
 
-/// As load_organ() turns: about x, then y, then z.
+/// The same rotation as in load_organ(): about x, then y, then z.
 glm::dmat3 rotation_matrix(const glm::dvec3& degrees) {
     const glm::dvec3 angle = glm::radians(degrees);
     const glm::dmat4 x = glm::rotate(glm::dmat4(1.0), angle.x, glm::dvec3(1, 0, 0));

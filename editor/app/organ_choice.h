@@ -33,7 +33,7 @@ struct LengthUnit {
     double millimetres;
 };
 inline constexpr std::array<LengthUnit, 4> length_units = {{{"mm", 1}, {"cm", 10}, {"m", 1000}, {"inch", 25.4}}};
-/// Of length_units; none: -1.
+/// The index in length_units of this scale; -1: none.
 int unit_of(double scale);
 
 /// mm per unit with which a mesh that is `longest` units long has the size of an organ; nothing where no unit gives

@@ -16,7 +16,7 @@ namespace lapfx::app {
 /// group's words hold for all that is in it.
 std::span<const std::pair<std::string_view, std::string_view>> parameter_words();
 
-/// Of one key alone; empty: it is found by its name.
+/// The words for a single key; empty: it is found by its name.
 std::string_view everyday_words(std::string_view key);
 
 }  // namespace lapfx::app

@@ -85,11 +85,11 @@ const Parameters& parameters();
 /// in.
 std::string search_words(std::string_view title, std::string_view key, std::string_view help);
 
-/// What a tooltip tells of a row: what it does, with the paper's term; range and unit; with `defaults`, a struct like
-/// its owner, what it is by default.
+/// The text of a row's tooltip: what it does, with the paper's term; range and unit; its default if `defaults`, a
+/// struct like its owner, is given.
 std::string tip_text(const Parameter& row, const void* defaults = nullptr);
 
-/// As set_parameter() reads it: "4.5", "true", "light", "#5d0f11", "1,2,3".
+/// The value as text that set_parameter() reads: "4.5", "true", "light", "#5d0f11", "1,2,3".
 std::string text_of(const Parameter& row, const Value& value);
 
 }  // namespace lapfx::app

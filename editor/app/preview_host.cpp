@@ -218,7 +218,7 @@ void PreviewHost::follow_preset() {
     }
 }
 
-/// The clips that play go on; all else is live.
+/// Clips continue to play; everything else changes at once.
 void PreviewHost::show_parameters(const Preset& preset) {
     try {
         preview_->set_parameters(preset);
@@ -423,7 +423,7 @@ void PreviewHost::push_sample(double time, glm::dvec3 place, bool touching) {
 
 void PreviewHost::put_tool(ToolAction action, double power, double strength, double time, glm::dvec3 place) {
     if (!preview_) return;
-    // Samples go forwards in time; a log that is set lets time begin anew.
+    // Samples go forwards in time. Setting the log allows time to start again.
     const std::vector<ToolContact> log(preview_->contacts().begin(), preview_->contacts().end());
     preview_->set_contacts(log);
     contacts_before_ = log.size();

@@ -46,7 +46,7 @@ struct EarlyLoad {
     ~EarlyLoad() { stopped = true; }  // what is still on its way ends soon, and is waited for
 
     Scene scene;                       ///< whose organ and tool it is
-    std::shared_ptr<ClipCache> clips;  ///< where what is known of the clips goes to
+    std::shared_ptr<ClipCache> clips;  ///< gets the facts about the clips
     std::atomic<bool> stopped = false;
     std::atomic<double> progress = 0;                         ///< of the organ, 0..1
     std::future<std::shared_ptr<const PreparedOrgan>> organ;  ///< what it throws is told when it is asked for
@@ -70,9 +70,9 @@ class PreviewHost {
     PreviewHost(const PreviewHost&) = delete;
     PreviewHost& operator=(const PreviewHost&) = delete;
 
-    /// Shows the document from the next draw() on, or when what it needs is loaded; with PreviewOptions::wait_for_clips
-    /// that is waited for. What cannot be shown (values that contradict each other, a clip or an organ that is gone)
-    /// stays what it was before, all else is shown, and the faults below tell of it.
+    /// Shows the document from the next draw() on, or when its files are loaded; with PreviewOptions::wait_for_clips
+    /// this waits for them. Parts that cannot be shown (values that contradict each other, a clip or an organ that is
+    /// missing) stay as they were before. All else is shown, and the faults below say what is wrong.
     void follow(const document::Document& document);
     /// Pictures have this size from now on, px; picture() is another texture then. Call it before the list that shows
     /// the picture is drawn.
@@ -121,10 +121,10 @@ class PreviewHost {
     MemoryUse memory_use() const;
     std::size_t memory() const { return memory_use().total(); }
 
-    /// What is known of clips: another preview that uses it looks through none of them again.
+    /// The facts about clips. Another preview that uses this cache does not examine them again.
     const std::shared_ptr<ClipCache>& clip_cache() const { return options_.clip_cache; }
-    /// The organ of this scene as it is shown, for others that work on it; null while it is not there, or another one
-    /// is.
+    /// The organ of this scene as it is shown, for others that work on it; null while it is not loaded or another one
+    /// is shown.
     std::shared_ptr<const PreparedOrgan> organ_of(const Scene& scene) const;
     /// Grows whenever another one is shown, or why there is none.
     std::uint64_t organ_version() const { return organ_version_; }
@@ -134,7 +134,7 @@ class PreviewHost {
     const Preview* preview() const { return preview_.get(); }
 
     // --- a tool in the hand ------------------------------------------------------------------------------------------
-    /// From `time` on the tip is on the organ at `place`. The preview shows what it does, the document knows nothing of
+    /// Puts the tip on the organ at `place` from `time` on. The preview shows its effect; the document does not contain
     /// it yet.
     void put_tool(ToolAction action, double power, double strength, double time, glm::dvec3 place);
     void move_tool(double time, glm::dvec3 place);  ///< straight from where it was, at 100 Hz
@@ -160,18 +160,18 @@ class PreviewHost {
     std::shared_ptr<const PreparedOrgan> organ_;  ///< that is shown
     std::uint64_t organ_version_ = 0;
     std::unique_ptr<Preview> preview_;
-    Target target_, small_;                             ///< that is shown; that is stretched to it
+    Target target_, small_;                             ///< the one that is shown; the one that is stretched to it
     std::uint64_t followed_ = 0;                        ///< version of the document
     document::Content wanted_;                          ///< of that
     std::vector<Fault> wanted_faults_;                  ///< of its preset
-    bool stale_ = false;                                ///< it has to be looked at once more
+    bool stale_ = false;                                ///< it has to be examined again
     std::shared_ptr<const PreparedOrgan> ready_organ_;  ///< to be shown
-    std::optional<Scene> shown_scene_;                  ///< none: to be looked at anew
-    std::optional<Preset> shown_preset_;                ///< as it was wanted; none: to be looked at anew
+    std::optional<Scene> shown_scene_;                  ///< none: it has to be examined again
+    std::optional<Preset> shown_preset_;                ///< as it was wanted; none: it has to be examined again
     bool clips_shown_ = false;                          ///< all of its clips, and it breaks no rule
     Preset good_;                                       ///< that was shown last; it breaks no rule
     std::optional<Scene> asked_scene_;                  ///< of the organ that was asked for last
-    std::vector<std::filesystem::path> opening_;        ///< clips that are looked through
+    std::vector<std::filesystem::path> opening_;        ///< clips that are being examined
     std::vector<std::filesystem::path> organ_files_;
     std::vector<Fault> preset_faults_, organ_faults_;
     bool scene_fault_ = false;  ///< of organ_faults_: the scene as it is, not its file
@@ -180,7 +180,7 @@ class PreviewHost {
     Shot last_;
     Overlay overlay_ = Overlay::none;  ///< that the preview has
 
-    bool unchecked_ = false, lost_ = false;  // it has been drawn since the last check; for good
+    bool unchecked_ = false, lost_ = false;  // it has been drawn since the last check; the context is lost
     double checked_ = 0;                     // s
     unsigned told_error_ = 0;
 

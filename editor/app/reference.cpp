@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* sample = "samples/reference/operation.mp4";
 
-/// As a scene in `folder` names it: relative where it lies below.
+/// The name of a file in a scene in `folder`: relative if it is in that folder or below.
 std::string named_in(const fs::path& folder, const fs::path& file) {
     std::error_code error;
     const fs::path whole = fs::weakly_canonical(fs::absolute(file), error);

@@ -44,10 +44,11 @@ class Reference {
     ~Reference();
 
     // --- which ------------------------------------------------------------------------------------------------------
-    /// Opened beside the UI and then, by an undo step, the scene's reference, from its first frame on. What cannot be
-    /// opened is in refused(), and the one that is there stays. One of numbered images stands for all of them.
+    /// Opens the file in a job and then, as one undo step, makes it the scene's reference, from its first frame on. If
+    /// it cannot be opened, refused() says why and the present reference stays. One of several numbered images stands
+    /// for all of them.
     void choose(const std::filesystem::path& file);
-    /// Of the last choose(), until another reference comes.
+    /// What was wrong in the last choose(), until another reference comes.
     const std::vector<Fault>& refused() const { return refused_; }
     void forget_refused() { refused_.clear(); }
     /// Another document has been opened: what is being opened is not for that one.
@@ -76,7 +77,7 @@ class Reference {
     std::optional<ui::Span> span() const;
 
     // --- shown ------------------------------------------------------------------------------------------------------
-    /// By the panel in every build: the frame for the time is wanted.
+    /// Called by the panel in every build: asks for the frame of the present time.
     void follow();
     /// The newest frame that has come.
     ui::Picture picture() const;

@@ -56,7 +56,7 @@ void Saved::follow() {
 
 void Saved::follow_clips() {
     const Preset &now = document_.preset(), &saved = content_.preset;
-    // Where both name them from one folder the disk need not be asked.
+    // If both have the same folder, the disk need not be read.
     const auto files = [asks = now.folder != saved.folder](const Preset& preset) {
         std::vector<std::filesystem::path> all;
         for (const SmokeClip& clip : preset.smoke.clips)

@@ -2,7 +2,7 @@
 //
 //     const double speed = saved.content().preset.bleeding.speed;
 //
-// UI thread. It follows the document by itself: it is worked out anew only when that has changed.
+// UI thread. It follows the document by itself and is computed again only when the document has changed.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,12 @@ class Saved {
     explicit Saved(const document::Document& document) : document_(document) {}
 
     const document::Content& content();
-    /// What was saved of this clip, wherever it stood in the list then: the same file, as often used before it, however
-    /// the folder of either names it. Null: it is new.
+    /// The saved version of this clip, at any place in the list. It has the same file, by whatever path, and the file
+    /// was used as often before it. Null: the clip is new.
     const SmokeClip* known_clip(std::size_t number);
-    /// The same; of a clip that is new, the defaults.
+    /// The same; the defaults for a clip that is new.
     const SmokeClip& clip(std::size_t number);
-    /// Of the keying that holds for this clip: its own or the preset's.
+    /// The saved keying that applies to this clip: its own or the preset's.
     const KeyingParameters& keying(std::size_t number);
 
   private:

@@ -45,7 +45,7 @@ class Settings {
     void note_recent(const std::string& file);
     /// Removes those of these files that do not exist any more from the recent ones.
     void forget_missing(const std::vector<std::string>& files);
-    /// Where files of a kind were chosen last, by the title of the dialog; empty: nowhere yet.
+    /// The folder in which files of a kind were last chosen, by the title of the dialog; empty: none yet.
     std::string last_folder(const std::string& title) const;
     void note_folder(const std::string& title, std::string_view folder) { last_folders_[title] = folder; }
     const document::Folders& folders() const { return folders_; }
@@ -57,7 +57,7 @@ class Settings {
     void update(double now);
     /// When update() is wanted at the latest, s; infinite: there is nothing to write.
     double due() const { return due_; }
-    /// At once, if anything has changed. What fails is told once.
+    /// Writes the settings at once if anything has changed. A failure is reported only once.
     void write();
 
   private:

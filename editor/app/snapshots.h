@@ -1,7 +1,7 @@
 // Four states of the preset, A to D, to go back to and to compare.
 //
 //     editor.snapshots().keep(0);  // as A
-//     editor.snapshots().show(0);  // one undo step "Snapshot A"; once more: back to what was there before
+//     editor.snapshots().show(0);  // one undo step "Snapshot A"; a second call goes back to the preset before
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ class Snapshots {
     /// Whether the document's preset is just this one.
     bool shown(std::size_t slot) const;
 
-    /// What was there before a snapshot was shown is of no use any more: another document has been opened.
+    /// Forgets the preset from before a snapshot was shown, because another document has been opened.
     void forget_before() { before_.reset(); }
 
     /// For autosave.

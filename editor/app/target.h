@@ -16,7 +16,7 @@ class Target {
     Target(const Target&) = delete;
     Target& operator=(const Target&) = delete;
 
-    /// At least 1x1 (assert). Another size has other names, and nothing drawn yet.
+    /// `size` is at least 1x1 (assert). A new size makes new GL objects, in which nothing has been drawn yet.
     void resize(glm::ivec2 size);
     glm::ivec2 size() const { return size_; }
     unsigned texture() const { return texture_; }  ///< GL name; 0 before the first resize()

@@ -155,7 +155,7 @@ void evict(const fs::path& folder) {
     for (std::size_t i = 0; i + ThumbnailMaker::most_kept < pictures.size(); ++i) fs::remove(pictures[i].second, error);
 }
 
-/// Without those that name a display: what renders thumbnails opens no window.
+/// The environment without variables that name a display: the program that renders thumbnails opens no window.
 std::vector<char*> environment_without_display() {
     std::vector<char*> all;
     for (char** variable = environ; *variable != nullptr; ++variable) {
@@ -243,7 +243,7 @@ void ThumbnailMaker::want(std::vector<Request> requests) {
     Work& w = *work_;
     {
         const std::lock_guard lock(w.mutex);
-        // A child whose picture was dropped is ended, even if the picture is wanted again: it is started anew.
+        // A child whose picture was dropped is ended. If the picture is wanted again, another child is started.
         const auto running =
             w.working && !w.dropped ? std::find(requests.begin(), requests.end(), w.now) : requests.end();
         w.dropped = w.working && running == requests.end();

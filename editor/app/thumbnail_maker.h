@@ -59,7 +59,7 @@ class ThumbnailMaker {
     ThumbnailMaker(const ThumbnailMaker&) = delete;
     ThumbnailMaker& operator=(const ThumbnailMaker&) = delete;
 
-    /// All that is wanted from now on, in this order; what is asked for again goes on.
+    /// Sets all pictures that are wanted from now on, in this order. Work on those that are asked for again continues.
     void want(std::vector<Request> requests);
     std::vector<Result> take();
     bool busy() const;

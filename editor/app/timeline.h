@@ -21,8 +21,8 @@ class Timeline : public ui::TimelineState {
     double duration() const { return document_.scene().duration; }  ///< s, of the scene
     /// Goes to `to` s, or to the end of the scene that is nearest.
     void seek(double to);
-    /// `seconds` have gone by. At the end, or that of the range, play starts again or stops; with `endless`, which a
-    /// tool in use needs, it goes on beyond the end.
+    /// Advances the time by `seconds`. At the end, or at the end of the range, play starts again or stops; with
+    /// `endless`, which a tool in use needs, it continues beyond the end.
     void advance(double seconds, bool endless);
 
   private:

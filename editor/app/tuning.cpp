@@ -87,7 +87,7 @@ std::size_t broken_rules(const ParameterEntry& entry, const Preset& preset) {
                                                   [&](const Rule& rule) { return !rule.check(owner).empty(); }));
 }
 
-/// From a document that was opened with faults: what is not allowed is left out.
+/// Sets a value if its row allows it: a document that was opened with faults may have others.
 void put(const ParameterEntry& entry, Preset& preset, const Value& value) {
     if (entry.row->check(value).empty()) entry.row->set(entry.owner(preset), value);
 }

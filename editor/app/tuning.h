@@ -61,8 +61,8 @@ class Tuning {
     /// Null stands for all groups. Each call is one undo step. Only randomise() leaves locked values as they are.
     void reset(const ParameterGroup* group);
     void reset(std::size_t entry);
-    /// From the values as they are. The same seed, preset, locks and strength give the same values. Rules between
-    /// values hold if they held before. Gives how many values changed.
+    /// Changes the present values at random. The same seed, preset, locks and strength give the same values. Rules
+    /// between values hold if they held before. Gives how many values changed.
     int randomise(const ParameterGroup* group);
     static constexpr double standard_strength = 0.1;
     /// How far a value may move, as a part of its range; at 1 anywhere in it, and choices change, too.

@@ -1,4 +1,5 @@
-// Where the window was, to open it there again. No window system: screen coordinates, the origin is the desktop's.
+// The place of the window, to open it there again. Independent of the window system: screen coordinates with the
+// desktop's origin.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -21,8 +22,9 @@ struct WindowPlace {
 
 inline constexpr glm::ivec2 least_window{320, 240};
 
-/// How it fits on the monitors that are there now: on the monitor with most of it, or the first where its own is gone;
-/// no larger than that one and wholly on it. `monitors`: without the desktop's bars; none: as it is.
+/// The place fitted to the present monitors: on the monitor with the largest part of it, or on the first one if its own
+/// no longer exists; not larger than that monitor and fully on it. `monitors` are areas without the desktop's bars; if
+/// there are none, the place stays as it is.
 WindowPlace fitted(WindowPlace place, std::span<const ScreenArea> monitors);
 
 }  // namespace lapfx::app

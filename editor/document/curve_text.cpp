@@ -18,7 +18,7 @@ std::string shortest(double value) {
     return {buffer, end.ptr};
 }
 
-/// The figures of a line; false: something else stands there as well.
+/// Reads the numbers of a line. False: the line contains something else as well.
 bool read_figures(std::string_view line, std::vector<double>& figures) {
     figures.clear();
     while (true) {

@@ -12,7 +12,7 @@ namespace lapfx::document {
 namespace {
 
 // --- values as bytes -------------------------------------------------------------------------------------------------
-// A value is written as its bytes; a text, a list with the number of what follows first. The order is the table's.
+// A value is written as its bytes. A text or a list begins with its size. The order is that of the table.
 
 std::size_t size_of(Kind kind) {
     switch (kind) {
@@ -56,7 +56,7 @@ void write(const Parameter& row, const void* owner, std::string& bytes) {
     bytes += text;
 }
 
-/// An object or an element with all that is in it, also parts that are switched off.
+/// Writes an object or an element with everything in it, also the parts that are switched off.
 void write(const Table& table, const void* owner, std::string& bytes) {
     for (const Parameter& row : table.rows) write(row, owner, bytes);
     for (const Table& child : table.tables) {
@@ -71,7 +71,7 @@ void write(const Table& table, const void* owner, std::string& bytes) {
     }
 }
 
-/// Takes back, from the front, what was written.
+/// Reads the values in the order in which they were written.
 class Reader {
   public:
     explicit Reader(std::string_view bytes) : left_(bytes) {}
@@ -115,7 +115,8 @@ class Reader {
 };
 
 // --- equal to the last bit -------------------------------------------------------------------------------------------
-// Unlike equal() of authoring/compare.h, for which -0 is 0 and a part that is switched off has no values.
+// This differs from equal() of authoring/compare.h, for which -0 equals 0 and the values of a part that is switched off
+// do not count.
 
 bool identical(const Parameter& row, const void* a, const void* b) {
     const void *left = value_of(row, a), *right = value_of(row, b);
@@ -141,7 +142,7 @@ bool identical(const Table& table, const void* a, const void* b) {
     return true;
 }
 
-/// Elements [first, first + count) of a list, their number first.
+/// The bytes of elements [first, first + count) of a list. Their number comes first.
 std::string written(const Table& list, const void* vector, std::size_t first, std::size_t count) {
     std::string bytes;
     write_size(count, bytes);
@@ -150,10 +151,10 @@ std::string written(const Table& list, const void* vector, std::size_t first, st
     return bytes;
 }
 
-/// In place of `replaced` elements from `first` on.
+/// Replaces `replaced` elements from `first` on by those in `bytes`.
 void put_elements(const Table& list, void* vector, std::size_t first, std::size_t replaced, Reader bytes) {
     const std::size_t count = bytes.size(), before = list.list->size(vector), after = before - replaced + count;
-    const std::size_t behind = before - first - replaced;  // that stay, but move
+    const std::size_t behind = before - first - replaced;  // elements that stay, but move
     if (after > before) list.list->resize(vector, after);
     for (std::size_t k = 0; k < behind; ++k) {
         const std::size_t i = after > before ? behind - 1 - k : k;  // none is overwritten before it has moved
@@ -189,7 +190,8 @@ void Delta::compare(const Table& table, const void* before, const void* after, c
     if (place.empty()) changes_.shrink_to_fit();  // the whole document is compared
 }
 
-/// Of one length: values of elements. Else what lies between those that are equal at its front and at its end.
+/// Lists of the same length are compared element by element. Otherwise the change is all between the elements that are
+/// equal at the front and those that are equal at the end.
 void Delta::compare_list(const Table& list, const void* before, const void* after, const std::string& place) {
     const std::size_t n = list.list->size(before), m = list.list->size(after);
     const auto equal = [&](std::size_t i, std::size_t j) {
@@ -212,7 +214,7 @@ void Delta::compare_list(const Table& list, const void* before, const void* afte
                         .after = written(list, after, front, m - front - end)});
 }
 
-/// Places do not depend on each other: nothing is compared inside of a list that gets longer or shorter.
+/// The order of the changes does not matter: when a list gets longer or shorter, no change has a place inside it.
 void Delta::put(void* document, std::string Change::*state) const {
     for (const Change& change : changes_) {
         const Spot spot = find(*table_, document, change.place);

@@ -21,7 +21,7 @@ namespace lapfx::document {
 
 class Delta {
   public:
-    /// Of nothing: empty.
+    /// An empty one.
     Delta() = default;
     /// `Document`: Preset or Scene; `table` is its table, which outlives this.
     template <class Document>
@@ -30,7 +30,7 @@ class Delta {
         compare(table, &before, &after, "");
     }
 
-    /// The document must be as it was before; then it is as it was after. And the other way round.
+    /// redo() takes a document in the state before and brings it to the state after; undo() does the reverse.
     template <class Document>
     void redo(Document& document) const {
         put(&document, &Change::after);
@@ -43,20 +43,21 @@ class Delta {
     }
 
     bool empty() const { return changes_.empty() && folders_.empty(); }
-    /// Whether the value at this JSON pointer differs; elements that came or went are not looked into.
+    /// Whether the value at this JSON pointer differs. Values inside of elements that were added or removed do not
+    /// count.
     bool changes(std::string_view place) const;
-    /// A text that was `from` before or after is `to` from now on; one that no longer differs is forgotten.
+    /// Replaces the text `from`, before and after, by `to`. A text that no longer differs then is forgotten.
     void replace(std::string_view place, const std::string& from, const std::string& to);
-    /// Bytes that it takes beside its own.
+    /// Bytes that it has allocated.
     std::size_t memory() const;
 
   private:
-    /// One place and what stands there, written by the table (delta.cpp).
+    /// One place and its content before and after, as bytes (delta.cpp).
     struct Change {
         enum class What {
-            value,     ///< of one parameter
-            presence,  ///< of an object that may be left out
-            elements,  ///< a part of a list, from `first` to before the last elements, which are equal
+            value,     ///< the value of one parameter
+            presence,  ///< whether an object that may be left out exists
+            elements,  ///< a part of a list: from `first` up to the elements at the end that are equal
         };
         What what = What::value;
         std::string place;  ///< JSON pointer

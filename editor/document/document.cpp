@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t longest_file = std::size_t{16} << 20U;  // of a document; more than is ever loaded
+constexpr std::size_t longest_file = std::size_t{16} << 20U;  // larger than any document that is loaded
 
 void move_scene(Scene& scene, const fs::path& folder) {
     for (std::string* path : {&scene.organ.file, &scene.tool.file, &scene.reference.file, &scene.preset})
@@ -23,20 +23,21 @@ void move_scene(Scene& scene, const fs::path& folder) {
     scene.folder = folder;
 }
 
-/// Absolute, in one spelling: what a document is opened with may be relative to where the program was started.
+/// An absolute path in one spelling. The path that a document is opened with may be relative to the folder in which the
+/// program was started.
 fs::path normal(const fs::path& path) {
     if (path.empty()) return path;
     const fs::path whole = fs::absolute(path).lexically_normal();
     return whole.has_filename() ? whole : whole.parent_path();
 }
 
-/// Where a document lies: a bare file name was read from where the program was started.
+/// The folder of a document. A file name without a folder was read from the folder in which the program was started.
 fs::path normal_folder(const fs::path& folder, const fs::path& file) {
     return folder.empty() && !file.empty() ? folder_of(file) : normal(folder);
 }
 
-/// Also a sequence, whose name with its % no file has. A whole path may lie behind a symbolic link and hold any
-/// character.
+/// Whether a clip of this name exists. It may be a sequence, and then no file has its name with the %. The path may
+/// lead through symbolic links and contain any character.
 bool is_there(const fs::path& whole) {
     if (!whole.has_filename() || whole.native().find('\0') != std::string::npos) return false;
     try {
@@ -52,20 +53,21 @@ bool lies_in(const fs::path& whole, const fs::path& folder) {
     return !folder.empty() && !relative.empty() && *relative.begin() != "..";
 }
 
-/// With symbolic links followed; of a sequence those of its folder. As it is where that is not allowed.
+/// The path with symbolic links followed; for a sequence only those of its folder. If they may not be read, the path
+/// stays as it is.
 fs::path real(const fs::path& path) {
     std::error_code error;
     fs::path found = fs::weakly_canonical(path, error);
     return error ? path : found;
 }
 
-/// The clip's file, or its name where it is none in the preset's folder.
+/// The clip's file; only its name if the preset's folder has no such file.
 fs::path whole_clip(const std::string& file, const fs::path& folder) {
     const fs::path whole = (folder / file).lexically_normal();
     return is_there(whole) ? whole : fs::path(file);
 }
 
-/// "case:3.glb" would read as a URL.
+/// Prefixes "./" to a name such as "case:3.glb", which would be read as a URL.
 std::string as_path(std::string name) {
     return name.find(':') < name.find('/') ? "./" + name : name;
 }
@@ -77,7 +79,8 @@ bool is_in_one_of(const std::vector<fs::path>& folders, const fs::path& file) {
     });
 }
 
-/// As it is spelled if that is allowed in this folder, else by where it really lies, which is inside.
+/// The name of a file relative to this folder. It is the path as spelled if that does not leave the folder; otherwise
+/// it is the path with symbolic links followed, which is inside.
 std::string name_within(const fs::path& whole, const fs::path& folder) {
     const bool spelled = lies_in(whole, folder) && lies_in(real(whole), real(folder));
     const fs::path name = spelled ? whole.lexically_relative(folder) : real(whole).lexically_relative(real(folder));
@@ -85,7 +88,7 @@ std::string name_within(const fs::path& whole, const fs::path& folder) {
 }
 
 constexpr unsigned all_bits = ~0U;
-/// What a folder decides: where files are looked up.
+/// Bits that depend on the folder, because files are looked up in it.
 constexpr unsigned files_elsewhere = redo::picture | redo::organ | redo::clips | redo::amounts;
 
 template <class Part>
@@ -131,8 +134,8 @@ fs::path real_clip(const std::string& file, const fs::path& folder) {
 }
 
 void gather_clips(Preset& preset, const fs::path& home, const std::vector<fs::path>& shipped) {
-    std::vector<fs::path> whole;  // of each clip; not absolute: it stays a bare name
-    fs::path above;               // of all of them
+    std::vector<fs::path> whole;  // the path of each clip; one that is not absolute stays a bare name
+    fs::path above;               // the deepest folder that contains all of them
     for (const SmokeClip& clip : preset.smoke.clips) {
         fs::path path = whole_clip(clip.file, preset.folder);
         if (path.is_absolute() && is_in_one_of(shipped, path)) path = path.filename();
@@ -229,7 +232,7 @@ void Document::recover(Recovered r) {
     change("Recovered work", [&](Content& c) { c = std::move(r.content); });
 }
 
-/// What was done before cannot be taken back any more: the content is another one.
+/// Earlier steps cannot be undone any more, because the content has been replaced.
 void Document::forget_steps() {
     steps_.clear();
     done_ = 0;
@@ -259,7 +262,8 @@ void Document::forget_preset_file() {
 
 // --- following -------------------------------------------------------------------------------------------------------
 
-/// What changed just now differs from the last step either now or did before: `differing` are the bits of now.
+/// Notes an edit. A row that it changed differs from the last step either now (`differing`) or did so before the edit
+/// (`open`).
 void Document::Changed::note(unsigned differing, std::uint64_t version) {
     const unsigned bits = differing | std::exchange(open, differing);
     for (std::size_t bit = 0; bit < at.size(); ++bit)
@@ -287,7 +291,7 @@ void Document::all_touched() {
     }
 }
 
-/// The content is what the last step left.
+/// Takes the present content as the one that the last step left.
 void Document::settle() {
     settled_ = content_;
     scene_changed_.open = preset_changed_.open = 0;
@@ -304,7 +308,7 @@ void Document::begin(std::string name) {
 void Document::commit() {
     if (!open_) return;
     open_ = false;
-    // What no file would say differently, such as a clip named by another way, is no step.
+    // A change that would not show in any file, such as another path to the same clip, does not make a step.
     if (same(settled_, content_)) return take_back();
     steps_.resize(done_);
     Step step{.id = ++last_step_,
@@ -327,7 +331,7 @@ void Document::cancel() {
     take_back();
 }
 
-/// As the last step left it, to the letter.
+/// Brings the content back to exactly the state that the last step left.
 void Document::take_back() {
     const Delta scene(scene_table(), settled_.scene, content_.scene);
     const Delta preset(preset_table(), settled_.preset, content_.preset);
@@ -348,7 +352,7 @@ std::size_t Document::step_memory() const {
 
 void Document::forget_oldest() {
     std::size_t bytes = step_memory();
-    std::size_t oldest = 0;  // that stays
+    std::size_t oldest = 0;  // index of the oldest step that stays
     while (steps_.size() - oldest > 1 && (steps_.size() - oldest > most_steps || bytes > most_step_bytes)) {
         const Step& step = steps_[oldest++];
         bytes -= step.name.size() + step.change.size() + step.scene.memory() + step.preset.memory();
@@ -356,10 +360,10 @@ void Document::forget_oldest() {
     steps_.erase(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(oldest));
 }
 
-/// Brings content and what is settled to the state on the other side of a step.
+/// Brings content_ and settled_ to the state on the other side of a step.
 template <typename Apply>
 void Document::step(Apply apply) {
-    // Which preset's file the scene was saved with is no part of what is undone.
+    // Undoing leaves the name of the preset's file that the scene was saved with as it is.
     const std::string preset = content_.scene.preset;
     const fs::path folder = content_.scene.folder;
     apply(content_);
@@ -392,8 +396,8 @@ void Document::rename(Named what, const std::string& name) {
     settle();
 }
 
-/// Writing a file has named others anew, in the state of now alone: the steps before and behind it lead to and from
-/// what it is now.
+/// Writing a file renames other files in the present content only (`change`). This function adapts the steps before and
+/// after it, so that they lead to and from the content with the new names.
 template <typename Part, typename Change>
 void Document::sew(Part Content::*part, Delta Step::*delta, const Table& table, Change change) {
     Part before, behind;
@@ -419,8 +423,8 @@ void Document::go_to(std::size_t done) {
     while (done_ < done) redo();
 }
 
-/// Whether a file would say something else than what was opened or saved, whatever folder its names are from now. Of
-/// what has changed since it was asked last.
+/// Finds out whether a file written now would differ from what was opened or saved; that names are relative to another
+/// folder now does not count. A document that has not changed since the last call is not compared again.
 void Document::compare() const {
     const auto differs = [](const Table& table, const auto& now, const auto& saved, auto move_to) {
         if (!saved) return true;

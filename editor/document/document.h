@@ -148,7 +148,7 @@ class Document {
     // --- history ---------------------------------------------------------------------------------------------------
     bool can_undo() const { return open_ || done_ > 0; }
     bool can_redo() const { return !open_ && done_ < steps_.size(); }
-    void undo();  ///< of an open gesture: cancel()
+    void undo();  ///< while a gesture is open this is cancel()
     void redo();
     /// All steps, also those that were undone; the first done() of them are in effect.
     const std::vector<Step>& steps() const { return steps_; }
@@ -202,10 +202,10 @@ class Document {
     std::vector<Fault> scene_faults() const;
 
   private:
-    /// Of each redo bit: the version in which something with this bit changed last.
+    /// For each redo bit, the version in which something with this bit changed last.
     struct Changed {
         std::array<std::uint64_t, 32> at{};
-        unsigned open = 0;  ///< bits of what differs from the last step
+        unsigned open = 0;  ///< bits of the rows that differ from the last step
 
         void note(unsigned differing, std::uint64_t version);
         unsigned since(std::uint64_t version) const;
@@ -237,11 +237,11 @@ class Document {
     OnDisk scene_disk_, preset_disk_;
     std::shared_ptr<const Scene> saved_scene_;
     std::shared_ptr<const Preset> saved_preset_;
-    mutable std::uint64_t compared_ = 0;  ///< version for which scene_differs_ and preset_differs_ hold, and with what
-    mutable std::shared_ptr<const Scene> compared_scene_;
+    mutable std::uint64_t compared_ = 0;  ///< the version for which scene_differs_ and preset_differs_ are true
+    mutable std::shared_ptr<const Scene> compared_scene_;  ///< the documents that it was compared with
     mutable std::shared_ptr<const Preset> compared_preset_;
     mutable bool scene_differs_ = true, preset_differs_ = true;
-    mutable std::uint64_t checked_ = 0;  ///< version that preset_faults_ is of
+    mutable std::uint64_t checked_ = 0;  ///< the version that preset_faults_ belongs to
     mutable std::vector<Fault> preset_faults_;
     void compare() const;
 };

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A relative one is to be ignored, says the specification.
+/// The specification says that a relative path is to be ignored.
 fs::path folder_in(const char* variable, const char* below_home) {
     if (const char* value = std::getenv(variable); value != nullptr && fs::path(value).is_absolute())
         return fs::path(value) / "lapfx";
@@ -21,7 +21,8 @@ fs::path folder_in(const char* variable, const char* below_home) {
     return {};
 }
 
-/// What xdg-user-dirs has written: XDG_DOCUMENTS_DIR="$HOME/Documents", or an absolute path. Empty: nothing of it.
+/// The documents folder in the file of xdg-user-dirs: XDG_DOCUMENTS_DIR="$HOME/Documents", or an absolute path. Empty
+/// if the file does not name one.
 fs::path documents_in(const fs::path& user_dirs, const fs::path& home) {
     constexpr std::string_view key = "XDG_DOCUMENTS_DIR=\"", in_home = "$HOME/";
     std::ifstream file(user_dirs);

@@ -51,15 +51,15 @@ bool flag_at(const Json& json, const char* key) {
     return found != json.end() && found->is_boolean() && found->get<bool>();
 }
 
-/// File names are any bytes; JSON is UTF-8.
+/// A file name as JSON. File names may consist of any bytes, but JSON is UTF-8.
 Json path_json(const fs::path& path) {
-    std::error_code error;  // whole: the next editor may start in another folder
+    std::error_code error;  // absolute, because the next editor may start in another folder
     const std::string bytes = path.empty() ? "" : fs::absolute(path, error).lexically_normal().native();
     try {
         (void)Json(bytes).dump();
         return bytes;
     } catch (const Json::exception&) {
-        return "";  // then the work is kept without the name of its file
+        return "";  // the work is then kept without the name of its file
     }
 }
 
@@ -71,7 +71,7 @@ Json document_json(const Json& text, const fs::path& folder, const fs::path& fil
             {"content", text}};
 }
 
-/// A file's name may hold bytes that are no UTF-8: the work matters more than that name.
+/// Replaces bytes that are not UTF-8, which a file's name may contain: the work matters more than that name.
 Json parsed(std::string text) {
     Json json = Json::parse(text, nullptr, false);
     if (!json.is_discarded()) return json;
@@ -80,8 +80,7 @@ Json parsed(std::string text) {
     return Json::parse(text, nullptr, false);
 }
 
-/// A file that saving would write to: what an editor has kept is a whole path of a document, and nothing else is taken
-/// for one.
+/// The file that saving would write to. An editor keeps it as an absolute path of a document; anything else is refused.
 fs::path file_at(const Json& json, const std::string& what, std::vector<std::string>& told) {
     const fs::path file = fs::path(text_at(json, "file")).lexically_normal();
     if (file.empty() || (file.is_absolute() && file.extension() == ".json")) return file;
@@ -109,13 +108,13 @@ struct Session {
     fs::file_time_type time;
 };
 
-/// Of `folder`, those with something in them.
+/// The kept files in `folder`, the newest first.
 std::vector<fs::path> kept_files(const fs::path& folder) {
     std::vector<fs::path> files;
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error))
         if (entry.path().extension() == ".json") files.push_back(entry.path());
-    std::sort(files.begin(), files.end(), std::greater<>());  // numbered with leading zeros
+    std::sort(files.begin(), files.end(), std::greater<>());  // they are numbered with leading zeros
     return files;
 }
 
@@ -136,8 +135,9 @@ std::vector<Session> sessions(const fs::path& all) {
     return found;
 }
 
-/// Up to `most` files of an ended editor, the oldest first, but `kept` of them; then its folder, too. One that cannot
-/// be locked is left alone: it is not ours, or somebody is at it.
+/// Removes up to `most` files of an ended editor, the oldest first, and leaves `kept` of them. Removes its folder, too,
+/// when no file is left. A folder that cannot be locked is left alone: it belongs to another user, or another process
+/// is using it.
 void drop_oldest(Session& session, std::size_t most, std::size_t kept) {
     std::error_code error;
     try {
@@ -152,7 +152,8 @@ void drop_oldest(Session& session, std::size_t most, std::size_t kept) {
     if (session.files.empty()) fs::remove(session.folder, error);  // only when it is empty
 }
 
-/// What ended editors left behind goes, the oldest first, and of each editor the newest last.
+/// Removes files that ended editors left behind, the oldest first. The newest file of each editor is removed only when
+/// all the others are.
 void drop_oldest(const fs::path& all, const fs::path& own) {
     std::vector<Session> found = sessions(all);
     std::size_t count = 0;
@@ -220,12 +221,12 @@ Kept read_kept(const fs::path& file, std::vector<std::string>& told) {
 
 void KeepFolder::write(const Kept& kept) {
     std::error_code error;
-    if (lock_ && !fs::exists(lock_->file(), error)) remove();  // someone has cleared the folder away
+    if (lock_ && !fs::exists(lock_->file(), error)) remove();  // someone has removed the folder
     for (unsigned attempt = 0; !lock_; ++attempt) {
         own_ = all_ / (hex(static_cast<std::uint64_t>(kept.time)).substr(6) + '-' + std::to_string(::getpid()) + '-' +
                        std::to_string(attempt));
         lock_ = Lock::take(own_ / "lock");
-        if (!kept_files(own_).empty()) lock_.reset();  // of another one, under the same name
+        if (!kept_files(own_).empty()) lock_.reset();  // they belong to another editor that used the same name
     }
     std::string number = std::to_string(++count_);
     number.insert(0, 8 - std::min<std::size_t>(8, number.size()), '0');

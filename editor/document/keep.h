@@ -1,6 +1,6 @@
-// What an editor keeps of unsaved work, so that it outlives a crash: files in a folder of its own, under a lock that
-// the kernel releases when the process ends. A folder with files and without a holder is what a crashed editor left
-// behind.
+// Unsaved work that an editor keeps so that it survives a crash. Each editor writes files into a folder of its own and
+// holds a lock in it, which the kernel releases when the process ends. A folder with files whose lock nobody holds was
+// left behind by an editor that crashed.
 //
 //     KeepFolder keep(folders.state / "autosave");
 //     keep.write(kept);                       // any thread, one at a time
@@ -24,7 +24,7 @@ struct KeptSnapshot {
     std::size_t slot = 0;
     std::int64_t time = 0;  ///< s since 1970, UTC
     Preset preset;
-    std::filesystem::path file{};  ///< of the preset that it is a state of; empty: it had none
+    std::filesystem::path file{};  ///< the file of the preset that was shown then; empty: it had none
 };
 
 struct Kept {
@@ -37,21 +37,21 @@ struct Kept {
 };
 
 std::string write_kept(const Kept& kept);
-/// Values that contradict each other are kept as they are: a document may be out of order while it is edited. What
-/// could not be used is told. Throws Error (bad_input) when nothing can.
+/// Values that contradict each other are kept as they are: a document may break rules while it is edited. `told` gets a
+/// line for each thing that could not be used. Throws Error (bad_input) when nothing can be used.
 Kept read_kept(const std::filesystem::path& file, std::vector<std::string>& told);
 
 class KeepFolder {
   public:
-    static constexpr std::size_t most_files = 5;    ///< of one editor
-    static constexpr std::size_t most_in_all = 20;  ///< of all that are there; those of running editors stay
+    static constexpr std::size_t most_files = 5;    ///< that one editor keeps
+    static constexpr std::size_t most_in_all = 20;  ///< of all editors together; those of running editors stay
 
-    /// `folder`: of all editors. Nothing is made before the first write().
+    /// `folder` is shared by all editors. Nothing is made before the first write().
     explicit KeepFolder(std::filesystem::path folder) : all_(std::move(folder)) {}
 
     /// Throws Error (runtime); what was kept before stays.
     void write(const Kept& kept);
-    /// What this editor kept goes; the next write() begins anew.
+    /// Removes what this editor has kept. The next write() starts a new folder.
     void remove();
     const std::filesystem::path& folder() const { return own_; }  ///< empty: nothing was written
 
@@ -61,7 +61,7 @@ class KeepFolder {
     unsigned count_ = 0;
 };
 
-/// What one ended editor kept. As long as this lives nobody else is offered it.
+/// The work that one editor kept before it ended. As long as this object exists, no other editor is offered that work.
 struct LeftBehind {
     std::filesystem::path folder;
     Lock lock;
@@ -71,7 +71,7 @@ struct LeftBehind {
 
 /// The newest first.
 std::vector<LeftBehind> find_left_behind(const std::filesystem::path& folder);
-/// Its files, for good. Throws Error (runtime).
+/// Deletes its files. Throws Error (runtime).
 void discard(LeftBehind left);
 
 }  // namespace lapfx::document

@@ -22,7 +22,8 @@ namespace {
     throw Error(Failure::runtime, Fault{file.string(), "", std::string("cannot be locked: ") + std::strerror(code)});
 }
 
-/// Whoever held it before may have taken the file away meanwhile: then this is a lock on nothing.
+/// Whether the open file still has this name. The previous holder may have removed the file meanwhile, and then a lock
+/// on it locks nothing.
 bool still_there(int descriptor, const fs::path& file) {
     struct stat mine {
     }, named{};
@@ -34,7 +35,7 @@ void write_holder(int descriptor) {
     char host[256] = {};
     if (::gethostname(host, sizeof host - 1) != 0) std::strcpy(host, "unknown");
     const std::string text = "process " + std::to_string(::getpid()) + " on " + host + '\n';
-    // Only for people to read: without it the lock holds as well.
+    // The text is only for people to read: the lock holds without it, too.
     if (::ftruncate(descriptor, 0) != 0 || ::pwrite(descriptor, text.data(), text.size(), 0) < 0) return;
 }
 
@@ -100,7 +101,7 @@ std::string holder_of(const fs::path& lock_file) {
     constexpr std::size_t longest = 200;
     if (line.size() > longest) line.resize(longest);
     for (const char c : line)
-        if (c < 0x20 || c > 0x7e) return {};  // not ours
+        if (c < 0x20 || c > 0x7e) return {};  // lapfx did not write this
     return line;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view clips = "/smoke/clips/";
 
-/// A rule between values blames one of them, and may be broken by another one of its group.
+/// The fault of a rule between values names only one of them, although another value of the group may be the wrong one.
 enum class Reach { value, group };
 
 void put_back(Preset& preset, Preset& good, std::string_view place, Reach reach) {
@@ -40,7 +40,7 @@ Preset mended(Preset wanted, const Preset& good) {
     for (const Reach reach : {Reach::value, Reach::group}) {
         const std::vector<Fault> faults = check(preset_table(), &wanted);
         if (faults.empty()) return wanted;
-        std::set<std::size_t, std::greater<>> bad_clips;  // from the back: those before keep their places
+        std::set<std::size_t, std::greater<>> bad_clips;  // from the back, so that those before keep their indices
         for (const Fault& fault : faults) {
             if (fault.place.starts_with(clips))
                 bad_clips.insert(static_cast<std::size_t>(std::atoi(fault.place.c_str() + clips.size())));

@@ -25,7 +25,7 @@ void copy_child(const Table& child, void* to, const void* from) {
     for (std::size_t i = 0; i < size; ++i) copy(child, child.list->at(target, i), element(child, source, i));
 }
 
-/// -1: not a whole number.
+/// -1 if the text is not a whole number.
 long index_from(std::string_view text) {
     long index = -1;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
@@ -38,7 +38,7 @@ std::string shortest(double value) {
     return {text, end};
 }
 
-/// One digit finer than a notch of the slider; without a step, six digits.
+/// A number with one digit more than a step of the slider needs. Without a step it has all its digits.
 std::string rounded(double value, double step) {
     if (!std::isfinite(value) || step <= 0 || std::abs(value) >= 1e15) return shortest(value);
     const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)) + 1, 0, 9);
@@ -163,7 +163,7 @@ class LooseReader {
     void read_value(const Parameter& row, void* owner, const Json& json, const std::string& place) {
         const std::optional<Value> value = value_from(row, json);
         if (!value) return tell(place, "expected " + row.expected());
-        // A clip that lies elsewhere is put right when the preset is saved.
+        // A clip in another folder is allowed here: its name is corrected when the preset is saved.
         Parameter checked = row;
         checked.contained = checked.required = false;
         if (const std::string fault = checked.check(*value); !fault.empty()) return tell(place, fault);
@@ -186,7 +186,7 @@ class LooseReader {
 
 }  // namespace
 
-/// Not Parameter::set(): that takes only what its row allows.
+/// This does not use Parameter::set(), which takes only what its row allows.
 void copy(const Parameter& row, void* to, const void* from) {
     void* target = row.member(to);
     const void* source = row.member(const_cast<void*>(from));

@@ -20,12 +20,12 @@ const void* element(const Table& list, const void* vector, std::size_t index) {
     return list.list->at(const_cast<void*>(vector), index);  // only the address is taken
 }
 
-/// "Clips" are made of a "Clip".
+/// "Clip" for "Clips".
 std::string singular(std::string_view name) {
     return std::string(name.ends_with('s') ? name.substr(0, name.size() - 1) : name);
 }
 
-/// Its first value says what it is: a clip's file, an event's action.
+/// The first value of an element says what it is: a clip's file, an event's action.
 std::string what_it_is(const Table& list, const void* item) {
     if (list.rows.empty()) return {};
     const std::string text = text_of(list.rows[0], item);
@@ -38,8 +38,9 @@ std::string called(const Table& list, const void* item, std::size_t index) {
     return what.empty() ? name : name + " (" + what + ')';
 }
 
-/// Pairs (of before, of after) in order; one of a pair is `none` for what has no partner. Elements that are equal are
-/// partners; between those, what remains is paired in order: it has been edited.
+/// Finds pairs of elements (index before, index after), in order. Equal elements are partners. The elements between
+/// them are paired in order, because they have been edited; where one side has more, the other index of the pair is
+/// `none`.
 class Matcher {
   public:
     Matcher(const Table& list, const void* before, const void* after)
@@ -59,7 +60,7 @@ class Matcher {
         return std::move(out_);
     }
 
-    /// The same elements in another order.
+    /// Whether both lists have the same elements in another order.
     bool reordered() const {
         if (n_ != m_ || n_ * m_ > most_matched) return false;
         std::vector<char> used(m_, 0);
@@ -79,7 +80,7 @@ class Matcher {
         return equal_elements(element(list_, before_, i), element(list_, after_, j));
     }
     bool equal_elements(const void* a, const void* b) const {
-        // Rows and parts of an element: the table of a list describes one.
+        // The table of a list describes one element, its rows and parts.
         return equal(list_, a, b);
     }
 
@@ -248,7 +249,7 @@ std::string lower_first(std::string text) {
     return text;
 }
 
-/// "cauterise" of "Event 3 (cauterise)".
+/// "cauterise" for "Event 3 (cauterise)".
 std::string inside_brackets(const std::string& item) {
     const std::size_t open = item.find('(');
     return open == std::string::npos || !item.ends_with(')') ? item : item.substr(open + 1, item.size() - open - 2);
@@ -258,7 +259,7 @@ std::string counted(std::size_t count, std::string_view what) {
     return std::to_string(count) + ' ' + lower_first(std::string(what)) + (count == 1 ? "" : "s");
 }
 
-/// Of several differences: what they have in common.
+/// What several differences have in common.
 std::string summary(const std::vector<Difference>& all) {
     const Difference& first = all.front();
     const bool one_kind = std::all_of(all.begin(), all.end(),
@@ -298,7 +299,7 @@ std::string change_text(const Difference& d) {
     if (d.kind == Difference::Kind::added) return "added";
     if (d.kind == Difference::Kind::removed) return "removed";
     if (d.kind == Difference::Kind::moved) return "in another order";
-    // The unit once: "4 to 8.3 mm/s".
+    // The unit is written once: "4 to 8.3 mm/s".
     std::string before = d.before;
     const std::string unit = ' ' + d.unit;
     if (!d.unit.empty() && before.ends_with(unit)) before.resize(before.size() - unit.size());
@@ -323,7 +324,7 @@ std::string title_of(const Step& step) {
 }
 
 bool take_back(Preset& after, const Preset& before, const Difference& d) {
-    Preset source = before;  // find() wants it changeable
+    Preset source = before;  // find() takes no const document
     const Table& root = preset_table();
     const std::string list_at = d.after_at.substr(0, d.after_at.rfind('/'));
     const Spot from = find(root, &source, d.before_at), to = find(root, &after, d.after_at);

@@ -11,7 +11,7 @@ struct IconLook {
     ui::Icon icon;
 };
 
-/// At three sizes, in three tones.
+/// Draws an icon at three sizes, in three tones.
 void draw_icon(ui::Painter& painter, const ui::Node& node, const IconLook& look) {
     const ui::Theme& t = painter.theme();
     ui::Rect rect = node.rect();

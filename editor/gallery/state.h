@@ -80,7 +80,8 @@ struct TestFiles : ui::FileSystem {
     std::string make_folder(const std::string&) override { return "these folders are nowhere"; }
 };
 
-/// Of those: pictures have one, videos wait for theirs, what has no name in UTF-8 is broken.
+/// The previews of those files: pictures have one, videos wait for theirs, and files whose name is not UTF-8 are
+/// broken.
 struct TestFilePictures : ui::FilePictures {
     ui::FilePicture picture(ui::Ui& ui, const std::string& path, const ui::FileEntry& file) override;
     ui::ImageHandle image = 0;

@@ -36,7 +36,7 @@ bool is_file(const fs::path& path) {
     return fs::is_regular_file(path, error);
 }
 
-/// Of a clip; what is no name of a video or picture says nothing.
+/// The extension of a clip's copy: that of `name` if it is a video's or a picture's, else ".clip".
 std::string clip_extension(const std::string& name) {
     std::string extension = fs::path(name).extension().string();
     for (char& c : extension)
@@ -54,7 +54,7 @@ struct Descriptor {
     }
 };
 
-/// A file of the bundle: a copy, or what `bytes` say.
+/// A file of the bundle: a copy of `from`, or `bytes` if `from` is empty.
 struct Piece {
     fs::path to;  ///< relative to the bundle; made of names of our own
     fs::path from;
@@ -63,7 +63,7 @@ struct Piece {
     std::uintmax_t size() const { return from.empty() ? bytes.size() : fs::file_size(from); }
 };
 
-/// Absolute; "ooze/" is called "ooze".
+/// The absolute path without a slash at its end.
 fs::path plain(const fs::path& folder) {
     std::error_code error;
     const fs::path whole = fs::absolute(folder, error).lexically_normal();
@@ -76,7 +76,7 @@ bool same_material(const Material& a, const Material& b) {
            a.normal_image == b.normal_image && a.double_sided == b.double_sided;
 }
 
-/// Whether all that is drawn of them is the same, and called the same.
+/// Whether everything that is drawn of the two is the same and has the same names.
 bool same_organ(const Organ& a, const Organ& b) {
     const auto same_part = [](const Part& x, const Part& y) {
         return x.name == y.name && x.first_index == y.first_index && x.index_count == y.index_count &&
@@ -140,10 +140,12 @@ class Writer {
         if (!faults.empty()) throw Error(Failure::bad_input, std::move(faults));
     }
 
-    /// What the preset calls it then: the same file once, another of the same name beside it as "plume-2.mp4".
+    /// Plans the copy of a clip and gives its name in the bundle. A file that several clips use is copied once. A
+    /// different file of the same name becomes "plume-2.mp4".
     std::string plan_clip(const ClipFiles& found) {
         std::error_code error;
-        // Images are known by their pattern: the first of them may be a clip of its own, and start another sequence.
+        // A sequence is identified by its pattern, because its first image may also be a clip of its own or the first
+        // image of another sequence.
         const fs::path& first = found.files.front();
         const fs::path real = found.sequence ? fs::weakly_canonical(first.parent_path(), error) / found.name
                                              : fs::weakly_canonical(first, error);
@@ -154,7 +156,7 @@ class Writer {
         if (!found.sequence) {
             pieces_.push_back({.to = fs::path("clips") / name, .from = first, .bytes = {}});
         } else {
-            // In a folder of their own, counted anew.
+            // The images go into a folder of their own and are numbered from 0.
             for (std::size_t i = 0; i < found.files.size(); ++i) {
                 std::string number = std::to_string(i);
                 number.insert(0, 6 - std::min<std::size_t>(6, number.size()), '0');
@@ -167,7 +169,7 @@ class Writer {
         return clips_[real] = "clips/" + name;
     }
 
-    /// A mesh of the scene on its way: with all files that it names, into a folder of its own.
+    /// A mesh of the scene. It is copied into a folder of its own with all files that it names.
     struct Mesh {
         std::string file;  ///< its new name; empty: the scene has none
         OrganOptions options;
@@ -270,7 +272,7 @@ class Writer {
             fail(target_ / "thumbnail.png", "is not the same when read back");
     }
 
-    /// A bundle that is there goes only when the new one has its name.
+    /// Gives the bundle its name. An older bundle is removed only after that.
     void publish() {
         if (const std::string reason = check_bundle_folder(target_); !reason.empty()) fail(target_, reason);
         fs::permissions(beside_.path(), fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
@@ -281,9 +283,11 @@ class Writer {
             if (error) fail(target_, "cannot be written: " + error.message());
             return;
         }
-        // At one stroke, so that there is one of them at any time; the old one goes with what is beside.
+        // The two are exchanged in one operation, so that one of them exists under the name at any time. The old one
+        // is removed together with `beside_`.
         if (::renameat2(AT_FDCWD, beside_.path().c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) return;
-        // Where the file system cannot do that, under a name that nobody tidies up: killed here, it is what there is.
+        // Where the file system cannot exchange them, the old one gets a name that nothing cleans up: if the process is
+        // killed before the next rename, the old one is still there.
         const fs::path old = target_.string() + ".before";
         fs::rename(target_, old, error);
         if (error) fail(target_, "cannot be replaced: " + error.message());
@@ -306,8 +310,8 @@ class Writer {
     Mesh organ_, tool_;
     std::vector<Piece> pieces_;
     OwnNames clip_names_;
-    std::map<fs::path, std::string> clips_;  ///< what they are called now, by where the file or the pattern lies
-    std::vector<std::size_t> images_;        ///< pieces, of sequences: the preset's check opens the first one alone
+    std::map<fs::path, std::string> clips_;  ///< names in the bundle, by the path of the file or of the pattern
+    std::vector<std::size_t> images_;        ///< pieces of sequences: the preset's check opens only the first of each
     double total_ = 0, copied_ = 0;          ///< bytes
 };
 

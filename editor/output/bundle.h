@@ -1,5 +1,5 @@
-// A preset on its way to others: alone, or as a folder with all that it needs. Never half of one: what is written has
-// been loaded back before it gets its name. No OpenGL; any thread.
+// Writes a preset to pass it on: alone, or as a folder with all files that it needs. An export is never incomplete: it
+// gets its name only after it has been loaded back. No OpenGL; any thread.
 //
 //     output::export_preset(preset, "/mnt/share/ooze.json", clip_folders);
 //
@@ -9,8 +9,8 @@
 //     // ooze/ooze.json  ooze/thumbnail.png  ooze/clips/plume.mp4
 //     // ooze/ooze.scene.json  ooze/organ/liver.glb  ooze/tool/hook.glb
 //
-// All names in a bundle are made here: none comes from a file, and nothing is written outside of the bundle. Only what
-// was read as the clip, mesh or picture that it is said to be comes along.
+// All names in a bundle are made here. None is taken from a file, so nothing can be written outside of the bundle. A
+// file is copied only if it could be read as the clip, mesh or picture that it is named as.
 #pragma once
 
 #include <filesystem>
@@ -25,20 +25,20 @@
 
 namespace lapfx::output {
 
-/// Where a preset's clip lies: one file, or the images of a numbered sequence; none when it cannot be found, or is out
-/// of reach.
+/// The files of a preset's clip: one file, or the images of a numbered sequence. There are none when the clip cannot be
+/// found or its name leads out of the folders that are allowed.
 struct ClipFiles {
     std::vector<std::filesystem::path> files;
-    std::string name;      ///< of the file, or the pattern of the sequence
-    std::string fault;     ///< why there are none
-    bool shipped = false;  ///< found on the search path, by its bare name
+    std::string name;      ///< the name of the file, or the pattern of the sequence
+    std::string fault;     ///< why there are no files
+    bool shipped = false;  ///< it was found on the search path, by its name without a folder
     bool sequence = false;
 };
 ClipFiles clip_files(const std::string& clip, const std::filesystem::path& preset_folder,
                      const std::vector<std::filesystem::path>& clip_folders);
 
-/// The preset as a file in `folder` has to name its clips. A clip that is missing, or lies outside of the folder, is a
-/// fault whose place is its "/smoke/clips/N/file".
+/// The preset with its clips named as a file in `folder` has to name them. A clip that is missing or is outside of the
+/// folder is a fault whose place is its "/smoke/clips/N/file".
 Preset preset_in(const std::filesystem::path& folder, const Preset& preset,
                  const std::vector<std::filesystem::path>& clip_folders, std::vector<Fault>& faults);
 
@@ -49,22 +49,22 @@ void export_preset(const Preset& preset, const std::filesystem::path& file,
 struct Bundle {
     Preset preset;
     std::optional<Scene> scene{};  ///< with its organ and tool; the reference video stays where it is
-    std::filesystem::path folder;  ///< its name is that of the files in it
+    std::filesystem::path folder;  ///< the preset and the scene in it get its name
     std::vector<std::filesystem::path> clip_folders;
     Image thumbnail;
 };
 
-/// Why a bundle cannot be made in the folder `named` so; empty: it can. A folder that is there is replaced only if it
-/// is empty or a bundle.
+/// The reason why a bundle cannot be made under this name; empty: it can. An existing folder is replaced only if it is
+/// empty or a bundle.
 std::string check_bundle_folder(const std::filesystem::path& named);
 
-/// What a bundle holds.
+/// How much a bundle contains.
 struct BundleContent {
     std::size_t files = 0, bytes = 0, clips = 0;
 };
 
-/// `goes_on`, with a share 0..1, now and then: false stops it, nothing is left, and Error (runtime) is thrown, as for
-/// all that goes wrong.
+/// Calls `goes_on` from time to time with the share that is done, 0..1. If that returns false, the export is cancelled.
+/// Throws Error (runtime) then, and for all other failures, and leaves nothing behind.
 BundleContent write_bundle(const Bundle& bundle, const std::function<bool(double)>& goes_on = {});
 
 }  // namespace lapfx::output

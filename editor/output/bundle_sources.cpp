@@ -40,7 +40,7 @@ class Outside {
     std::vector<SourceFile> found_;
 };
 
-/// A mesh that a scene names; empty when the name leads nowhere.
+/// The path of a mesh that a scene names; empty when there is no such file.
 fs::path mesh_of(const Scene& scene, const std::string& file) {
     if (file.empty()) return {};
     try {

@@ -19,7 +19,8 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-/// OpenCV's writer does not tell why it failed: a full disk does, when something is written there.
+/// Writes something to the disk, which throws with the reason if it is full: OpenCV's writer does not report why it
+/// failed.
 void require_room(const fs::path& path) {
     const Beside folder(path, Beside::Kind::folder);
     try {
@@ -86,7 +87,7 @@ VideoFile::VideoFile(const fs::path& path, double fps, cv::Size size) : path_(fs
                                  " pixels cannot be encoded here (the sides must be even)");
 }
 
-/// Closed before what is beside goes.
+/// The file is closed before `beside_` removes it.
 VideoFile::~VideoFile() {
     writer_.release();
     written_.release();
@@ -98,7 +99,7 @@ void VideoFile::add(const Image& image) {
     ++frames_;
 }
 
-/// A full disk shows only here, for OpenCV's writer does not tell: every frame must come back.
+/// A full disk is found only here, because OpenCV's writer does not report it: every frame has to be read back.
 bool VideoFile::check() {
     if (checked_) return false;
     if (!closed_) {

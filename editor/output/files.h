@@ -1,4 +1,4 @@
-// Files of pictures: whole files or none. What is written is looked at again before it gets its name.
+// Writes files of pictures, always complete ones: a file is read back before it gets its name.
 //
 //     output::write_png("still.png", image);
 //     output::VideoFile video("clip.mp4", 25, {1280, 1024});
@@ -17,10 +17,11 @@
 
 namespace lapfx::output {
 
-/// Encodes a PNG and writes it beside, then renames it. Throws Error (runtime).
+/// Encodes a PNG, writes it next to `path` and renames it. Throws Error (runtime).
 void write_png(const std::filesystem::path& path, const Image& image);
 
-/// A video that appears under its name when it is finished and not before: dropped unfinished, nothing is left of it.
+/// A video that appears under its name only when it is finished. If the object is destroyed before, nothing of it is
+/// left.
 class VideoFile {
   public:
     /// The container follows from the extension (is_video_name). Throws Error (runtime).
@@ -30,12 +31,12 @@ class VideoFile {
     VideoFile& operator=(const VideoFile&) = delete;
 
     void add(const Image& image);
-    /// After the last frame: reads one back. False: all have been, and they are as many and as large as those that were
-    /// added. Throws Error (runtime).
+    /// Reads one frame back; called after the last frame was added. Returns false when all have been read, and they are
+    /// as many and as large as those that were added. Throws Error (runtime).
     bool check();
     /// Gives the file its name, once it has been checked. Throws Error (runtime).
     void publish();
-    /// Checks all that has not been, and publishes. Throws Error (runtime).
+    /// Checks the frames that check() has not read yet, and publishes. Throws Error (runtime).
     void finish();
 
   private:
@@ -49,18 +50,18 @@ class VideoFile {
     bool closed_ = false, checked_ = false;
 };
 
-/// Whether an export may be of this name: the formats of videos that are written (lapfx/authoring/formats.h).
+/// Whether a video can be exported under this name: its format is one that can be written (lapfx/authoring/formats.h).
 bool is_video_name(const std::filesystem::path& path);
 
-/// The colours, as OpenCV has them; alpha is left out.
+/// Converts an image to OpenCV's order of colours, without alpha.
 void to_bgr(const Image& image, cv::Mat& bgr);
 
-/// For a file that cannot be written (runtime).
+/// The error (runtime) for a file that cannot be written.
 Error cannot_write(const std::filesystem::path& path, const std::string& reason);
-/// Whether a file of this name may be written: there is none, or a plain one that is not write-protected, and its
-/// folder is there. Throws Error (runtime).
+/// Throws Error (runtime) unless a file of this name may be written: its folder exists, and there is either no such
+/// file or a plain one that is not write-protected.
 void require_replaceable(const std::filesystem::path& path);
-/// Gives `beside` the name `path` and, if a file of that name goes for it, its permissions. Throws Error (runtime).
+/// Renames `beside` to `path`. If it replaces a file, it takes over that file's permissions. Throws Error (runtime).
 void give_name(const std::filesystem::path& beside, const std::filesystem::path& path);
 
 }  // namespace lapfx::output

@@ -19,7 +19,7 @@ std::size_t hash_of(const cv::Mat& bgr) {
     return std::hash<std::string_view>{}({reinterpret_cast<const char*>(bgr.data), bgr.total() * bgr.elemSize()});
 }
 
-/// Pictures in a folder of their own until all are there.
+/// Pictures, which are in a folder of their own until all have been written.
 class PngFiles : public FrameFiles {
   public:
     PngFiles(const fs::path& name, glm::ivec2 size, int count)
@@ -59,7 +59,7 @@ class PngFiles : public FrameFiles {
     bool sequence_;
     glm::ivec2 size_;
     std::unique_ptr<Beside> beside_;
-    std::vector<std::size_t> hashes_;  ///< of the pixels that were written
+    std::vector<std::size_t> hashes_;  ///< of the pixels that were added, for each picture
     std::size_t checked_ = 0;
     cv::Mat bgr_;
 };

@@ -26,7 +26,7 @@ class Faults {
         all_.push_back({.file = "", .place = place, .reason = std::move(reason)});
     }
     bool in_range(const char* place, double value, double low, double high, const char* unit) {
-        if (value >= low && value <= high) return true;  // never with NaN
+        if (value >= low && value <= high) return true;  // false for NaN
         add(place, text_of(value) + " is outside " + text_of(low) + " to " + text_of(high) + unit);
         return false;
     }
@@ -104,7 +104,7 @@ std::vector<Fault> check(const RenderOptions& options, double duration) {
     return faults.take();
 }
 
-/// A span holds the frame at `from` and not the one at `to`.
+/// The span includes the frame at `from`, but not the one at `to`.
 std::vector<double> frame_times(const RenderOptions& o, double duration) {
     if (o.at) return {*o.at};
     const int count = static_cast<int>(std::ceil((o.to.value_or(duration) - o.from) * o.fps - 1e-9));
@@ -134,7 +134,7 @@ RenderJob::~RenderJob() = default;
 
 double RenderJob::progress() const {
     if (done_) return 1;
-    // Reading back is quick beside drawing.
+    // Reading back is quick compared with drawing.
     return (0.95 * static_cast<double>(drawn_) + 0.05 * static_cast<double>(checked_)) /
            static_cast<double>(times_.size());
 }
@@ -164,7 +164,7 @@ void RenderJob::draw() {
     if (!files_ && options_.amounts.empty()) done_ = drawn_ == times_.size();
 }
 
-/// The amounts first: what fails here (a full disk) must not leave pictures without them.
+/// The amounts are written first: if that fails (a full disk), no pictures may be left without them.
 void RenderJob::publish() {
     if (!options_.amounts.empty()) write_file(options_.amounts, amounts_);
     if (files_) files_->publish();

@@ -1,11 +1,12 @@
-// A scene as a picture, a numbered sequence or a video, a frame at a time: what `lapfx render` and the editor's exports
-// run.
+// Renders a scene as a picture, a numbered sequence or a video, one frame at a time. `lapfx render` and the editor's
+// exports use it.
 //
 //     output::RenderJob job(scene, preset, {.size = {1280, 1024}, .fps = 25, .output = "out.mp4"});
 //     while (!job.done()) job.step();
 //
-// It has a preview of its own, exact and seen through the scene's camera. Everything appears under its name in the last
-// step, when it has been read back; dropped before, nothing is left. Render thread, context current.
+// It has a preview of its own, which is exact and uses the scene's camera. All files appear under their names in the
+// last step, after they have been read back. If the job is destroyed before, nothing is left. Render thread, context
+// current.
 #pragma once
 
 #include <filesystem>
@@ -24,23 +25,23 @@ namespace lapfx::output {
 
 struct RenderOptions {
     glm::ivec2 size{1280, 1024};    ///< px
-    double fps = 25;                ///< of a sequence or video
-    std::optional<double> at = {};  ///< s: one picture. Else frames `from` ..
-    double from = 0;                ///< s: the first frame
-    std::optional<double> to = {};  ///< s: the end, without a frame of its own; the scene's if not given
+    double fps = 25;                ///< frame rate of a sequence or video
+    std::optional<double> at = {};  ///< s: the time of one picture; none: frames from `from` to `to`
+    double from = 0;                ///< s: time of the first frame
+    std::optional<double> to = {};  ///< s: the end, at which there is no frame any more; none: the scene's end
     Overlay overlay = Overlay::none;
     std::filesystem::path output{};   ///< kind_named() says what; empty: nothing is written (RenderJob::image)
-    std::filesystem::path amounts{};  ///< CSV of what a trainee would be scored by, a line for each frame; empty: none
+    std::filesystem::path amounts{};  ///< CSV of the amounts that score a trainee, a line for each frame; empty: none
     std::vector<std::filesystem::path> clip_folders{};
 };
 
-/// What is wrong with them, of a scene that is `duration` s long. Places are the options of `lapfx render`: "--size",
-/// "-o".
+/// What is wrong with the options for a scene that is `duration` s long. Places are the options of `lapfx render`:
+/// "--size", "-o".
 std::vector<Fault> check(const RenderOptions& options, double duration);
-/// Times of the frames, s. Of options without a fault.
+/// Times of the frames, s. The options must be without a fault.
 std::vector<double> frame_times(const RenderOptions& options, double duration);
 
-/// What there is already of a scene and its clips; null: it is loaded.
+/// Parts of a scene that are loaded already. The job loads those that are null.
 struct Loaded {
     std::shared_ptr<const PreparedOrgan> organ;
     std::shared_ptr<ClipCache> clips;
@@ -48,20 +49,20 @@ struct Loaded {
 
 class RenderJob {
   public:
-    /// Loads the scene. Throws Error: what check() finds (bad_input), what cannot be loaded, where it cannot be written
-    /// (runtime).
+    /// Loads the scene. Throws Error for what check() finds (bad_input), for files that cannot be loaded, and when the
+    /// output cannot be written (runtime).
     RenderJob(const Scene& scene, const Preset& preset, RenderOptions options, const Loaded& loaded = {});
     ~RenderJob();
     RenderJob(const RenderJob&) = delete;
     RenderJob& operator=(const RenderJob&) = delete;
 
-    /// Draws and writes one frame, reads one back, or gives all of them their names. Throws Error; then it is over, and
-    /// nothing is left.
+    /// Draws and writes one frame, reads one back, or gives all files their names. Throws Error; the job has then ended
+    /// and leaves nothing.
     void step();
     bool done() const { return done_; }
     int frames() const { return static_cast<int>(times_.size()); }
     int drawn() const { return static_cast<int>(drawn_); }
-    /// 0..1 of all steps.
+    /// The share of all steps that is done, 0..1.
     double progress() const;
     /// The newest frame.
     const Image& image() const { return image_; }

@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view name = "file question";
 constexpr float width = 34, most_height = 12;  // em
 
-/// Of the question that was shown last.
+/// The question that was last shown.
 struct Shown {
     std::uint64_t serial = 0;
 };

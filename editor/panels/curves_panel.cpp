@@ -42,7 +42,7 @@ struct CurvesShown {
     std::array<ShownCurve, kinds.size()> all;
 };
 
-/// Without points the curve is 1 all the time: one point, to begin with.
+/// A curve without points is 1 all the time. It gets one point, so that a person can start with it.
 Points or_even(const Points& points) {
     return points.empty() ? Points{{0.0, 1.0}} : points;
 }

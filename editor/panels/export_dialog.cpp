@@ -266,7 +266,7 @@ void export_dialog(ui::Ui& ui, Exports& exports, app::FileChooser& chooser, app:
             ui, "Copy lapfx render command",
             {.icon = ui::Icon::copy, .tip = "A command line that makes the same files, for scripts", .quiet = true}))
         copy_command(ui, exports, notices);
-    const std::string_view leave = exports.running() ? "Close" : "Cancel";  // an export that runs goes on
+    const std::string_view leave = exports.running() ? "Close" : "Cancel";  // a running export continues
     const auto pressed =
         dialog.buttons({{.label = leave, .cancel = true},
                         {.label = "Export", .standard = true, .enabled = sound, .tip = why_not(ui, exports)}});

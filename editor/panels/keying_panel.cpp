@@ -132,7 +132,7 @@ std::string_view whole(ui::Ui& ui, float value) {
     return ui.copy(std::to_string(std::lround(value)));
 }
 
-/// What is told of a pixel of each view: the values that matter there.
+/// The text about a pixel, for each view: the values that matter there.
 std::string_view source_text(ui::Ui& ui, const glm::vec4& v) {
     return ui.join({"Luma ", whole(ui, luma(glm::vec3(v))), "  red ", whole(ui, v.r), "  green ", whole(ui, v.g),
                     "  blue ", whole(ui, v.b)});

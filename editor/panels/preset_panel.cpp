@@ -57,7 +57,7 @@ void paste_group(Tuning& tuning, ui::Clipboard* clipboard, const ParameterGroup*
     if (clipboard != nullptr) tuning.paste(clipboard->get(), group);
 }
 
-/// Of the whole preset (null) or of a group.
+/// The items of the menu for the whole preset (`group` is null) or for a group.
 void menu_items(ui::Ui& ui, const On& on, const ParameterGroup* group, ui::Id box_at) {
     Tuning& tuning = on.tuning;
     const bool clipboard = ui.clipboard() != nullptr;

@@ -154,7 +154,7 @@ class RowBuilder {
             tuning_.mark_favourite(index_, !favourite);
     }
 
-    /// Of both ends where it is a range.
+    /// The menu item that sets the default value; for a range it sets both ends.
     void put_default() {
         const ParameterEntry* const upper = range() ? &app::parameters()[entry_.high] : nullptr;
         const bool differs =

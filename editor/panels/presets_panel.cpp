@@ -100,7 +100,7 @@ void view_items(ui::Ui& ui, Browser& browser, app::FileChooser& chooser) {
     }
 }
 
-/// As many tags as there is room for; the rest is in the menu behind them.
+/// Shows as many tags as there is room for. The others are in the menu after them.
 void tag_chips(ui::Ui& ui, Browser& browser, float room) {
     std::size_t shown = 0;
     const std::vector<std::string>& tags = browser.tags();

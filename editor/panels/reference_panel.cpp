@@ -155,7 +155,7 @@ void aspect_choice(ui::Ui& ui, document::Document& document) {
     document.take(edit, "Reference aspect", [&](document::Content& c) { c.scene.reference.aspect = ratio; });
 }
 
-/// As buttons where `in_a_row`, else as a list.
+/// The choice of how to compare: buttons if `in_a_row`, else a list.
 void choose_way(ui::Ui& ui, Reference& reference, bool in_a_row) {
     int way = static_cast<int>(reference.way);
     bool chosen = false;

@@ -157,7 +157,7 @@ class ItemEdits {
     std::string name_ = "Move event";
 };
 
-/// Where the tool last was before now; else what the middle of the view shows.
+/// The place for a new event: the tool's last place before the present time, else the one at the middle of the view.
 glm::dvec3 place_for_new(const TimelineParts& on) {
     const ToolContact* last = nullptr;
     for (const ToolContact& event : on.edited.document.scene().events)

@@ -7,7 +7,7 @@
 
 namespace lapfx::panels {
 
-/// Of a table whose rows have a title.
+/// The titles of a table's rows.
 template <class Row, std::size_t Count>
 constexpr std::array<std::string_view, Count> titles_of(const Row (&rows)[Count]) {
     std::array<std::string_view, Count> titles{};

@@ -35,7 +35,7 @@ constexpr double work_by_key = 0.5;  // s
 constexpr double key_turn = 5.0 * std::numbers::pi / 180;
 constexpr double zoom_notch = 1.15;
 
-/// With what the left button does without a tool.
+/// The names of the tools. The first is what the left button does without a tool.
 constexpr auto tool_names = [] {
     std::array<std::string_view, 1 + tool_action_count> names{"Look around"};
     for (const ToolActionRow& row : tool_actions) names[1 + static_cast<std::size_t>(row.action)] = row.title;

@@ -1,4 +1,5 @@
-// The GLFW window and its OpenGL 4.5 context: made, current, and destroyed in order.
+// The GLFW window and its OpenGL 4.5 context. The constructor makes both and makes the context current; the destructor
+// destroys them in order.
 #pragma once
 
 #define GLFW_INCLUDE_NONE  // OpenGL is glad's
@@ -19,8 +20,9 @@ class GlfwWindow {
 
     GLFWwindow* get() const { return window_; }
     glm::ivec2 framebuffer_size() const;
-    /// Framebuffer pixels of a place in GLFW's screen coordinates, origin top left. Events bring such places with them:
-    /// asking GLFW gives where the pointer is now, which on a slow frame is not where it was.
+    /// Converts a place in GLFW's screen coordinates, origin top left, to pixels of the framebuffer. Events come with
+    /// such places. Asking GLFW instead gives the place of the pointer now, which after a slow frame is not the place
+    /// of the event.
     glm::dvec2 to_pixels(glm::dvec2 place) const;
 
   private:

@@ -1,4 +1,4 @@
-// What of ui_window.h needs no window: keys, modifiers, scales.
+// The functions of ui_window.h that work without a window: keys, modifiers, scales.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -54,7 +54,7 @@ Key number_block_key(int key, bool num_lock) {
             return ui::key_of('/');
         case GLFW_KEY_KP_SUBTRACT:
             return ui::key_of('-');
-        case GLFW_KEY_KP_ADD:  // beside Ctrl+= there is Ctrl++
+        case GLFW_KEY_KP_ADD:  // Ctrl++ does the same as Ctrl+=
         case GLFW_KEY_KP_EQUAL:
             return ui::key_of('=');
         default:

@@ -11,10 +11,10 @@ namespace lapfx::window {
 
 namespace {
 
-constexpr double look_for_results = 0.25;  // s, while a job runs: an event posted by another thread can be missed
+constexpr double look_for_results = 0.25;  // s, while a job runs: an event from another thread can be lost
 constexpr double least_between_frames =
-    0.004;                           // s, of frames that only time asks for: some drivers swap without waiting
-constexpr double edge_share = 0.4;   // of the window from its middle: beyond it is near an edge
+    0.004;                           // s, for frames that only time asks for: some drivers swap without waiting
+constexpr double edge_share = 0.4;   // share of the window's size; farther from its middle is near an edge
 constexpr double a_long_time = 1e6;  // s: as good as never
 constexpr GLuint64 longest_queue_wait = 100'000'000;  // ns
 
@@ -44,7 +44,7 @@ bool is_modifier(int key) {
 std::optional<int> scale_step(ui::Key key, const char* name, ui::Mods mods) {
     if (!has(mods, ui::Mods::command) || has(mods, ui::Mods::alt)) return std::nullopt;
     if (key == ui::key_of('=') || (name != nullptr && std::string_view(name) == "+")) return 1;
-    if (has(mods, ui::Mods::shift)) return std::nullopt;  // + may need it, the others do not
+    if (has(mods, ui::Mods::shift)) return std::nullopt;  // + may need Shift, the other keys do not
     if (key == ui::key_of('-')) return -1;
     if (key == ui::key_of('0')) return 0;
     return std::nullopt;
@@ -151,7 +151,7 @@ void UiWindow::connect() {
         of(window).measure();
         of(window).want("size");
     });
-    // Some systems hold the loop while the window is resized: what is to be seen then is drawn here.
+    // Some systems stop the loop while the window is resized. Frames are then drawn here.
     glfwSetWindowRefreshCallback(w, [](GLFWwindow* window) {
         UiWindow& self = of(window);
         self.stale_ = true;
@@ -199,7 +199,7 @@ bool UiWindow::take_scale_key(ui::Key key, const char* name) {
     return true;
 }
 
-/// The key editor waits for one: it gets those of the window, too.
+/// Whether the key editor waits for a chord. If so, it also gets the window's own keys.
 bool UiWindow::chord_is_recorded() const {
     const ui::Id focus = ui_.focus();
     for (const ui::Node& node : ui_.tree()) {
@@ -230,7 +230,7 @@ void UiWindow::take_drop(int count, const char** paths) {
     std::string lines;
     for (int i = 0; i < count; ++i) lines += std::string(i == 0 ? "" : "\n") + paths[i];
     glm::dvec2 at(0);
-    glfwGetCursorPos(window_.get(), &at.x, &at.y);  // no move is told while something is dragged in
+    glfwGetCursorPos(window_.get(), &at.x, &at.y);  // no moves are reported while something is dragged in
     pointer_ = glm::vec2(at * px_per_unit_);
     push({.kind = ui::EventKind::drop, .paths = std::move(lines)}, "drop");
 }
@@ -293,7 +293,7 @@ void UiWindow::run(const UiProgram& program) {
     program_ = nullptr;
 }
 
-/// Asked to close by the desktop: whether the program wants something first.
+/// Asks the program when the desktop wants to close the window. True: the window stays.
 bool UiWindow::stays() {
     if (closed_ || !program_->may_close || program_->may_close()) return false;
     glfwSetWindowShouldClose(window_.get(), GLFW_FALSE);
@@ -301,7 +301,7 @@ bool UiWindow::stays() {
     return true;
 }
 
-/// Returns when there may be something to do; `reason_` then says what, or is null.
+/// Sleeps until there may be something to do. `reason_` then says what, or is null.
 void UiWindow::wait() {
     ++statistics_.waits;
     const double now = glfwGetTime();
@@ -324,7 +324,7 @@ void UiWindow::frame() {
     if (program_ == nullptr || in_frame_) return;
     in_frame_ = true;
     const char* reason = std::exchange(reason_, nullptr);
-    if (queued_ != nullptr) {  // one picture at most is on its way: what is shown is never older
+    if (queued_ != nullptr) {  // at most one picture is queued, so the one on the screen is never older
         glClientWaitSync(static_cast<GLsync>(queued_), GL_SYNC_FLUSH_COMMANDS_BIT, longest_queue_wait);
         glDeleteSync(static_cast<GLsync>(std::exchange(queued_, nullptr)));
     }
@@ -370,7 +370,7 @@ void UiWindow::show() {
     ++statistics_.drawn;
 }
 
-/// Its shape, and whether it may go on without bounds; then it is put back to where it was.
+/// Sets the pointer's shape and whether it moves without bounds. When that ends, it returns to the place it had before.
 void UiWindow::show_pointer(const ui::FrameOutput& output) {
     GLFWwindow* w = window_.get();
     if (output.pointer_locked != locked_) {

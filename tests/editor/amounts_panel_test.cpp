@@ -1,4 +1,5 @@
-// Amounts over the scene's time: those of the preview, anew after each change, and a way to go to a time.
+// The amounts panel: it shows the preview's amounts over the scene's time, computes them again after each change, and a
+// click goes to a time.
 #include "app/amounts.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// The list of clips, driven by the names of what is on the screen.
+// The list of clips, driven by the names of the widgets on the screen.
 #include <fstream>
 
 #include "app/files.h"
@@ -137,7 +137,7 @@ TEST_F(ClipsPanel, AMissingFileIsToldInPlaceWithTheWayOut) {
     EXPECT_NE(ui().dump().find("clip.avi: no such clip; looked in"), std::string::npos);
     EXPECT_TRUE(ui().exists(panel + "Selected clip/Choose file..."));
     write_clip(clip, 5);
-    ui().focus(panel + "Selected clip/Look again").key(ui::Key::enter).frame();  // a notice may lie over it
+    ui().focus(panel + "Selected clip/Look again").key(ui::Key::enter).frame();  // a notice may cover it
     EXPECT_TRUE(editor().clips().faults(3).empty());
     EXPECT_FALSE(ui().exists(panel + "Selected clip/Choose file..."));
 }
@@ -162,7 +162,7 @@ TEST_F(ClipsPanel, ClipsThatLieElsewhereAreCopiedBesideThePreset) {
     editor().document.save_preset(home / "mine.json");
     drop(write_clip(elsewhere / "smoke.avi", 5).string());
     EXPECT_TRUE(editor().clips().outside(3));
-    drop(write_clip(third / "smoke.avi", 5).string());  // the folder is needed by the other one now
+    drop(write_clip(third / "smoke.avi", 5).string());  // its folder is already needed by the other clip
     EXPECT_EQ(editor().document.preset().folder / clips()[4].file, third / "smoke.avi");
     EXPECT_EQ(editor().document.preset().folder / clips()[3].file, elsewhere / "smoke.avi");
     EXPECT_TRUE(editor().preview.preset_faults().empty()) << "both are seen at once";
@@ -201,7 +201,7 @@ TEST_F(ClipsPanel, WhatCannotBeShownFreezesNothingElse) {
     const fs::path clip = write_clip(folder() / "one.avi", 5);
     layout("Tune");
     editor().document.change("Add", [&](document::Content& c) {
-        c.preset.smoke.clips.push_back({.file = clip.string()});  // as no preset may name it
+        c.preset.smoke.clips.push_back({.file = clip.string()});  // a saved preset must not name it so
         c.preset.smoke.keying.luma_low = 255;
     });
     const Image before = picture(6);

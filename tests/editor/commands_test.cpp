@@ -1,5 +1,5 @@
-// Menus promise nothing that is not there: each command does something that a person can see, or is off and says what
-// is missing; each entry of a menu is one of them, or says why it is off.
+// Menus offer nothing that does not work: each command does something that a person can see, or is disabled and says
+// what is missing. Each entry of a menu is such a command, or says why it is disabled.
 #include <gmock/gmock.h>
 
 #include <set>
@@ -29,7 +29,7 @@ class CommandsTest : public EditorTest {
     }
     ui::CommandTable& commands() { return editor().commands; }
 
-    /// What a person sees, or would find changed: the tree of widgets, the document, what is on or off, notices.
+    /// What a person sees or would notice: the tree of widgets, the document, what is on or off, notices.
     std::string state() {
         ui().frame().frame();
         const app::Editor& e = editor();
@@ -44,8 +44,8 @@ class CommandsTest : public EditorTest {
         return text + ui().clipboard().text;
     }
 
-    /// All that commands work on is there: changes to undo and to redo, clips, snapshots, a held reference, an event
-    /// and a parameter that are selected, a notice. What is on in one variant is off in the other.
+    /// Creates everything that commands work on: changes to undo and to redo, clips, snapshots, a held reference, a
+    /// selected event and a selected parameter, a notice. What is on in one variant is off in the other.
     void prepare(int variant) {
         app::Editor& e = editor();
         for (int i = 0; i < 4; ++i) ui().key(Key::escape);
@@ -94,7 +94,7 @@ class CommandsTest : public EditorTest {
         ASSERT_GE(content_.preset.smoke.clips.size(), 3U);
     }
 
-    /// Whether the command did something. It is off: not asked.
+    /// Whether the command does something. It must be enabled.
     bool does_something(std::size_t command) {
         const std::string before = state();
         EXPECT_EQ(before, state()) << commands()[command].id << ": something changes by itself";
@@ -154,7 +154,7 @@ TEST_F(CommandsTest, WhatIsOffDoesNothing) {
     }
 }
 
-/// Entries of the menu that is open, by their labels, and whether each is off.
+/// The entries of the open menu by their labels.
 std::map<std::string, const ui::Node*> entries(const ui::Ui& ui) {
     std::map<std::string, const ui::Node*> found;
     for (const ui::Node& node : ui.tree())

@@ -1,4 +1,4 @@
-// Clips that lie outside of the preset's folder: they are copied into folders of the user alone.
+// Clips outside of the preset's folder are copied only into folders of the user.
 #include "app/file_chooser.h"
 #include "app/files.h"
 #include "app/keying_bench.h"

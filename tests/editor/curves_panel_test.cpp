@@ -1,4 +1,4 @@
-// Curves over time: drawn on the panel, seen in the preview, one undo step for each gesture.
+// Curves over time are drawn on the panel and seen in the preview. Each gesture is one undo step.
 #include <gmock/gmock.h>
 
 #include "editor/support/editor_test.h"

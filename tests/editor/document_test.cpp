@@ -1,4 +1,4 @@
-// Files, history, snapshots and what is kept, through the whole editor.
+// Files, history, snapshots and autosave, through the whole editor.
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -231,7 +231,7 @@ TEST_F(EditorDocument, AFailedSaveKeepsTheWorkAndOffersAnotherName) {
     const fs::path file = own_preset();
     set_speed(7.5);
     fs::remove(file);
-    fs::create_directory(file);  // cannot be replaced by a file, whoever runs this
+    fs::create_directory(file);  // a file cannot replace it, even for root
     ui().key('S', Mods::command).frame();
     ASSERT_TRUE(asked("was not saved"));
     EXPECT_EQ(speed(), 7.5);
@@ -378,7 +378,7 @@ TEST_F(EditorDocument, WhatTheViewLoadsIsToldThereAlone) {
     start({1280, 800}, false);
     HeldJobs held(editor().jobs);
     open_sample();
-    HeldJobs::keep_only(editor().jobs, "Loading lagb.glb");  // the status bar tells the oldest of several
+    HeldJobs::keep_only(editor().jobs, "Loading lagb.glb");  // the status bar names the oldest of several
     for (int i = 0; i < 3; ++i) {
         EXPECT_TRUE(ui().frame().exists("Workspace/View/Loading/Loading lagb.glb")) << ui().dump();
         EXPECT_FALSE(ui().exists("Status bar/Loading lagb.glb"));

@@ -1,4 +1,4 @@
-// What a drag of one slider costs must not depend on how large the document is.
+// The cost of dragging one slider must not depend on how large the document is.
 #include <gtest/gtest.h>
 
 #include "editor/support/editor_test.h"
@@ -8,7 +8,7 @@ namespace lapfx::test {
 
 class Drag : public EditorTest {
   protected:
-    /// Bytes that are allocated while the pointer moves a slider of the preset, drawing of the scene apart.
+    /// Bytes that are allocated while the pointer moves a slider of the preset, without those for drawing the scene.
     std::size_t bytes_of_a_drag() {
         constexpr std::string_view slider = "**/Bleeding/Gloss";
         ui().settle();
@@ -23,7 +23,7 @@ class Drag : public EditorTest {
         const auto move = [&](int count) {
             for (int i = 0; i < count; ++i) ui().move(at + glm::vec2(i % 2 == 0 ? 5 : -5, 0));
         };
-        move(10);  // what is kept from frame to frame has its room
+        move(10);  // after this, memory that is kept from frame to frame has been allocated
         const std::uint64_t version = editor().document.version();
         const std::size_t before = allocated_bytes_so_far() - drawing_;
         move(10);
@@ -35,7 +35,7 @@ class Drag : public EditorTest {
     }
 
   private:
-    std::size_t begin_ = 0, drawing_ = 0;  ///< bytes at the beginning of drawing the scene; of all drawing so far
+    std::size_t begin_ = 0, drawing_ = 0;  ///< bytes when drawing of the scene began; bytes of all drawing so far
 };
 
 TEST_F(Drag, AllocatesNoMoreInALargeDocument) {
@@ -44,7 +44,7 @@ TEST_F(Drag, AllocatesNoMoreInALargeDocument) {
     document::Content large = editor().document.content();
     ASSERT_FALSE(large.preset.smoke.clips.empty());
     large.preset.smoke.clips.resize(12, large.preset.smoke.clips.front());
-    // Too far away to touch the organ: they are many, but cause nothing.
+    // These events are many, but have no effect: they are too far away to touch the organ.
     for (int i = 0; i < 4000; ++i)
         large.scene.events.push_back({.action = ToolAction::cauterise,
                                       .time = 0.002 * i,

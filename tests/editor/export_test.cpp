@@ -38,7 +38,7 @@ class ExportTest : public EditorTest {
         ui().frame();
     }
     std::string path(const std::string& name) const { return (folder() / name).string(); }
-    /// Presses Export and waits for its end.
+    /// Presses Export and waits until the export has ended.
     void export_it() {
         ui().click("New export/Export");
         for (int i = 0; i < 1000 && editor().exports().running(); ++i) ui().frame();
@@ -251,7 +251,7 @@ TEST_F(ExportTest, ClosingAsksWhileAnExportRuns) {
     ui().click("**/Keep exporting").frame();
     EXPECT_FALSE(editor().files().closed());
     EXPECT_TRUE(editor().exports().running());
-    // What is not saved is asked first: saving may be cancelled, and then nothing is to be lost.
+    // Unsaved changes are asked about first: saving may be cancelled, and then nothing may be lost.
     editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 9; });
     editor().files().close();
     EXPECT_EQ(title(), "Save changes before closing?");
@@ -265,7 +265,7 @@ TEST_F(ExportTest, ClosingAsksWhileAnExportRuns) {
     EXPECT_EQ(fs::file_size(path("out.mp4")), 3U) << "the old one";
 }
 
-/// An export of what the view does not have, for its jobs wait until `held_` goes.
+/// An export of an organ and clips that the view has not loaded yet, because its jobs wait until `held_` is destroyed.
 class LoadingExport : public ExportTest {
   protected:
     void SetUp() override {
@@ -395,7 +395,8 @@ TEST_F(ExportTest, ABundleIsOpenedFromItsNotice) {
     EXPECT_THAT(editor().files().question()->title, HasSubstr("Save changes before opening \"alone.json\"?"));
 }
 
-/// Its organ may be anywhere, and so a bundle would pass on what its user never saw: first it is listed, and agreed to.
+/// A scene's organ may be anywhere on the disk, so that a bundle could pass on files that its user never saw. They are
+/// listed first, and the user has to agree.
 class OutsideTest : public ExportTest {
   protected:
     void SetUp() override {

@@ -1,4 +1,4 @@
-// A colour of the preset or the scene, taken from the view or from the reference.
+// The eyedropper takes a colour of the preset or the scene from the view or from the reference.
 #include "app/pick_color.h"
 #include "app/reference.h"
 #include "editor/support/editor_test.h"
@@ -14,7 +14,7 @@ class EyedropperTest : public EditorTest {
         open_sample();
         editor().timeline.seek(6);
     }
-    /// From the picker of blood's deep colour.
+    /// Starts the eyedropper from the picker of blood's deep colour.
     void begin() {
         layout("Compare");
         ui().click("**/Deep colour/Colour").frame();

@@ -1,5 +1,5 @@
-// Pictures in the file dialog: what the program itself makes of which file, and what becomes of broken and hanging
-// ones.
+// Pictures in the file dialog: which files the program itself makes pictures of, and what happens with files that are
+// broken or on which it hangs.
 #include "app/file_previews.h"
 #include "app/file_chooser.h"
 
@@ -47,12 +47,12 @@ class FilePreviewsTest : public EditorTest {
         editor().chooser().ask({.title = "Look", .folder = files().string()}, [](const auto&) {});
         ui().frame().frame();
     }
-    /// Selects it, and waits until its picture is there or not; what the preview then is called.
+    /// Selects the file, waits until its picture has been made or has failed, and gives the preview's text.
     std::string look(const std::string& name) {
         ui().click("Look/Files/" + name);
         return shown();
     }
-    /// The same of what is selected.
+    /// The same for the file that is selected.
     std::string shown() {
         ui().frame(app::FilePreviews::rests + 0.01);
         const Clock::time_point end = Clock::now() + std::chrono::seconds(60);

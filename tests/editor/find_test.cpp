@@ -1,4 +1,5 @@
-// Finding: by the command palette, a row of preset or scene comes into sight with the keyboard; by everyday words.
+// Finding a row of preset or scene with the command palette, also by everyday words: the row is shown and gets the
+// keyboard.
 #include "app/layouts.h"
 #include "app/tuning.h"
 #include "editor/support/editor_test.h"
@@ -15,7 +16,7 @@ class FindTest : public EditorTest {
     void SetUp() override {
         EditorTest::SetUp();
         if (IsSkipped()) return;
-        editor().layouts().shown.close("View");  // drawn only where pixels are asked for
+        editor().layouts().shown.close("View");  // the scene is drawn only where a test asks for pixels
         open_sample();
     }
     void find(const std::string& words) {

@@ -1,4 +1,4 @@
-// A frame of the editor, from events to pictures, in one order (Editor::frame).
+// A frame of the editor does its steps, from events to pictures, in a fixed order (Editor::frame).
 #include "app/layouts.h"
 #include "editor/support/editor_test.h"
 
@@ -10,7 +10,7 @@ using app::FrameStep;
 class FrameTest : public EditorTest {
   protected:
     std::vector<FrameStep> steps;
-    /// One frame, in which `act` is what the person does while the panels are built.
+    /// Makes one frame; `act` is what the person does while the panels are built.
     bool frame(const std::function<void()>& act, bool visible = true) {
         steps.clear();
         return editor().frame(ui().time += 1.0 / 60, act,

@@ -1,5 +1,5 @@
-// A disk that is full, or read only, when something is saved or exported: what was there stays, what was not saved is
-// still not saved, and it is told with file and reason.
+// Saving or exporting to a disk that is full or read-only: older files stay, the document still counts as not saved,
+// and a message names the file and the reason.
 #include <gmock/gmock.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
@@ -24,7 +24,7 @@ using ui::Mods;
 
 const auto no_room = AnyOf(HasSubstr("No space left on device"), HasSubstr("File too large"));
 
-/// As long as it lives no file of this process grows beyond so many bytes, which fails writes as a full disk does.
+/// As long as it exists, no file of this process can grow beyond this size, so that writes fail as on a full disk.
 class FileLimit {
   public:
     explicit FileLimit(rlim_t bytes) : signal_(::signal(SIGXFSZ, SIG_IGN)) {
@@ -44,7 +44,8 @@ class FileLimit {
     rlimit before_{};
 };
 
-/// A small file system, where this user may make one; else, filled, a FileLimit while something is written.
+/// A small file system, if this user may mount one. Otherwise a folder: when it has been filled, write() sets a
+/// FileLimit.
 class SmallDisk {
   public:
     explicit SmallDisk(fs::path folder) : folder_(std::move(folder)) {
@@ -70,14 +71,14 @@ class SmallDisk {
         filler.close();
         fs::resize_file(folder_ / "filler", fs::file_size(folder_ / "filler") - leave);
     }
-    /// What writes to it: on a disk that is not filled like anything else.
+    /// Calls `writing`, which writes to the disk.
     template <typename Writing>
     void write(Writing&& writing) const {
         std::optional<FileLimit> limit;
         if (limit_) limit.emplace(*limit_);
         writing();
     }
-    /// False: this user may not do that.
+    /// Returns false if this user may not do that.
     bool make_read_only() {
         return mounted_ && ::mount("none", folder_.c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, "size=256k") == 0;
     }
@@ -114,7 +115,7 @@ class FullDisk : public EditorTest {
         });
         ui().frame();
     }
-    /// A preset and a scene of the person's own, on that disk.
+    /// Saves the preset and the scene as the person's own files on that disk.
     void save_both() {
         editor().document.save_preset(disk().folder() / "own.json");
         editor().document.save_scene(disk().folder() / "own.scene.json");
@@ -128,7 +129,7 @@ class FullDisk : public EditorTest {
         EXPECT_TRUE(editor().document.scene_unsaved());
         EXPECT_EQ(editor().document.preset().bleeding.speed, 7.5);
     }
-    /// An old file of that name, while so many bytes are free.
+    /// Exports over an old file of this name while so many bytes are free, and expects that the old file stays.
     void expect_export_leaves(const std::string& name, output::OutputKind kind, std::size_t room,
                               const testing::Matcher<std::string>& reason) {
         const fs::path file = disk().folder() / name;
@@ -196,7 +197,7 @@ TEST_F(FullDisk, OneThatIsReadOnlyIsToldAsThat) {
     EXPECT_EQ(exports.fault_at("-o"), disk().folder().string() + " cannot be written to");
 }
 
-/// What stands for a folder without rights, for root has all of them.
+/// This replaces a test of a folder without permissions, because root has all permissions.
 TEST_F(FullDisk, AFolderThatHasBecomeAFileIsTold) {
     const fs::path sub = folder() / "sub";
     fs::create_directory(sub);

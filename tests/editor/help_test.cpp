@@ -1,4 +1,4 @@
-// Help: the sheet of keys and pointer, and what About tells.
+// Help: the sheet of keys and pointer gestures, and the text of About.
 #include <algorithm>
 #include <fstream>
 #include <sstream>

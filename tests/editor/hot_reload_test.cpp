@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::IsEmpty;
 
-/// A copy of the sample, to be changed and lost.
+/// Opens a copy of the sample, which tests may change and delete.
 class HotReloading : public EditorTest {
   protected:
     void SetUp() override {
@@ -27,7 +27,7 @@ class HotReloading : public EditorTest {
         fs::copy_file(samples / "clips" / "plume_thick.mp4", folder() / "mine.mp4");
         Preset preset;
         preset.smoke.clips = {{.file = "mine.mp4"}};
-        preset.vessels.vessel_threshold = 0.0;  // the sample's burns lie beside its vessels
+        preset.vessels.vessel_threshold = 0.0;  // the sample's burns are next to its vessels
         save_preset(preset, folder() / "mine.json");
         Scene scene = load_scene(samples / "lagb.scene.json");
         scene.preset = "mine.json";
@@ -131,7 +131,7 @@ TEST_F(HotReloading, TheWatchTellsByItself) {
     EXPECT_EQ(editor().document.preset().bleeding.speed, 11.0);
 }
 
-/// Not exact: what is loaded comes when it is there.
+/// A preview that is not exact: files are shown when they have been loaded.
 class PreviewLoading : public EditorTest {
   protected:
     void SetUp() override {
@@ -149,7 +149,7 @@ class PreviewLoading : public EditorTest {
         shot.camera = document.scene().camera;
         return host.draw(shot);
     }
-    /// Until nothing is loading, at most 30 s; gives how often it drew.
+    /// Draws until nothing is loading, for at most 30 s. Gives how often a picture was drawn.
     int settle(double time) {
         int drawn = 0;
         for (int i = 0; i < 3000 && (host.loading() || i == 0); ++i) {

@@ -1,4 +1,4 @@
-// What outlives the editor: settings, and work that was not saved.
+// What is kept when the editor ends: settings, and work that was not saved.
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -111,7 +111,7 @@ TEST_F(EditorDocument, UnsavedWorkOutlivesACrash) {
     autosave.update(1001.5);
     EXPECT_FALSE(fs::exists(folder() / "state" / "autosave"));
     autosave.update(1000 + app::Autosave::pause);
-    start();  // without end(): as after a crash
+    start();  // without end(), as after a crash
     editor().autosave().find();
     ui().frame().frame();
     ASSERT_EQ(editor().autosave().offers().size(), 1U);
@@ -137,7 +137,7 @@ TEST_F(EditorDocument, UnsavedWorkOutlivesACrash) {
     EXPECT_FALSE(editor().document.unsaved());
     editor().document.redo();
     EXPECT_EQ(speed(), 7.5);
-    start();  // a crash again: it was never saved
+    start();  // another crash; the work was never saved
     editor().autosave().find();
     ASSERT_EQ(editor().autosave().offers().size(), 1U);
     editor().files().recover(0);

@@ -1,4 +1,4 @@
-// The keying bench, driven by the names of what is on the screen.
+// The keying bench, driven by the names of the widgets on the screen.
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -53,7 +53,7 @@ class KeyingPanel : public EditorTest {
         writer.release();
         return path;
     }
-    /// As its only clip that is not haze; what was done before is forgotten.
+    /// Opens the clip as the preset's only one that is not haze. The history is forgotten.
     void open_clip(const fs::path& clip) {
         open({clip.string()});
         document::Document& document = editor().document;
@@ -161,7 +161,7 @@ TEST_F(KeyingPanel, SuggestFillsTheThresholds) {
     EXPECT_FALSE(editor().keying().clip()->own_keying);
 }
 
-/// As the rows beside them do (the sheet of keys says so).
+/// Handles do the same as the rows next to them (the sheet of keys says so).
 TEST_F(KeyingPanel, BackspaceOnHandlesIsTheSavedValueWithShiftTheDefault) {
     editor().document.change("Kept", [](document::Content& c) { c.preset.smoke.keying.luma_low = 40; });
     editor().document.save_preset(folder() / "kept.json");
@@ -376,7 +376,7 @@ TEST_F(KeyingPanel, ThresholdsAreForAllClipsOrForThisOne) {
     EXPECT_FALSE(editor().document.preset().smoke.clips[0].own_keying);
 }
 
-/// An editor that waits for nothing: frames come by jobs.
+/// Uses an editor that does not wait: jobs decode the frames.
 TEST_F(KeyingPanel, BesideTheWindowPicturesFollowWithoutWaiting) {
     ui::ImageStore images;
     app::EditorOptions options = editor().options();
@@ -404,7 +404,7 @@ TEST_F(KeyingPanel, BesideTheWindowPicturesFollowWithoutWaiting) {
     EXPECT_TRUE(bench.stale());
     frame();
     EXPECT_LT(matte(), before) << "seen in the next frame";
-    // The newest wish is met, whatever was wished for meanwhile.
+    // The newest request is fulfilled, whatever was requested before.
     for (const double time : {0.5, 1.0, 1.5, 3.0}) {
         bench.look.time = time;
         live.document.change("Choke", [&](document::Content& c) { c.preset.smoke.keying.choke = time; });
@@ -460,7 +460,7 @@ TEST_F(KeyingPanel, BehindTheSmokeThereIsWhatWasChosen) {
 
 TEST_F(KeyingPanel, BehindTheSmokeThePreviewIsWhole) {
     int asked = 0;
-    clock = [&] { return 0.5 * ++asked; };  // so slow a scene is drawn with fewer pixels while a person works
+    clock = [&] { return 0.5 * ++asked; };  // a scene this slow is drawn with fewer pixels while a person works
     start({1440, 900}, false);
     open_sample();
     editor().jobs.finish();
@@ -468,7 +468,7 @@ TEST_F(KeyingPanel, BehindTheSmokeThePreviewIsWhole) {
     editor().jobs.finish();
     layout("Key");
     editor().timeline.speed = 0;
-    // Without smoke: a clip that streams may show another frame by then.
+    // The scene has no smoke, because a streamed clip may show another frame by then.
     editor().document.change(
         "No smoke", [](document::Content& c) { c.preset.smoke.plume.density = c.preset.smoke.haze.accumulation = 0; });
     const auto rest = [&] {
@@ -485,7 +485,7 @@ TEST_F(KeyingPanel, BehindTheSmokeThePreviewIsWhole) {
     };
     rest();
     ui().click(panel + "Behind/Preview");
-    for (int i = 0; i < 150; ++i) {  // its first turns may still be whole
+    for (int i = 0; i < 150; ++i) {  // the first frames may still have all pixels
         editor().timeline.seek(0.02 * i);
         editor().touch(ui().time + 1.0 / 60);
         ui().frame();

@@ -1,4 +1,4 @@
-// Layouts, without a window: they go by the panels that they are told of.
+// Layouts without a window: the test gives them the list of panels.
 #include "app/layouts.h"
 #include <gtest/gtest.h>
 

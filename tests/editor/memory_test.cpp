@@ -1,4 +1,4 @@
-// What the editor holds: each thing that is done and taken back leaves the memory as it was.
+// Memory of the editor: after each action and its undo, the editor uses as much as before.
 #include "app/memory.h"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ class EditorMemory : public EditorTest {
         open_sample();
         play_through();
     }
-    /// Clips become resident as they play, in a small picture here.
+    /// Plays all clips, which loads them into graphics memory. The picture is small to make that quick.
     void play_through() {
         constexpr int longest_clip = 180;
         app::PreviewHost& host = editor().preview;
@@ -55,7 +55,7 @@ TEST_F(EditorMemory, APlayedSampleHoldsItsClipsAndLittleElse) {
     EXPECT_EQ(clips(), (150 + 150 + 180) * frame) << "each frame of three clips once, and no buffers";
     const MemoryUse held = use();
     EXPECT_LT(held.pixels, 4'000'000U) << "textures are on the GPU, and no more in main memory";
-    const std::size_t texels = 2 * 2048 * 2048 + 4 * 1024 * 1024;  // of the textures that have densities
+    const std::size_t texels = 2 * 2048 * 2048 + 4 * 1024 * 1024;  // of the textures with a density map
     EXPECT_LT(held.densities, texels * 17 / 8 + 8'000'000) << "two bytes and a bit a texel, and the mesh";
     EXPECT_LT(held.surface, 30'000'000U);
     EXPECT_LT(held.total() - held.clips - held.targets, 200'000'000U);
@@ -105,7 +105,7 @@ TEST_F(EditorMemory, TheFormerOrganGoesAlsoFromThoseWhoHaveWorkedWithIt) {
     editor().looking.overlay = Overlay::vessels;
     ui().frame().frame();
     ASSERT_NE(editor().amounts().scene(), nullptr);
-    layout("Tune");  // nobody looks at them any more
+    layout("Tune");  // the amounts are not shown any more
     editor().looking.overlay = Overlay::none;
     ui().frame().frame();
     const std::weak_ptr<const PreparedOrgan> former = editor().preview.organ_of(editor().document.scene());

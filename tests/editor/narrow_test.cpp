@@ -1,4 +1,4 @@
-// Large text and narrow windows: what is beside each other stays beside each other, and nothing is wider than its
+// Large text and narrow windows: widgets that are next to each other do not overlap, and nothing is wider than its
 // panel.
 #include "app/layouts.h"
 #include "app/snapshots.h"
@@ -33,7 +33,7 @@ class NarrowTest : public EditorTest {
         std::string path;
         ui::Rect rect;
     };
-    /// What is seen of a panel and holds nothing else.
+    /// The widgets of a panel that contain no other widgets.
     std::vector<Box> boxes(const std::string& panel) {
         const auto tree = ui().ui().tree();
         std::vector<bool> holds(tree.size(), false);

@@ -1,4 +1,4 @@
-// The preset panel: made from the parameter table, and what it does to the preview.
+// The preset panel is made from the parameter table. These tests check its rows and their effect on the preview.
 #include <array>
 
 #include "app/layouts.h"
@@ -20,17 +20,18 @@ class PresetPanel : public EditorTest {
     void SetUp() override {
         EditorTest::SetUp();
         if (IsSkipped()) return;
-        editor().layouts().shown.close("View");  // drawn only where pixels are asked for
+        editor().layouts().shown.close("View");  // the scene is drawn only where a test asks for pixels
         open_sample();
     }
     const Preset& preset() { return editor().document.preset(); }
     std::string text() { return write_preset(preset()); }
-    /// Sections are as they are at first: all but Bleeding folded.
+    /// Opens all sections. At first all of them except Bleeding are folded.
     void unfold_all() {
         for (const app::ParameterGroup& group : parameters().groups())
             if (!group.key.empty() && group.key != "bleeding") ui().click("**/Parameters/" + group.name + "/header");
     }
-    /// Drags a favourite: the preview follows in the next frame, and undo brings the same pixels back.
+    /// Drags a row of the favourites. The preview has to change in the next frame, and undo has to bring the same
+    /// pixels back.
     void expect_live(const std::string& row, float px, double time) {
         const std::string before_text = text();
         const Image before = picture(time);

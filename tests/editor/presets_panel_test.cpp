@@ -1,4 +1,4 @@
-// The preset browser: what is found, how it looks, and what opening does to the document.
+// The preset browser: which presets it finds, how it shows them, and what opening one does to the document.
 #include <fstream>
 
 #include "app/browser.h"

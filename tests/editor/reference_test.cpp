@@ -1,4 +1,4 @@
-// The reference panel: a video that follows the timeline, is aligned with it and compared with the preview.
+// The reference panel shows a video that follows the timeline, is aligned with it and compared with the preview.
 #include "app/reference.h"
 
 #include <fstream>
@@ -28,7 +28,7 @@ class ReferencePanel : public EditorTest {
     app::Reference& reference() { return editor().reference(); }
     std::string named() { return editor().document.scene().reference.file; }
     static std::string in(const std::string& name) { return std::string(panel) + "/" + name; }
-    /// Ten frames a second, each of another brightness.
+    /// A video with ten frames a second, each with another brightness.
     fs::path video(const std::string& name = "v.avi", int frames = 30) {
         return write_clip(folder() / name, frames, {64, 32}, 10);
     }
@@ -108,7 +108,7 @@ TEST_F(ReferencePanel, WhatIsNoVideoIsToldInPlaceWithTheWayOut) {
     EXPECT_TRUE(ui().exists(in("Sample reference"))) << "back to the beginning";
 }
 
-/// The scene names it, so there is nothing else to be shown.
+/// The scene names the reference, so there is no other one to show.
 TEST_F(ReferencePanel, AScenesReferenceThatIsNoVideoIsToldWithTheWayOut) {
     std::ofstream(folder() / "notes.mp4") << "words, not a video";
     editor().document.change("Reference video", [&](document::Content& c) {

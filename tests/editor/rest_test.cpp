@@ -1,5 +1,5 @@
-// What holds for the whole window: it comes to rest, its commands can be told apart, and nothing of one document is
-// left over in the next.
+// Tests of the whole window: it comes to rest, its commands have different names, and nothing of one document remains
+// in the next.
 #include <sys/stat.h>
 
 #include "app/browser.h"
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 class RestTest : public EditorTest {
   protected:
-    /// No frame is asked for within a minute, and one that comes all the same draws nothing new.
+    /// Expects that no frame is asked for within a minute, and that a frame made anyway draws nothing new.
     void expect_rest(const std::string& where) {
         ui().settle().frame(2).frame(2).settle();  // settings are written a moment after a change
         ASSERT_FALSE(editor().wants_frame()) << where;
@@ -75,7 +75,7 @@ TEST_F(RestTest, AViewThatIsLeftWhileItIsCoarseIsNotWaitedFor) {
     layout("Tune");
     settle();
     editor().looking.endoscope = false;
-    for (int i = 0; i < 120; ++i) {  // its first turns may still be whole
+    for (int i = 0; i < 120; ++i) {  // the first frames may still have all pixels
         editor().looking.camera.eye.x += 0.1;
         editor().touch(ui().time + 1.0 / 60);
         ui().frame();

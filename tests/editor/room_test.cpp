@@ -1,5 +1,5 @@
-// In every layout, scale and size of the window the main picture keeps a size to work with, all tools of it can be
-// reached, and no text lies over another.
+// In every layout, scale and size of the window the main picture stays large enough to work with, all its tools can be
+// reached, and no texts overlap.
 #include "app/layouts.h"
 #include "editor/support/shaped_test.h"
 
@@ -17,7 +17,7 @@ constexpr std::array<Shape, 8> shapes = {{{1, {1440, 900}},
 
 class RoomTest : public ShapedTest {
   protected:
-    /// The largest picture of a panel, as much of it as is seen.
+    /// The visible part of the largest picture of a panel.
     ui::Rect picture_in(const std::string& panel) {
         ui::Rect largest;
         const auto tree = ui().ui().tree();
@@ -29,7 +29,7 @@ class RoomTest : public ShapedTest {
         }
         return largest;
     }
-    /// In the panel, whole, or in the menu of those without room.
+    /// Expects the tool in the panel, fully visible, or in the menu of tools that have no room there.
     void expect_reachable(const std::string& panel, const std::string& menu, const std::string& name) {
         const std::string place = "Workspace/" + panel + "/";
         if (ui().exists(place + name)) {

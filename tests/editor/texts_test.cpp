@@ -1,5 +1,5 @@
-// In every layout, scale and size of the window: no text lies over another, and none is cut so that it cannot be read.
-// A value may end in an ellipsis, the label of a button may not.
+// In every layout, scale and size of the window no texts overlap, and none is cut so that it cannot be read. A value
+// may end in an ellipsis, the label of a button may not.
 #include "ui/support/texts.h"
 #include <gmock/gmock.h>
 
@@ -23,7 +23,7 @@ class TextsTest : public ShapedTest {
         EXPECT_THAT(ui::texts_over_texts(ui().ui().tree(), texts, em), IsEmpty()) << what;
         EXPECT_THAT(ui::cut_texts(ui().ui().tree(), texts, em), IsEmpty()) << what;
     }
-    /// Each panel that is a tab in front, then each of those behind.
+    /// Checks the panels whose tabs are in front, then brings each of the others to the front and checks it.
     void expect_readable_everywhere(const std::string& name) {
         for (const Shape& to : shapes) {
             char text[64];

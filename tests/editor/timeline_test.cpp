@@ -1,4 +1,4 @@
-// The timeline and the scene panel: events moved, stretched and typed; rows of the scene; an organ with its unit.
+// The timeline and the scene panel: events are moved, stretched and typed in. Rows of the scene; the unit of an organ.
 #include <fstream>
 
 #include "app/layouts.h"
@@ -18,7 +18,7 @@ class TimelinePanelTest : public EditorTest {
     }
     const std::vector<ToolContact>& events() { return editor().document.scene().events; }
     const std::string& last_step() { return editor().document.steps().back().name; }
-    /// A box of this size in units of its file.
+    /// Writes a box of this size, in units of its file.
     std::string box(const std::string& name, double x, double y, double z) {
         const std::filesystem::path file = folder() / name;
         std::ofstream out(file);
@@ -81,7 +81,7 @@ TEST_F(TimelinePanelTest, EventsAreAddedDoubledAndDeleted) {
     editor().timeline.seek(10.5);
     ui().frame();
     if (!ui().exists("**/Duplicate")) ui().click("Workspace/Timeline/More...").frame().frame();
-    ui().click("**/Duplicate").frame().key(ui::Key::escape).frame();  // out of the menu, if it is there
+    ui().click("**/Duplicate").frame().key(ui::Key::escape).frame();  // leaves the menu, if there is one
     ASSERT_EQ(events().size(), 4U);
     EXPECT_EQ(events()[3].time, 10.5);
     ui().click("**/Delete");
@@ -188,7 +188,7 @@ TEST_F(TimelinePanelTest, ABrokenOrganIsToldInTheDialogAndNothingChanges) {
     EXPECT_EQ(editor().document.scene().organ.file, "lagb.glb");
 }
 
-/// Of every kind of tool one event.
+/// Makes one event of every kind.
 void of_every_kind(document::Content& c) {
     c.scene.events.clear();
     for (const ToolActionRow& row : tool_actions)
@@ -222,7 +222,7 @@ TEST_F(TimelinePanelTest, ASelectionThatIsStaleDoesNoHarm) {
     ui().frame();
     ASSERT_EQ(editor().selected, (std::vector<std::size_t>{4, 5}));
     ASSERT_TRUE(editor().layouts().choose("Tune"));
-    editor().layouts().shown.show("Amounts");  // no timeline in sight
+    editor().layouts().shown.show("Amounts");  // the timeline is not visible
     ui().frame().frame();
     ASSERT_FALSE(ui().exists("Workspace/Timeline"));
     editor().document.undo();

@@ -1,4 +1,4 @@
-// The view panel: looking around, working with tools, overlays with what makes them.
+// The view panel: looking around, working with tools, overlays and the parameters that they belong to.
 #include <chrono>
 #include <opencv2/imgcodecs.hpp>
 #include <thread>
@@ -22,7 +22,7 @@ class ViewPanelTest : public EditorTest {
         open_sample();
         ASSERT_TRUE(editor().preview.ready());
     }
-    /// Where the organ is at a fraction of the view.
+    /// The place on the organ at a fraction of the view.
     glm::dvec3 place_at(glm::vec2 fraction) {
         const glm::ivec2 size = editor().preview.size();
         const auto hit = editor().preview.preview()->pick(glm::dvec2(fraction) * glm::dvec2(size), size);
@@ -304,7 +304,7 @@ TEST_F(ViewPanelTest, HalfResolutionIsAQuarterOfThePixelsStretchedSmoothly) {
     EXPECT_EQ(half.height, (whole.height + 1) / 2);
     const ui::Rect now = ui().rect(preview);
     EXPECT_EQ(glm::vec2(now.w, now.h), glm::vec2(place.w, place.h));
-    // The list has it over the whole place, linearly filtered.
+    // The draw list has the picture over the whole place, linearly filtered.
     const ui::DrawList& list = *ui().output().list;
     int found = 0;
     for (const ui::Batch& batch : list.batches)
@@ -316,7 +316,7 @@ TEST_F(ViewPanelTest, HalfResolutionIsAQuarterOfThePixelsStretchedSmoothly) {
             ++found;
         }
     EXPECT_EQ(found, 1);
-    // The same picture: the mean of four pixels is about the one that stands for them.
+    // It is the same picture: the mean of four pixels is about equal to the one that replaces them.
     double sum = 0, mirrored = 0;
     for (int y = 0; y < whole.height / 2; ++y)
         for (int x = 0; x < whole.width / 2; ++x) {

@@ -1,6 +1,6 @@
-// The whole way of a person through the editor, by the names of what is on the screen: load an organ and a clip, move
-// the four parameters that matter most, see the picture change, undo, export, and have `lapfx render` make the same
-// pixels of the export.
+// A person's whole work with the editor, driven by the names of the widgets on the screen: load an organ and a clip,
+// move the four parameters that matter most, see the picture change, undo, export, and have `lapfx render` make the
+// same pixels from the export.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -17,12 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The parameters that the user named, and where they stand in the preset panel.
+/// One of the four parameters, with its place in the preset panel.
 struct Moved {
     const char* path;
     const char* key;
     double to;
-    double time;  ///< s, at which it is seen
+    double time;  ///< s, when its effect is visible
 };
 constexpr std::array<Moved, 4> four = {{
     {"**/Bleeding/Speed", "bleeding.speed", 9, 3},
@@ -35,12 +35,12 @@ constexpr glm::ivec2 size{640, 512};
 
 class WholeTest : public EditorTest {
   protected:
-    /// Through the panel: a slider that is not there is a fault.
+    /// Moves it in the panel; a missing slider fails the test.
     void move(const Moved& moved) {
         ASSERT_TRUE(ui().exists(moved.path)) << moved.path << " is not there\n" << ui().dump();
         ui().click(moved.path, {.clicks = 2}).type(std::to_string(moved.to)).key(ui::Key::enter).frame();
     }
-    /// What the view draws, with as many pixels as an export has.
+    /// The view's picture with as many pixels as an export has.
     Image view(double time) {
         editor().timeline.seek(time);
         ui().frame();
@@ -79,7 +79,7 @@ TEST_F(WholeTest, LoadTuneUndoExportAndRenderTheSamePixels) {
     open_sample();
     editor().timeline.speed = 0;
 
-    // An organ and a clip come in, as dropped on the window.
+    // An organ and a clip are loaded as if they were dropped on the window.
     const Image sample = picture(0);
     open({(data / "samples/liver_lobe.glb").string()});
     ui().click("**/Load organ/Load").frame();
@@ -92,7 +92,7 @@ TEST_F(WholeTest, LoadTuneUndoExportAndRenderTheSamePixels) {
     open({(data / "samples/clips/wisps_thin.mp4").string()});
     EXPECT_EQ(editor().document.preset().smoke.clips.front().file, "wisps_thin.mp4");
 
-    // Each of the four is seen, is one step, and is undone to the last pixel.
+    // Each of the four changes the picture, is one step, and undo restores every pixel.
     for (const Moved& moved : four) {
         const Image before = view(moved.time);
         const std::size_t steps = editor().document.done();
@@ -104,14 +104,14 @@ TEST_F(WholeTest, LoadTuneUndoExportAndRenderTheSamePixels) {
         ui().key('Z', ui::Mods::command | ui::Mods::shift).frame();
     }
 
-    // What is exported is what is seen.
+    // The exported picture is the one that the view shows.
     const double time = 6;
     const Image shown = view(time);
     run_export(output::OutputKind::picture, folder() / "shown.png", time);
     EXPECT_EQ(unlike(shown, cv::imread((folder() / "shown.png").string())), 0U);
     run_export(output::OutputKind::bundle, folder() / "whole", time);
 
-    // The bundle alone, rendered headless by the program.
+    // The program renders the exported bundle without a window.
     const fs::path program = fs::path(LAPFX_BINARY_DIR) / "lapfx";
     ASSERT_TRUE(fs::exists(program));
     const fs::path rendered = folder() / "rendered.png";

@@ -1,4 +1,4 @@
-// Random events over all pages. LAPFX_FUZZ_EVENTS: how many (30,000 if not given); LAPFX_FUZZ_SEED: which (1).
+// Random events over all pages. LAPFX_FUZZ_EVENTS is their number (30,000 if not given), LAPFX_FUZZ_SEED the seed (1).
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -28,7 +28,7 @@ class Fuzz {
         harness_.ui().redraw(now_);
     }
 
-    /// One event, or a few before the next frame; then everything is looked at.
+    /// Sends one event, or a few before the next frame, and then checks everything.
     void step() {
         if (chance(0.002)) rearrange();
         if (chance(0.02))
@@ -62,7 +62,7 @@ class Fuzz {
         harness_.size = {number(1, 1600), number(1, 1000)};
     }
 
-    /// On something, as a rule: empty space makes dull events.
+    /// A place, mostly on a widget: events on empty space find few faults.
     glm::vec2 place() {
         const auto tree = harness_.ui().tree();
         if (chance(0.15) || tree.empty()) return {number(-200, 1800), number(-200, 1200)};
@@ -117,7 +117,7 @@ class Fuzz {
 
     void look() {
         const ui::Ui& ui = harness_.ui();
-        // What was used again of the last frame is what would be drawn now, and no change goes unseen.
+        // Parts that are reused from the last frame are the same as drawn now, and every change is reported.
         std::swap(before_, now_);
         harness_.ui().redraw(now_);
         ASSERT_TRUE(same_picture(*harness_.output().list, now_)) << harness_.dump();

@@ -1,4 +1,5 @@
-// Every page at several scales: named, reachable, nowhere out of sight by mistake, and quiet when nothing happens.
+// Every page at several scales: its widgets have names, can be reached and are not hidden by mistake, and it comes to
+// rest when nothing happens.
 #include "gallery/gallery.h"
 
 #include <gmock/gmock.h>

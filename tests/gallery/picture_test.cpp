@@ -1,4 +1,5 @@
-// Every page is drawn with OpenGL in both themes. LAPFX_UI_LOOK: a folder that gets the pictures, at three scales.
+// Every page is drawn with OpenGL in both themes. If LAPFX_UI_LOOK names a folder, pictures at three scales are written
+// there.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -48,7 +49,7 @@ TEST_P(GalleryPicture, HasTheGroundOfItsThemeAndIsDrawnWithFewCalls) {
             const ui::Color ground = (light ? ui::light_theme() : ui::dark_theme()).panel;
             const cv::Vec4b corner = picture(picture.rows - 3, 12);
             EXPECT_EQ(corner, (cv::Vec4b{ground.r, ground.g, ground.b, 255}));
-            EXPECT_LE(statistics.draw_calls, 80);  // one for each picture and for what lies between them
+            EXPECT_LE(statistics.draw_calls, 80);  // one for each picture and one for all between two pictures
             if (folder == nullptr) continue;
             const std::string name(pages()[static_cast<std::size_t>(GetParam())].name);
             ui::test::write_png(picture, std::string(folder) + "/" + name + (light ? "_light_" : "_dark_") +
@@ -57,7 +58,7 @@ TEST_P(GalleryPicture, HasTheGroundOfItsThemeAndIsDrawnWithFewCalls) {
     }
 }
 
-/// What is seen only after something was done: a page, what is clicked on it, the overlay that then is there.
+/// An overlay that is visible only after a click: its page, the widget to click, the name of the overlay.
 struct Opening {
     const char *name, *page, *clicked;
 };
@@ -95,7 +96,7 @@ TEST_P(GalleryOpening, LiesOverThePageAndIsClosedByEsc) {
             ui::test::write_png(canvas.read(),
                                 std::string(folder) + "/open_" + opening.name + (light ? "_light" : "_dark") + ".png");
         }
-        if (std::string_view(opening.name) == "Toast") continue;  // stays, and takes no keys
+        if (std::string_view(opening.name) == "Toast") continue;  // it stays, and takes no keys
         harness.key(ui::Key::escape).frame();
         EXPECT_EQ(harness.ui().overlay_count(), 0U) << harness.dump();
     }

@@ -65,7 +65,7 @@ class ShortText {
         char buffer[32];
         return add(format_number(buffer, value, decimals));
     }
-    /// With a space in front; nothing without a unit.
+    /// Adds a space and the unit; nothing if the unit is empty.
     ShortText& add_unit(std::string_view unit) { return unit.empty() ? *this : add(" ").add(unit); }
     std::string_view view() const { return {text_, size_}; }
 

@@ -15,9 +15,9 @@ constexpr double mix_page = 0.1;
 constexpr float line_reach = 5;  // px at scale 1, to either side
 constexpr double angle_step = glm::pi<double>() / 12;
 
-/// The line of a wipe where it is on the screen; y down, the first picture on the side that the normal comes from.
+/// The line of a wipe on the screen, with y down. The first picture is on the side that the normal points away from.
 struct WipeLine {
-    glm::dvec2 middle{0};  ///< of the picture
+    glm::dvec2 middle{0};  ///< middle of the picture
     glm::dvec2 normal{1, 0};
     double reach = 1;  ///< px from the middle to where the normal leaves the picture
 
@@ -39,12 +39,12 @@ glm::dvec2 kept_in(glm::dvec2 at, const Rect& area, float margin) {
     return glm::clamp(at, glm::dvec2(room.at()), glm::dvec2(room.at() + room.size()));
 }
 
-/// Two halves: whichever way shows the pictures larger.
+/// Splits the area into two halves, in the direction that shows the pictures larger.
 void split(const Rect& area, glm::ivec2 size, float gap, Rect (&halves)[2]) {
     Rect right = area, below = area;
     const Rect left = right.cut_left(std::floor((area.w - gap) / 2));
     const Rect upper = below.cut_top(std::floor((area.h - gap) / 2));
-    right = right.cut_right(left.w), below = below.cut_bottom(upper.h);  // of one size, to the pixel
+    right = right.cut_right(left.w), below = below.cut_bottom(upper.h);  // exactly the same size
     const bool stacked = fit_zoom(upper, size) > fit_zoom(left, size);
     halves[0] = stacked ? upper : left, halves[1] = stacked ? below : right;
 }
@@ -52,12 +52,12 @@ void split(const Rect& area, glm::ivec2 size, float gap, Rect (&halves)[2]) {
 struct ComparedLook {
     Picture pictures[2];
     std::string_view labels[2];
-    std::string_view title;  ///< of the difference
+    std::string_view title;  ///< title of the difference
     CompareState state;
     Pick pick;
     bool flicker, grid;
     int side;
-    int half;  ///< that the pointer is in: where the readout goes
+    int half;  ///< the half with the pointer, where the readout is shown
     Readout readout;
 };
 
@@ -145,7 +145,7 @@ void draw_compared_readout(Painter& painter, const Node& node, const void* arg) 
 constexpr std::string_view wipe_name = "Wipe", wipe_angle_name = "Wipe angle";
 
 struct WipeMemory {
-    glm::dvec2 pivot{0};  ///< pixels of the picture: what the line turns about
+    glm::dvec2 pivot{0};  ///< pixels of the picture: the point that the line turns about
     double position = 0.5;
     bool turning = false;
 };
@@ -157,7 +157,7 @@ Edit edit_position(Ui& ui, const View& view, glm::dvec2 place, CompareState& sta
                                               .tip = "Drag: move the line. Double click: back to the middle",
                                               .at = glm::vec2(place) - origin});
     const bool upright = std::abs(line.normal.x) >= std::abs(line.normal.y);
-    const double paged = std::abs(moves.steps.y) >= 10 ? moves.steps.y : 0;  // whichever way the line stands
+    const double paged = std::abs(moves.steps.y) >= 10 ? moves.steps.y : 0;  // at any angle of the line
     const double steps = upright ? std::copysign(1.0, line.normal.x) * moves.steps.x + paged
                                  : std::copysign(1.0, line.normal.y) * -moves.steps.y;
     const Edit edit = edit_by_handle(ui, moves, {.step = 0.01, .reset = 0.5}, steps,
@@ -204,7 +204,7 @@ Edit edit_wipe(Ui& ui, const View& view, CompareState& state) {
     return edit;
 }
 
-/// The line itself, wherever it is grabbed.
+/// A drag of the line, which can be grabbed anywhere.
 struct LineDrag {
     DragWay way;
     bool held = false, changed = false;
@@ -240,7 +240,7 @@ void take(Ui& ui, const View& view, LineDrag& drag, const Event& event, CompareS
     drag.held = false;
 }
 
-/// Returns whether a press of this build, or what is held, is the line's.
+/// Returns whether the line was pressed in this build or is held.
 bool edit_line(Ui& ui, Id id, const View& view, const Response& r, CompareState& state, Edit& edit) {
     LineDrag& drag = ui.memory<LineDrag>(id);
     bool taken = drag.held;
@@ -258,7 +258,7 @@ bool edit_line(Ui& ui, Id id, const View& view, const Response& r, CompareState&
 
 // --- keys and values ---
 
-/// Whether a letter is text, or begins a search, where the keyboard is.
+/// Whether the widget with the keyboard takes letters as text or as the beginning of a search.
 bool types(Ui& ui, Id focus) {
     const Node* node = ui.before(focus);
     return node != nullptr && has(node->sense, Sense::typing | Sense::editing | Sense::keys | Sense::every_key);
@@ -349,7 +349,7 @@ CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first,
         const bool beyond =
             state.kind == CompareKind::wipe &&
             WipeLine(views[0], state.angle).position_at(views[0].to_screen(glm::dvec2(pick.at) + 0.5)) > state.position;
-        const bool second_half = half == 1 && !pick.by_keys;  // by keys: the place in both
+        const bool second_half = half == 1 && !pick.by_keys;  // with keys the place is in both
         const int under = result.flicker || second_half || beyond ? 1 : 0;
         result.under = state.swapped ? 1 - under : under;
         result.picked = options.eyedropper && eyedropper_clicked(ui, id);
@@ -361,7 +361,7 @@ CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first,
         result.edit |= edit_wipe(ui, view_of(state.view, area, size), state);
     const std::string_view title = ui.join({labels[0], " - ", labels[1], "   x ", gain_text(ui, state.gain)});
     Node& whole = ui.parent();
-    if (readout.line_count > 0) whole.tip = {};  // both belong beside the pointer
+    if (readout.line_count > 0) whole.tip = {};  // both would be shown at the pointer
     ui.draw_with<draw_compared>(whole, ComparedLook{.pictures = {shown[0], shown[1]},
                                                     .labels = {labels[0], labels[1]},
                                                     .title = title,

@@ -42,9 +42,9 @@ struct CompareResult {
     Edit edit;            ///< of position, angle, mix, gain or swapped
 };
 
-/// As image_view, and: F held shows the second picture alone, X swaps them, page keys change gain or mix. The line of
-/// the wipe is dragged anywhere; it has two handles, "Wipe" to move it and "Wipe angle" to turn it about the first.
-/// Beside each other means below where that is larger.
+/// Does the same as image_view for two pictures. F held shows only the second picture, X swaps them, page keys change
+/// gain or mix. The line of the wipe can be dragged anywhere. It has two handles, "Wipe" to move it and "Wipe angle" to
+/// turn it about the first. Side by side, the pictures are one above the other where that makes them larger.
 CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first, const Picture& second,
                            CompareState& state, const CompareOptions& options = {});
 

@@ -15,11 +15,11 @@ struct CurvePoint {
 /// One value for each input: points have different x, in ascending order.
 class Curve {
   public:
-    /// From (0, 0) to (1, 1).
+    /// A straight line from (0, 0) to (1, 1).
     Curve();
-    /// Of points that are valid(); others are a mistake of the program (assert).
+    /// The points must be valid() (assert).
     explicit Curve(std::vector<CurvePoint> points);
-    /// One or more, all finite, each x above the one before.
+    /// Whether there are one or more points, all finite, each x above the one before.
     static bool valid(std::span<const CurvePoint> points);
 
     /// Before the first and after the last point: their values. NaN gives the first value.

@@ -12,22 +12,22 @@ using namespace curve_drawing;
 
 namespace {
 
-constexpr double least_distance = 1e-4;  // of two points, of the range of x
+constexpr double least_distance = 1e-4;  // between two points, as a share of the range of x
 constexpr std::size_t no_point = static_cast<std::size_t>(-1);
 
-/// What lasts from frame to frame.
+/// The state that is kept from frame to frame.
 struct Memory {
     enum class Drag : std::uint8_t { none, points, box };
     Drag drag = Drag::none;
     bool began = false;  ///< the curve has been changed by this drag
-    bool adds = false;   ///< box: to what was selected
+    bool adds = false;   ///< a box adds to the earlier selection
     std::size_t grabbed = 0;
     glm::vec2 from{0}, last{0}, way{0};
     Curve before;
-    std::vector<std::uint8_t> selected, selected_before;  ///< of each point
+    std::vector<std::uint8_t> selected, selected_before;  ///< for each point
     std::vector<CurvePoint> scratch;
     std::vector<Id> ids;              ///< of the points, as built last
-    std::size_t entering = no_point;  ///< the point that is typed at
+    std::size_t entering = no_point;  ///< the point whose values are typed
     bool invalid = false;
     std::string entry;
 };
@@ -37,7 +37,7 @@ class Editing {
     Editing(Ui& ui, Memory& memory, Curve& curve, const CurveEditorOptions& options, const Frame& frame)
         : ui_(ui), m_(memory), curve_(curve), o_(options), f_(frame) {
         m_.selected.resize(curve.size());
-        if (m_.grabbed >= curve.size()) m_.drag = Memory::Drag::none;  // the program has made the curve anew
+        if (m_.grabbed >= curve.size()) m_.drag = Memory::Drag::none;  // the program has changed the curve
         if (m_.entering >= curve.size()) m_.entering = no_point;
     }
     Edit edit;
@@ -162,7 +162,8 @@ class Editing {
             m_.selected[i] = inside || kept ? 1 : 0;
         }
     }
-    /// Moves what is selected from where it was when the drag began (an inserted point: from where it came to be).
+    /// Moves the selected points from their places at the beginning of the drag. An inserted point moves from the place
+    /// where it was inserted.
     void move(bool in_steps) {
         const bool inserted = m_.before.size() != curve_.size();
         if (!inserted) m_.scratch.assign(m_.before.points().begin(), m_.before.points().end());
@@ -172,7 +173,8 @@ class Editing {
         if (in_steps) dx = snap(p.x + dx, o_.x_step) - p.x, dy = snap(p.y + dy, o_.y_step) - p.y;
         if (shift_points(dx, dy, m_.grabbed)) report();
     }
-    /// m_.scratch, moved as far as neighbours and ranges allow, becomes the curve. Returns whether it changed.
+    /// Moves the points of m_.scratch as far as neighbours and ranges allow and makes them the curve. Returns whether
+    /// it changed.
     bool shift_points(double dx, double dy, std::size_t focused) {
         const auto& points = m_.scratch;
         const double apart = least_distance * o_.x.length();
@@ -186,8 +188,7 @@ class Editing {
             x_high = std::min(x_high, std::min(o_.x.high, right ? points[i + 1].x - apart : o_.x.high) - p.x);
             y_low = std::max(y_low, o_.y.low - p.y), y_high = std::min(y_high, o_.y.high - p.y);
         }
-        dx = x_low <= x_high ? std::clamp(dx, x_low, x_high)
-                             : 0;  // else it lies outside already, or between two close ones
+        dx = x_low <= x_high ? std::clamp(dx, x_low, x_high) : 0;  // it is outside already, or between two close points
         dy = y_low <= y_high ? std::clamp(dy, y_low, y_high) : 0;
         for (std::size_t i = 0; i < points.size(); ++i) {
             if (acted_on(i, focused)) m_.scratch[i].x += dx, m_.scratch[i].y += dy;
@@ -301,7 +302,7 @@ class Editing {
 
 // --- nodes ---
 
-/// The middle of `node` at the place of a point, whatever the size of the graph turns out to be.
+/// Puts the middle of `node` at the place of a point, relative to the graph, whose size is not known yet.
 void put_at(Ui& ui, Node& node, const Frame& f, const CurvePoint& point) {
     const auto part = [](const Span& s, double v) {
         return static_cast<float>((std::clamp(v, s.low, s.high) - s.low) / s.length());

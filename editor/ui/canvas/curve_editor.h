@@ -2,11 +2,11 @@
 //
 //     ui::curve_editor(u, "Response", curve, {.x_name = "Age", .x_unit = "s", .standard = &preset, .live = age});
 //
-// Double click on the ground inserts a point and goes on dragging it; drag on it selects with a box (Shift adds).
-// Points: drag moves all that are selected (Shift: a tenth of the way, Ctrl: in steps), Shift+click adds to the
-// selection, double click or a typed digit opens an entry ("0.5" is y, "0.2; 0.5" is x and y; Enter takes, Esc leaves),
-// arrows move by a step (Shift: a tenth, Ctrl: ten), Delete and Backspace erase, I inserts half-way to the next. Esc
-// and the other button give back what was before a drag.
+// A double click on the ground inserts a point and starts to drag it; a drag on the ground selects with a box (Shift
+// adds to the selection). A drag on a point moves all selected points (Shift: a tenth of the way, Ctrl: in steps).
+// Shift+click adds to the selection. A double click or a typed digit opens an entry ("0.5" is y, "0.2; 0.5" is x and y;
+// Enter takes it, Esc leaves it). Arrows move by a step (Shift: a tenth, Ctrl: ten), Delete and Backspace erase, I
+// inserts a point half-way to the next one. Esc and the other button cancel a drag.
 //
 // Each point is a node: "Response/Point 3".
 #pragma once

@@ -16,10 +16,10 @@ struct Parts {
 };
 Parts parts_of(Rect rect, float em, float row, bool handles, bool has_switch) {
     Parts parts;
-    rect = rect.inset(2 * std::ceil(row / 2), 0);  // low's grip stands before the axis, high's behind
+    rect = rect.inset(2 * std::ceil(row / 2), 0);  // the grip of low is left of the axis, that of high right
     parts.axis = rect.cut_bottom(em * 1.3F);
     if (handles) parts.handles = rect.cut_bottom(row);
-    rect.cut_top(has_switch ? row + em * 0.1F : em * 0.3F);  // it lies over neither bars nor grips
+    rect.cut_top(has_switch ? row + em * 0.1F : em * 0.3F);  // it covers no bars and no grips
     parts.plot = rect;
     return parts;
 }
@@ -31,7 +31,7 @@ struct HistogramLook {
     HistogramData data;
     Levels levels;
     bool has_levels, has_switch, logarithmic, clipped_low, clipped_high;
-    int hovered;  ///< bin; -1: none
+    int hovered;  ///< bin under the pointer; -1: none
     std::string_view readout;
 };
 
@@ -118,7 +118,7 @@ std::string_view percent(Ui& ui, double share) {
 std::string_view bin_text(Ui& ui, const HistogramData& data, int bin, double total, std::string_view unit) {
     char value[32], count[32];
     const auto bins = static_cast<double>(data.bins.size());
-    // Of code values bin i holds exactly i; of anything else the middle of the bin says most.
+    // For levels, bin i contains exactly the value i. Otherwise the middle of the bin is shown.
     const bool codes = data.minimum == 0 && bins == data.maximum + 1;
     const double width = (data.maximum - data.minimum) / bins;
     const double at = codes ? bin : data.minimum + (bin + 0.5) * width;
@@ -128,7 +128,7 @@ std::string_view bin_text(Ui& ui, const HistogramData& data, int bin, double tot
                     percent(ui, total > 0 ? n / total : 0)});
 }
 
-/// Colours say which is which: what becomes black and what becomes white.
+/// The colour of a grip shows what it sets: what becomes black and what becomes white.
 Color knob_color(const Theme& t, bool high) {
     return canvas_ink(t, high ? 1.0F : 0.1F);
 }
@@ -140,7 +140,8 @@ struct Grips {
     Parts parts;
     glm::vec2 origin;
 
-    /// Low's grip lies left of its value and high's right, so that neither covers the other where they meet.
+    /// The grip of low is left of its value and that of high right, so that they do not cover each other when they
+    /// meet.
     HandleMoves put(bool high, double place) const {
         const glm::vec2 pivot(high ? 0 : 1, 0.5F);
         const HandleMoves moves = put_handle(

@@ -11,7 +11,7 @@ struct ImageLook {
     ViewState state;
 };
 
-/// The picture, and what lies over it and over what the program puts there.
+/// The picture, and what is drawn over it and over the program's own widgets there.
 struct ImageOverLook {
     ImageLook below;
     Readout readout;

@@ -13,7 +13,7 @@ struct ImageViewOptions {
     bool eyedropper = false;  ///< a click, or Enter, takes a colour instead of panning
     int sample_box = 1;       ///< 1, 3, 5 or 11 pixels a side are averaged
     int decimals = 1;         ///< of values that are not whole
-    /// In place of pixel_text(): what a value means here.
+    /// Replaces pixel_text(): says what a value means here.
     std::string_view (*text_of)(Ui& ui, const glm::vec4& value) = nullptr;
     /// Builds what lies over the picture, handles for one, as children of the view; `with` is `over_with`.
     void (*over)(Ui& ui, const View& view, void* with) = nullptr;

@@ -42,7 +42,7 @@ std::string_view number_text(Ui& ui, float value, int decimals) {
     return ui.copy(format_number(buffer, static_cast<double>(value), whole ? 0 : decimals));
 }
 
-/// A dark line and a light one: one of them is seen on any picture.
+/// Draws dark and light lines, so that one of them is visible on any picture.
 void draw_grid(Painter& painter, const View& view, const Rect& seen) {
     const Color dark = with_alpha(painter.theme().canvas, 0.35F),
                 light = with_alpha(painter.theme().text_on_accent, 0.15F);
@@ -60,7 +60,7 @@ void draw_grid(Painter& painter, const View& view, const Rect& seen) {
     }
 }
 
-/// Light within dark: to be seen on any picture.
+/// Draws a light box within a dark one, which is visible on any picture.
 void draw_box(Painter& painter, const Rect& box) {
     const float line = painter.hairline();
     painter.frame(box.inset(-line), painter.theme().canvas, line);
@@ -109,7 +109,7 @@ void move_pick(Ui& ui, const Node& node, const Response& response, Pick& pick, s
         const glm::ivec2 way = event.kind == EventKind::key ? way_of(event.key) : glm::ivec2(0);
         if (way == glm::ivec2(0)) return;
         const View& view = views.front();
-        if (!pick.on) pick.at = view.pixel_at(view.area.center()) - way;  // the first arrow only shows it
+        if (!pick.on) pick.at = view.pixel_at(view.area.center()) - way;  // the first arrow only shows the place
         const glm::ivec2 next = pick.at + way * (has(event.mods, Mods::shift) && pick.on ? 10 : 1);
         pick = {true, true, glm::clamp(next, glm::ivec2(0), view.size - 1)};
         show_pixel(state, view.area, view.size, pick.at);
@@ -154,7 +154,7 @@ void draw_readout(Painter& painter, const View& view, const Readout& readout) {
     const float glass = readout.image != 0 ? painter.em(magnified_pixel) * static_cast<float>(magnified) : 0;
     const glm::vec2 size(std::max(width, glass) + 2 * pad,
                          static_cast<float>(readout.line_count) * row + (glass > 0 ? glass + pad : 0) + 2 * pad);
-    // Right of and below the pixel; on the other side where there is no room.
+    // The readout is right of and below the pixel, or on the other side where there is no room.
     const glm::vec2 middle(view.to_screen(glm::dvec2(readout.at) + 0.5));
     glm::vec2 corner = middle + away;
     const glm::vec2 end = view.area.at() + view.area.size();

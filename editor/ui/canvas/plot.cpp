@@ -12,13 +12,13 @@ namespace {
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double zoom_by_key = 0.8, pan_step = 0.1;
 
-/// On the y axis; NaN: has no place there.
+/// The place of a value on the y axis; NaN if it has none.
 double placed(const PlotState& state, double y) {
     if (!std::isfinite(y)) return nothing;
     return !state.log_y ? y : y > 0 ? std::log10(y) : nothing;
 }
 
-/// Where the parts of a plot lie; `Em` is ui or painter.
+/// The places of the parts of a plot; `Em` is ui or painter.
 struct Frame {
     Rect title, plot, x_labels, y_labels;
     Axis1 x, y;
@@ -50,7 +50,7 @@ Span padded(const Extremes& e, double margin) {
     return {e.low - length * margin, e.high + length * margin};
 }
 
-/// All of the series that are shown.
+/// The spans that show all of the visible series.
 void fitted_spans(const PlotState& state, std::span<const PlotSeries> series, Span& x, Span& y) {
     Extremes all_x, all_y;
     for (std::size_t i = 0; i < series.size(); ++i) {
@@ -70,9 +70,9 @@ class Gestures {
   public:
     enum class Drag : std::uint8_t { none, pan, box, range };
     struct Memory {
-        PlotState own, before;  ///< `before`: when the drag began
+        PlotState own, before;  ///< `before` is the state when the drag began
         Drag drag = Drag::none;
-        bool x = true, y = true;  ///< the axes it is about
+        bool x = true, y = true;  ///< the axes that it changes
         glm::vec2 from{0}, to{0};
     };
 
@@ -205,14 +205,14 @@ struct Look {
     std::span<const PlotSeries> series;
     PlotState state;
     PlotOptions options;
-    Rect box;                             ///< being dragged; empty: none
+    Rect box;                             ///< the box that is dragged; empty: none
     int cursor_series;                    ///< -1: none
-    double cursor_x, cursor_y;            ///< of its sample, y on the axis
+    double cursor_x, cursor_y;            ///< the cursor's sample, y on the axis
     std::string_view cursor, statistics;  ///< texts
     float legend;                         ///< px at the right of the title
 };
 
-/// A mark of an axis: where labels are not long numbers.
+/// The text at a mark of an axis; it has few digits.
 std::string_view tick_text(std::span<char> buffer, double value, int decimals) {
     if (std::abs(value) < 1e6 && decimals < 6) return format_number(buffer, value, decimals);
     const auto end =
@@ -256,7 +256,7 @@ void draw_y_ticks(Painter& p, const Frame& f, const Look& look) {
     char buffer[32];
     const Span& span = look.state.y;
     const int most = std::max(1, static_cast<int>(f.plot.h / p.em(2)));
-    if (!look.state.log_y || span.length() < 0.3) {  // within a factor of 2 the powers of ten say nothing
+    if (!look.state.log_y || span.length() < 0.3) {  // within a factor of 2, powers of ten do not help
         const bool log = look.state.log_y;
         const Ticks marks =
             log ? ticks(std::pow(10, span.low), std::pow(10, span.high), most) : ticks(span.low, span.high, most);
@@ -281,7 +281,7 @@ void draw_y_ticks(Painter& p, const Frame& f, const Look& look) {
     }
 }
 
-/// One upright line for each column of pixels, long enough to touch the one before.
+/// Draws one vertical line for each column of pixels, long enough to touch the one before.
 void draw_columns(Painter& p, const Frame& f, const PlotState& state, const PlotSeries& series, Color color,
                   std::size_t first) {
     const PlotData& data = *series.data;
@@ -320,7 +320,7 @@ void draw_line(Painter& p, const Frame& f, const PlotState& state, const PlotDat
                std::size_t first, std::size_t last) {
     glm::vec2 before{0};
     bool joined = false, drawn = true;
-    const double x_scale = f.x.scale(), y_scale = f.y.scale();  // a division each
+    const double x_scale = f.x.scale(), y_scale = f.y.scale();  // each takes a division
     const double x_start = f.x.from - f.x.span.low * x_scale, y_start = f.y.from - f.y.span.low * y_scale;
     const auto px = [](double v) { return static_cast<float>(std::clamp(v, -1e6, 1e6)); };
     for (std::size_t i = first; i < last; ++i) {
@@ -343,7 +343,7 @@ void draw_series(Painter& p, const Frame& f, const PlotState& state, const PlotS
     if (data.size() == 0 || f.plot.empty()) return;
     std::size_t first = data.index_from(state.x.low), last = data.index_from(state.x.high);
     if (static_cast<float>(last - first) > 2 * f.plot.w) return draw_columns(p, f, state, series, color, first);
-    if (first > 0) --first;  // what comes in from outside
+    if (first > 0) --first;  // for the line that comes in from outside
     last = std::min(last + 1, data.size());
     draw_line(p, f, state, data, color, (series.reference ? 1.0F : 1.5F) * p.hairline(), first, last);
 }
@@ -408,7 +408,7 @@ void draw_plot(Painter& p, const Node& node, const Look& look) {
 
 // --- readout ---
 
-/// The sample nearest to the pointer: of each series the one nearest along x, and of these the nearest in px.
+/// Finds the sample nearest to the pointer: in each series the nearest one along x, and among these the nearest in px.
 void find_cursor(const Frame& f, const PlotState& state, std::span<const PlotSeries> series, glm::vec2 at,
                  PlotResult& result) {
     if (!f.plot.contains(at)) return;
@@ -439,7 +439,7 @@ void put_texts(Ui& ui, const Frame& f, const PlotResult& result, Look& look) {
         look.cursor = ui.copy(text.view());
     }
     if (!look.state.has_range) return;
-    for (std::size_t i = 0; i < look.series.size(); ++i) {  // of the first that is shown
+    for (std::size_t i = 0; i < look.series.size(); ++i) {  // the statistics of the first one that is shown
         if (hidden(look.state, i) || look.series[i].reference) continue;
         const RangeStatistics stats = look.series[i].data->statistics(look.state.range.low, look.state.range.high);
         if (!stats.extremes.any) continue;

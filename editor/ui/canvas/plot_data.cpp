@@ -14,7 +14,7 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Of the line from (x0, y0) to (x1, y1), where both ends are finite.
+/// The area under the line from (x0, y0) to (x1, y1), if both ends are finite.
 double area_of(double x0, double y0, double x1, double y1, double& width) {
     if (!std::isfinite(y0) || !std::isfinite(y1)) return 0;
     width += x1 - x0;
@@ -112,7 +112,7 @@ double PlotData::value_at(double place) const {
     if (x(after) == place) return std::isfinite(y(after)) ? y(after) : nothing;
     if (after == 0 || !std::isfinite(place)) return nothing;
     const double left = y(after - 1), right = y(after);
-    if (!std::isfinite(left) || !std::isfinite(right)) return nothing;  // std::lerp would give an end
+    if (!std::isfinite(left) || !std::isfinite(right)) return nothing;  // std::lerp would return an end
     return std::lerp(left, right, (place - x(after - 1)) / (x(after) - x(after - 1)));
 }
 
@@ -126,7 +126,7 @@ Extremes PlotData::extremes(std::size_t first, std::size_t last) const {
             all.add(v);
         }
     };
-    // Upwards: what sticks out on both sides of whole blocks is taken from each level.
+    // Goes upwards: each level contributes what is outside of the whole blocks of the next one, on both sides.
     for (std::size_t level = 0; first < last; ++level) {
         while (first < last && first % block != 0) take(level, first++);
         while (first < last && last % block != 0) take(level, --last);
@@ -136,7 +136,7 @@ Extremes PlotData::extremes(std::size_t first, std::size_t last) const {
     return all;
 }
 
-/// Of the pieces from sample `first` to sample `last`.
+/// The area under the pieces from sample `first` to sample `last`.
 double PlotData::area_between(std::size_t first, std::size_t last, double& width) const {
     double area = 0;
     const auto piece = [&](std::size_t i) { area += area_of(x(i), y(i), x(i + 1), y(i + 1), width); };

@@ -38,7 +38,7 @@ struct Extremes {
     }
 };
 
-/// Of the line through the samples between two places.
+/// Statistics of the line through the samples, between two places.
 struct RangeStatistics {
     double mean = 0;    ///< area over the width that is covered
     double area = 0;    ///< below the line, gaps left out
@@ -62,10 +62,10 @@ class PlotData {
     std::size_t nearest(double x) const;  ///< size() must not be 0 (assert)
     /// On the line through the samples; NaN outside of them and in gaps.
     double value_at(double x) const;
-    /// Of samples first to before last; logarithmic in their number.
+    /// The extremes of the samples from `first` up to, but without, `last`, in logarithmic time.
     Extremes extremes(std::size_t first, std::size_t last) const;
     Extremes extremes() const { return extremes(0, size()); }
-    /// From `low` to `high`, in either order; as fast.
+    /// The statistics from `low` to `high`, in either order, also in logarithmic time.
     RangeStatistics statistics(double low, double high) const;
 
   private:

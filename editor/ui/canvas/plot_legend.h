@@ -10,7 +10,7 @@ Color color_of(const Theme& theme, const PlotSeries& series, std::size_t number)
 
 /// What the legend takes of `room` px, at its right end; names are cut where that is too little.
 float legend_width(Ui& ui, std::span<const PlotSeries> series, float room);
-/// At the upper right of the open node. Returns whether one was shown or hidden.
+/// Builds the legend at the upper right of the open node. Returns whether a series was shown or hidden with it.
 bool legend(Ui& ui, std::span<const PlotSeries> series, PlotState& state, float room);
 
 }  // namespace lapfx::ui

@@ -43,7 +43,7 @@ void each_pixel(const ScopeSource& source, Each&& each) {
     }
 }
 
-/// 0..255 by the logarithm of the count; one of many is seen still.
+/// Brightness 0..255 by the logarithm of the count, so that a single pixel of many is still visible.
 struct Brightness {
     float scale = 0;
     explicit Brightness(const DensityGrid& grid) {
@@ -60,7 +60,7 @@ std::uint8_t code_of(float value) {
     return static_cast<std::uint8_t>(std::clamp(value + 0.5F, 0.0F, 255.0F));
 }
 
-/// From chroma to px: the image's cell of 0 is its 129th, whose middle is at 128.5.
+/// Converts chroma to px. The cell of 0 is the 129th of the image, and its middle is at 128.5.
 struct ChromaMap {
     Rect square;
     float px_per_code = 1;
@@ -99,7 +99,7 @@ void draw_circle(Painter& painter, glm::vec2 middle, float radius, float width, 
     painter.polyline(points, width, color);
 }
 
-/// Boxes where the primaries and their opposites lie at three quarters of full, as on colour bars.
+/// Draws boxes at the primaries and their opposites at three quarters of full strength, as on colour bars.
 void draw_targets(Painter& painter, const ChromaMap& map) {
     struct Target {
         std::string_view name;
@@ -116,7 +116,7 @@ void draw_targets(Painter& painter, const ChromaMap& map) {
         const float side = painter.em(0.8F);
         painter.frame({std::round(place.x - side / 2), std::round(place.y - side / 2), side, side}, canvas_ink(t, 0.6F),
                       painter.hairline());
-        const bool beside = place.x + 2 * side <= map.square.right();  // else before it: a small scope has no room
+        const bool beside = place.x + 2 * side <= map.square.right();  // else left of it: a small scope has no room
         painter.text({beside ? place.x + side : place.x - 1.5F * side, place.y - side, 2 * side, 2 * side}, target.name,
                      style, canvas_ink(t, 0.6F));
     }
@@ -164,8 +164,8 @@ std::string_view chroma_text(Ui& ui, glm::vec2 chroma) {
                     format_number(hue, turn < 0 ? turn + 360 : turn, 0), "\xC2\xB0"});
 }
 
-/// A grip on a circle, at an angle of its own so that two of one radius do not cover each other; inside the square
-/// where it can be.
+/// A grip on a circle. Each has another angle, so that grips of the same radius do not cover each other. It is inside
+/// the square if possible.
 Edit edit_radius(Ui& ui, const ChromaMap& map, glm::vec2 key, float angle, const HandleOptions& handle,
                  const HandleRange& range, Color color, double& radius) {
     const Rect before = map.square;
@@ -177,7 +177,7 @@ Edit edit_radius(Ui& ui, const ChromaMap& map, glm::vec2 key, float angle, const
     HandleOptions options = handle;
     options.at += kept;
     const HandleMoves moves = put_handle(ui, options);
-    // Along its own way only, so that a grip goes as far as the pointer does.
+    // Only movement along the grip's own direction counts, so that the grip moves as far as the pointer.
     const glm::vec2 at = moves.to - handle.at;
     const auto dragged = static_cast<double>(glm::dot(at - map.at(key), way) / map.px_per_code);
     const Edit edit = edit_by_handle(ui, moves, range, moves.steps.x + moves.steps.y, dragged, radius);

@@ -1,5 +1,5 @@
-// Where the colours of a picture lie: a vectorscope of its CbCr and a waveform of its luma. Counting is pure; code
-// values 0..255, full range, as keying sees them.
+// Shows the colours of a picture: a vectorscope of its CbCr and a waveform of its luma. Counting is done by pure
+// functions. Levels are 0..255, full range, as in keying.
 #pragma once
 
 #include <optional>
@@ -38,7 +38,7 @@ void count_luma(const ScopeSource& source, DensityGrid& grid);
 void shade_chroma(const DensityGrid& grid, std::vector<std::uint8_t>& rgba);
 void shade_luma(const DensityGrid& grid, Color color, std::vector<std::uint8_t>& rgba);
 
-/// A scope's image, made anew when the picture changes.
+/// A scope's image, which is made again when the picture changes.
 class ScopeImage {
   public:
     explicit ScopeImage(ImageStore& store) : store_(store) {}

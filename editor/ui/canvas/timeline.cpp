@@ -15,7 +15,7 @@ namespace {
 
 constexpr float catch_distance = 8;  // px at scale 1
 constexpr double fastest = 8;
-constexpr double fewest_frames = 4;  // in sight
+constexpr double fewest_frames = 4;  // that are visible
 
 enum class Part : std::uint8_t { none, time, view, range_in, range_out, item, item_start, item_end };
 
@@ -32,7 +32,7 @@ struct Memory {
     float from = 0;  ///< px
     std::size_t track = 0, item = 0;
     TimelineState before;
-    std::vector<Times> times;  ///< of all items when the drag began
+    std::vector<Times> times;  ///< times of all items when the drag began
     std::vector<Built> built;  ///< nodes of the last build
     Id range_ids[2] = {};
 };
@@ -41,7 +41,7 @@ double frames_of(double seconds, double rate) {
     return std::floor(seconds * rate + 1e-6);
 }
 
-/// As much as can be in sight, within time and a little around it.
+/// The view limited to the timeline and a little around it.
 Span kept(Span view, const TimelineOptions& o) {
     const double most = o.length * 1.1, least = std::min(most, fewest_frames / o.rate);
     if (view.length() > most || view.length() < least)
@@ -56,7 +56,7 @@ class Editing {
     Editing(Ui& ui, Id id, Memory& memory, TimelineState& state, std::span<TimelineTrack> tracks,
             const TimelineOptions& o, const Frame& frame)
         : ui_(ui), id_(id), m_(memory), s_(state), tracks_(tracks), o_(o), f_(frame) {
-        const bool item = m_.drag >= Part::item;  // the program may have changed what is held
+        const bool item = m_.drag >= Part::item;  // the program may have changed the item that is held
         if (item && (m_.times.size() != count() || !exists(m_.track, m_.item))) m_.drag = Part::none;
     }
     TimelineEdit edit;
@@ -103,8 +103,8 @@ class Editing {
 
   private:
     double frame() const { return 1 / o_.rate; }
-    /// One edit at a time: a drag that has changed something goes on without them, one that has not is given up for
-    /// them.
+    /// Whether keys may edit now. There is one edit at a time: a drag that has changed something continues, and keys
+    /// are ignored; one that has not changed anything ends.
     bool takes_keys() {
         const bool edits = m_.drag != Part::none && m_.drag != Part::view;
         if (edits && m_.began) return false;
@@ -188,7 +188,7 @@ class Editing {
     void step_to(double t) {
         if (set_time(t)) edit.time |= Edit::once();
         if (s_.fitted || (s_.time >= s_.view.low && s_.time <= s_.view.high)) return;
-        Span view = s_.view;  // no further than to have it in sight, a little inside
+        Span view = s_.view;  // moved only until the time is visible, a little inside
         view.pan(s_.time < view.low ? s_.time - 0.05 * view.length() - view.low
                                     : s_.time + 0.05 * view.length() - view.high);
         show(view);
@@ -289,7 +289,7 @@ class Editing {
         for (std::size_t t = 0; t < m_.track; ++t) i += tracks_[t].items.size();
         return m_.times[i];
     }
-    /// How much more than `by` one of these places has to move to be on something; 0 where nothing is near.
+    /// How much farther than `by` one of these places has to move to be exactly on a mark; 0 where no mark is near.
     double to_catch(std::initializer_list<double> places, bool catching) {
         double best = 0, nearest = catching ? catch_distance * ui_.scale() / f_.x.scale() : 0;
         const auto offer = [&](double target) {
@@ -349,7 +349,7 @@ class Editing {
 
 // --- nodes ---
 
-/// Of the timeline; when it has not been laid out yet, one that gives the right distances.
+/// The timeline's rectangle. If it has not been laid out yet, one with the right distances.
 Rect known_rect(Ui& ui, Id id) {
     const Rect rect = ui.rect_before(id);
     return rect.empty() ? Rect{0, 0, ui.window().x, ui.window().y} : rect;
@@ -389,7 +389,7 @@ void put_item(Ui& ui, Memory& m, Editing& editing, const TimelineState& state, c
 
 void put_tracks(Ui& ui, Memory& m, Editing& editing, const TimelineState& state, std::span<const TimelineTrack> tracks,
                 const TimelineOptions& o, const Frame& f) {
-    std::size_t kept = 0;  // that is not in sight but has the keyboard or is held
+    std::size_t kept = 0;  // items that are not visible but have the keyboard or are held
     for (std::size_t i = 0; i < m.built.size(); ++i) {
         if (m.built[i].id != 0 && (m.built[i].id == ui.focus() || m.built[i].id == ui.held()))
             m.built[kept++] = m.built[i];
@@ -490,7 +490,7 @@ TimelineEdit timeline(Ui& ui, std::string_view label, TimelineState& state, std:
         state.view = kept({state.time - state.view.length(), state.time}, options);
     const Frame f = frame_of(ui, ui.rect_before(id), state.view);
     Editing editing(ui, id, m, state, tracks, options, f);
-    if (!f.ruler.empty()) {  // all that happened, before anything is built
+    if (!f.ruler.empty()) {  // all events are handled before anything is built
         if (ui.has_events(id)) ui.events_of(id, [&](const Event& e) { editing.ground(e); });
         for (int end = 0; end < 2; ++end) {
             const Part part = end == 0 ? Part::range_in : Part::range_out;

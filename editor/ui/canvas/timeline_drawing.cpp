@@ -99,7 +99,7 @@ void draw_front(Painter& p, const Node& node, const void* arg) {
     p.push_clip(body);
     const auto shade = [&](double low, double high, float alpha) {
         const float left = std::max(body.x, f.x.px_of(low)), right = std::min(body.right(), f.x.px_of(high));
-        const float strength = 2 * alpha * static_cast<float>(t.shadow.a) / 255;  // as themes throw shadows
+        const float strength = 2 * alpha * static_cast<float>(t.shadow.a) / 255;  // as strong as the theme's shadows
         if (right > left) p.fill({left, body.y, right - left, body.h}, with_alpha(t.shadow, strength));
     };
     const Span& view = look.state.view;
@@ -132,7 +132,7 @@ void draw_item(Painter& p, const Node& node, const ItemLook& look) {
     rect = rect.inset(0, p.em(0.12F));
     p.fill(rect, mix(t.well, look.color, selected ? 0.6F : hovered ? 0.48F : 0.38F), p.em(t.radius));
     p.frame(rect, selected ? on_well(t, 1) : look.color, p.hairline() * (selected ? 2.0F : 1.0F), p.em(t.radius));
-    // What is seen of it, so that the name of a long clip stays in sight.
+    // The name is put into the visible part, so that the name of a long clip stays visible.
     const Rect seen = intersect(rect, node.clip).inset(p.em(0.5F), 0);
     if (seen.w > p.em(1)) p.text(seen, node.shown, p.text_style(), on_well(t, 1));
 }

@@ -14,12 +14,12 @@ double least_zoom(const Rect& area, glm::ivec2 size) {
     return std::min(fit_zoom(area, size), 1.0) / 4;
 }
 
-/// A fitted view that is moved goes on from where it is.
+/// Makes a fitted view movable. It starts with the zoom that it has.
 void unfit(ViewState& state, const Rect& area, glm::ivec2 size) {
     if (state.fitted) state = {.fitted = false, .zoom = fit_zoom(area, size)};
 }
 
-/// On the way from one zoom to another, 1:1 is not to be missed.
+/// A change of zoom that would skip 1:1 stops there.
 double stop_at_one(double from, double to) {
     return (from < 1 && to > 1) || (from > 1 && to < 1) ? 1.0 : to;
 }

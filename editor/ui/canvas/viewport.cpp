@@ -4,7 +4,7 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr float still = 3;  // px at scale 1 that a click may move
+constexpr float still = 3;  // px at scale 1 that the pointer may move during a click
 constexpr std::size_t most_keys = 16;
 
 struct ViewportMemory {

@@ -1,4 +1,4 @@
-// From nodes to the list of what is drawn. If a node would draw the same as in the last frame, its instances are
+// Turns nodes into the draw list. If a node would draw the same as in the last frame, its instances are
 // copied.
 #include <cstring>
 

@@ -7,7 +7,7 @@ namespace lapfx::ui {
 
 class Inspection : public Overlays {
   public:
-    /// Of the last frame() that came to its end. core/tree.h finds nodes in it and writes it out.
+    /// The nodes of the last frame() that was completed. core/tree.h finds nodes in them and writes them out.
     std::span<const Node> tree() const { return tree_; }
     std::size_t duplicates() const { return duplicates_; }
     int builds() const { return static_cast<int>(build_); }                                        ///< so far

@@ -28,9 +28,9 @@ class LineBreaker {
     std::array<float, 128> ascii_;
 };
 
-/// Where the lines of `text` begin when none is to be wider than `width` px: at least one, the first at 0. Broken after
-/// spaces, which may hang over the edge, else anywhere between characters. After a line break there always is another
-/// line.
+/// Finds the bytes at which the lines of `text` begin if none may be wider than `width` px. There is at least one line;
+/// the first begins at 0. Lines end after spaces, which may extend over the edge, else anywhere between characters. A
+/// line break always starts another line.
 void break_lines(Fonts& fonts, std::string_view text, const TextStyle& style, float width,
                  std::vector<std::uint32_t>& begins);
 

@@ -1,6 +1,6 @@
-// Where each id stands in the newest build that had it and in the one before: open addressing, no allocation while the
-// UI stays as large as it is. An entry is written only when its widget comes to stand elsewhere, so that a UI at rest
-// does not touch the table; whether a widget is in a build is known by the build: it has the id there.
+// The place of each id in the newest build that had it and in the one before. The table uses open addressing and
+// allocates nothing while the UI does not grow. An entry is written only when the place of its widget changes, so that
+// a UI at rest does not touch the table. Whether a widget is in a build is read from the build, which has its id there.
 #pragma once
 
 #include <vector>

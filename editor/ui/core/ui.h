@@ -15,7 +15,7 @@
 // owns the Ui.
 //
 // One thread only, except for wake(). One frame() may call the program several times. It handles one key or button per
-// build, so that each event meets a UI that knows of the event before. After the last event it builds once more, so
+// build, so that each event meets a UI that knows of the event before. After the last event it builds again, so
 // that widgets above the one that was used show the result as well. It also builds again when layout or hover has
 // changed. So a build must depend on nothing but the state of the program and the answers of widgets, and must use each
 // answer in the build that gives it.
@@ -46,7 +46,7 @@ class Ui : public Inspection {
     void set_theme(const Theme& theme) { options_.theme = &theme; }
     void set_reduced_motion(bool reduced) { options_.reduced_motion = reduced; }
     void set_shortcuts(Shortcuts* shortcuts) { options_.shortcuts = shortcuts; }
-    /// Draws every node of the last frame anew. Tests compare this with the list that frame() returned.
+    /// Draws every node of the last frame again. Tests compare this with the list that frame() returned.
     void redraw(DrawList& list);
 
   private:

@@ -111,7 +111,7 @@ struct Clear {
     friend bool operator==(const Clear&, const Clear&) = default;
 };
 
-/// Where the painter is clipping.
+/// A rectangle to which the painter clips.
 struct ClipLevel {
     Rect rect;
     std::size_t batch = 0;  ///< number of the batch, from 1, whose table it is in; 0: none yet

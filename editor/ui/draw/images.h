@@ -18,7 +18,7 @@ struct StoredImage {
 
 class ImageStore {
   public:
-    /// At most 8192 a side (assert).
+    /// Adds an image with sides of at most 8192 pixels (assert).
     ImageHandle add(glm::ivec2 size, std::span<const std::uint8_t> rgba);
     /// The same size keeps its memory. A handle of this store (assert).
     void update(ImageHandle image, glm::ivec2 size, std::span<const std::uint8_t> rgba);

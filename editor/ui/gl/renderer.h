@@ -4,8 +4,8 @@
 //     ui::Renderer renderer;                     // with the context current
 //     renderer.draw(list, fonts, &images, 0);    // onto the window
 //
-// The framebuffer holds sRGB-encoded values and must not encode again. All of the state that drawing depends on is set,
-// whatever others left; nothing is put back. Left behind: program, vertex array, framebuffer, viewport, scissor box,
+// The framebuffer holds sRGB-encoded values and must not encode again. The renderer sets all state that drawing depends
+// on and does not restore any of it. It leaves: program, vertex array, framebuffer, viewport, scissor box,
 // textures and samplers of units 0 to 2, uniform buffer 0, premultiplied blending on; depth, stencil and scissor test,
 // culling, logic operation, framebuffer sRGB and rasteriser discard off; all colour channels written; pixel unpacking
 // at 1-byte alignment, else plain.
@@ -21,7 +21,7 @@
 
 namespace lapfx::ui {
 
-/// Of one draw().
+/// Statistics of one draw().
 struct RenderStatistics {
     int draw_calls = 0;
     int clears = 0;
@@ -30,14 +30,14 @@ struct RenderStatistics {
 
 class Renderer {
   public:
-    /// With a current context, glad loaded. Throws std::runtime_error with the compiler's log.
+    /// Needs a current context and a loaded glad. Throws std::runtime_error with the compiler's log.
     Renderer();
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Other shader texts from now on (shaders/ui.vert, shaders/ui.frag as they are on disk). False, and the log in
-    /// `fault`: they do not compile, and what was there stays.
+    /// Uses other shader texts from now on (shaders/ui.vert, shaders/ui.frag as they are on disk). If they do not
+    /// compile, returns false with the log in `fault` and keeps the earlier shaders.
     bool reload(std::string_view vertex, std::string_view fragment, std::string& fault);
 
     /// `framebuffer` is at least as large as the list; its lower left corner is drawn. Sends what changed of the atlas

@@ -101,7 +101,7 @@ class IconPen {
 
   private:
     glm::vec2 at(int x, int y) const { return origin_ + unit_ * glm::vec2(x, y); }
-    /// Where a straight stroke has both its edges between pixels.
+    /// The nearest centre with which both edges of a straight stroke are between pixels.
     float crisp(float center) const { return std::round(center - whole_stroke_ / 2) + whole_stroke_ / 2; }
 
     Rect box(std::span<const int> v) const {

@@ -109,7 +109,7 @@ void Painter::need_batch(ImageHandle first, ImageHandle second) {
         {.first = count, .first_clip = static_cast<std::uint32_t>(list_.clips.size()), .images = {first, second}});
 }
 
-/// Of clip() in the table of the open batch; opens one where there is none, or no room.
+/// The index of clip() in the table of the open batch. Opens a batch if there is none, or none with room.
 std::uint8_t Painter::enter_clip() {
     ClipLevel& clip = clips_.back();
     if (list_.batches.empty()) need_batch(0, 0);

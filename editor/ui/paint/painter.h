@@ -110,10 +110,10 @@ class Painter {
     /// The same with the run at hand: Ui has looked it up to measure it, and it holds until the end of the frame.
     float text(const Rect& rect, std::string_view text, const Run& run, const TextStyle& style, Color color,
                Align align = Align::start);
-    /// As it is, from a baseline; for text fields, which place runs themselves.
+    /// Draws a run from a baseline without changes; for text fields, which place runs themselves.
     void run(const Run& run, glm::vec2 baseline, Color color);
 
-    void set_clip(const Rect& rect);   ///< in place of the innermost clip
+    void set_clip(const Rect& rect);   ///< replaces the innermost clip
     void push_clip(const Rect& rect);  ///< within the clip so far
     void pop_clip();
     const Rect& clip() const { return clips_.back().rect; }

@@ -52,7 +52,7 @@ struct Theme {
 const Theme& dark_theme();
 const Theme& light_theme();
 
-/// Of two opaque colours, 1 to 21 (WCAG 2.1, relative luminance).
+/// The contrast of two opaque colours, 1 to 21 (WCAG 2.1, relative luminance).
 double contrast(Color a, Color b);
 
 }  // namespace lapfx::ui

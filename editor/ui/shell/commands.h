@@ -58,7 +58,7 @@ class CommandTable : public Shortcuts {
 
     std::size_t size() const { return entries_.size(); }
     const Command& operator[](std::size_t index) const { return entries_[index].command; }
-    /// By id. Throws std::out_of_range, with the id, when there is none.
+    /// The index of the command with this id. Throws std::out_of_range, with the id, when there is none.
     std::size_t index_of(std::string_view id) const;
     bool contains(std::string_view id) const { return indices_.find(id) != indices_.end(); }
     /// "File: Save", for lists of all.

@@ -11,7 +11,7 @@ namespace lapfx::ui {
 namespace {
 
 constexpr Id dialogs = 0x6469616c6f672e73ULL;
-constexpr float shade = 0.5F;  // over what waits below
+constexpr float shade = 0.5F;  // of the layer over everything below
 
 constexpr float least_button = 6;  // em
 
@@ -21,9 +21,9 @@ float button_width(Ui& ui, std::string_view label) {
 }
 
 struct DialogState {
-    bool open = false;   ///< in the last build
-    bool waits = false;  ///< for its standard button, which could not be pressed when it opened
-    bool fresh = false;  ///< the keyboard has not yet been given to the standard button
+    bool open = false;   ///< it was open in the last build
+    bool waits = false;  ///< its standard button could not be pressed when it opened
+    bool fresh = false;  ///< no button has been given the keyboard yet
 };
 
 DialogState& state_of(Ui& ui, std::string_view name) {
@@ -67,7 +67,8 @@ void put_title(Ui& ui, std::string_view title, const DialogOptions& options) {
     ui.draw_with<draw_title>(node, TitleLook{options.icon, color_of(ui.theme(), options.tone), style});
 }
 
-/// Enter where a text was typed, in this dialog: the one that opened it may have got it in this very build.
+/// Whether Enter was pressed in a text field of this dialog. The Enter that opened the dialog, in this same build, does
+/// not count.
 bool entered(Ui& ui) {
     const Node* node = ui.before(ui.focus());
     if (node == nullptr || node->role != Role::text_field || node->layer != ui.parent().layer) return false;
@@ -119,7 +120,7 @@ void Dialog::begin_body(bool grows) {
     body.sense = Sense::wheel;
     body.scrolls[1] = true;
     body.scroll = &state;
-    body.clips = state.content.y - state.view.y >= 1;  // else rings may stand out
+    body.clips = state.content.y - state.view.y >= 1;  // without clipping, focus rings may extend beyond it
     if (body.clips) body.padding[2] = static_cast<std::uint8_t>(std::min(ui_.em(1), 255.0F));
     body_ = &state;
 }
@@ -137,7 +138,7 @@ void Dialog::close() {
     state_of(ui_, name_).open = false;
 }
 
-/// How many of them, from the first, go beside each other: one at least.
+/// How many of the buttons, from the first on, fit into a row: at least one.
 std::size_t Dialog::buttons_in_row(std::span<const DialogButton> all) const {
     const Node& root = ui_.parent();
     float room = root.size[0].value - static_cast<float>(root.padding[0] + root.padding[2]);
@@ -175,13 +176,13 @@ std::optional<std::size_t> Dialog::buttons(std::span<const DialogButton> all, bo
     DialogState& state = state_of(ui_, name_);
     const Node* focused = ui_.before(ui_.focus());
     if (state.fresh && focused != nullptr && focused->layer == ui_.parent().layer) {
-        // A dialog of buttons alone begins at the standard one, else at the harmless one; what Enter does has to be
-        // seen.
+        // In a dialog of buttons alone the standard button gets the keyboard, or the one that cancels if there is none,
+        // so that a person sees what Enter does.
         if (focused->id == first) ui_.set_focus(standard != 0 ? standard : cancel != 0 ? cancel : first, true);
         state.fresh = false;
         state.waits = has_standard && standard == 0;
     }
-    // What it came for can be pressed now: the keyboard goes there unless it has been put somewhere else meanwhile.
+    // The standard button can be pressed now. It gets the keyboard unless the person has moved that meanwhile.
     if (state.waits && standard != 0) {
         if (ui_.focus() == cancel) ui_.set_focus(standard, true);
         state.waits = false;

@@ -1,4 +1,4 @@
-// Dialogs. What lies below them cannot be used until they are answered.
+// Dialogs. Everything below a dialog cannot be used until it is answered.
 //
 //     if (ui::button(u, "New preset")) ui::open_dialog(u, "new preset");
 //     if (ui::Dialog dialog(u, "new preset", "New preset"); dialog) {
@@ -7,9 +7,9 @@
 //             create(name);
 //     }
 //
-// Content that is taller than the window scrolls between the title and the buttons; buttons that are wider than the
-// dialog go on in another row. Tab stays inside. Enter in a text field, or where nothing else takes it, is the standard
-// button; Esc closes.
+// Content that is taller than the window scrolls between the title and the buttons. Buttons that do not fit into a row
+// continue in the next one. Tab stays inside. Enter in a text field, or where nothing else takes it, presses the
+// standard button; Esc closes the dialog.
 #pragma once
 
 #include <optional>

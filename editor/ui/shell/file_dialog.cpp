@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view overlay = "file dialog", question = "file dialog replace";
 constexpr float width = 56, height = 36, places_width = 11;  // em
-constexpr float preview_width = 16, preview_from = 50;       // em: of the window, below which the list needs the room
+constexpr float preview_width = 16, preview_from = 50;       // em: in a narrower window the list needs the room
 constexpr std::string_view name_field = "Name", list_name = "Files";
 constexpr std::size_t most_recent = 6;
 constexpr std::size_t most_crumbs = 5;  // of the path bar; the folders above are reached from the first of them
@@ -62,7 +62,7 @@ void FileDialog::open(Ui& ui, FileRequest request) {
     open_dialog(ui, overlay);
 }
 
-/// Stays where it is, and says why, when the folder cannot be read.
+/// Opens a folder. If it cannot be read, the dialog stays in the present one and says why.
 void FileDialog::go(const std::string& folder) {
     std::vector<FileEntry> entries;
     const std::string fault = files_.list(folder, entries);
@@ -96,7 +96,7 @@ bool FileDialog::passes(const FileEntry& entry, bool hidden) const {
                        [&](const std::string& each) { return has_extension(entry.name, each); });
 }
 
-/// Folders first, whatever the order of the rest.
+/// Sorts the entries. Folders always come first.
 void FileDialog::arrange() {
     shown_.clear();
     for (std::uint32_t i = 0; i < entries_.size(); ++i) {
@@ -123,7 +123,7 @@ void FileDialog::build_path_bar(Ui& ui) {
         const Row row(ui, {.width = grow(), .cross = ChildAlign::center});
         if (icon_button(ui, Icon::chevron_up, "Folder above", {.tip = "Folder above (Alt+Up)", .quiet = true}))
             next = parent_of(folder_);
-        std::size_t begin = folder_.size();  // of the first that is shown
+        std::size_t begin = folder_.size();  // where the first part that is shown begins
         for (std::size_t i = 0; i < most_crumbs && begin > 0; ++i) begin = folder_.rfind('/', begin - 1);
         if (begin == 0 && button(ui, "/", {.quiet = true})) next = "/";
         ui.push_seed("path");
@@ -209,7 +209,7 @@ void FileDialog::look_at(const FileEntry* entry) {
     looked_at_ = LookedAt{resolve_path(folder_, entry->name), *entry, std::move(about)};
 }
 
-/// What is selected of the kind that is looked for; its name goes into the field.
+/// Takes the selected entries, if their kind can be chosen. The name goes into the field.
 void FileDialog::select_from_table() {
     selected_.clear();
     completion_.close();
@@ -232,7 +232,7 @@ void FileDialog::begin_folder() {
     fault_.clear();
 }
 
-/// The keyboard goes back to where it begins.
+/// Ends the entry of a new folder; the keyboard returns to where the dialog starts.
 void FileDialog::end_folder() {
     makes_folder_ = false;
     fresh_ = true;
@@ -259,7 +259,7 @@ void FileDialog::make_folder() {
     go(path);
 }
 
-/// Its name is typed above the list, where it will be.
+/// The field for a new folder's name, above the list in which the folder will be.
 void FileDialog::build_new_folder(Ui& ui) {
     if (!makes_folder_) return;
     bool makes = false, gives_up = false;
@@ -283,7 +283,7 @@ void FileDialog::build_new_folder(Ui& ui) {
     if (makes || gives_up) ui.build_again();
 }
 
-/// Keys that nothing in the dialog took.
+/// Handles keys that nothing in the dialog took.
 void FileDialog::take_chords(Ui& ui, Id dialog) {
     std::string next;
     ui.events_of(dialog, [&](const Event& event) {
@@ -311,7 +311,7 @@ void FileDialog::take_name_keys(Ui& ui, Id field, const PathCompletion::Shown& s
     });
 }
 
-/// From the field below it, with one key.
+/// Moves the keyboard from the field below the list into the list.
 void FileDialog::go_to_list(Ui& ui) {
     ui.set_focus(ui.id_of(list_name), true);
     if (shown_.empty() || !table_.selection.keys.empty() || !name_.empty()) return;

@@ -7,13 +7,13 @@ namespace lapfx::ui {
 namespace {
 
 constexpr float aspect = 1.25F;           // of the frame: that of an endoscope's picture
-constexpr std::size_t fault_bytes = 200;  // of what is shown; the tooltip has all
+constexpr std::size_t fault_bytes = 200;  // that are shown; the tooltip has all
 
 struct PictureLook {
     ImageHandle image;
     glm::vec2 size;
     Icon icon;
-    std::string_view hint;  ///< in place of all
+    std::string_view hint;  ///< shown instead of everything else
     friend bool operator==(const PictureLook&, const PictureLook&) = default;
 };
 
@@ -40,7 +40,7 @@ Icon icon_of(const FileEntry& file, FilePicture::State state) {
     return state == FilePicture::State::coming ? Icon::image : Icon::file;
 }
 
-/// The beginning of a long one, with whole characters.
+/// The beginning of a long text; no character is cut.
 std::string_view shortened(Ui& ui, std::string_view text) {
     if (text.size() <= fault_bytes) return text;
     std::size_t end = fault_bytes;

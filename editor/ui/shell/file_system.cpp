@@ -43,7 +43,7 @@ class SystemFiles : public FileSystem {
     }
     std::vector<FilePlace> places() override { return {{"Home", home()}, {"Computer", "/"}}; }
     std::string make_folder(const std::string& path) override {
-        if (::mkdir(path.c_str(), 0777) == 0) return {};  // less what the user's umask takes away
+        if (::mkdir(path.c_str(), 0777) == 0) return {};  // the user's umask removes some
         if (errno == EEXIST) return "there is a file or folder of this name already";
         return std::generic_category().message(errno);
     }
@@ -138,7 +138,7 @@ bool natural_less(std::string_view a, std::string_view b) {
         a.remove_prefix(1), b.remove_prefix(1);
     }
     if (a.size() != b.size()) return a.size() < b.size();
-    return whole_a < whole_b;  // alike but for case or zeros: still one order
+    return whole_a < whole_b;  // they differ only in case or zeros, but need an order
 }
 
 }  // namespace lapfx::ui

@@ -28,10 +28,10 @@ class FileSystem {
     virtual std::string list(const std::string& folder, std::vector<FileEntry>& entries) = 0;
     enum class Kind : std::uint8_t { nothing, file, folder };
     virtual Kind kind(const std::string& path) = 0;
-    /// Where a dialog begins when it knows nothing better.
+    /// The folder in which a dialog starts when it has no other.
     virtual std::string home() = 0;
     virtual std::vector<FilePlace> places() = 0;
-    /// Makes one, in a folder that is there. Returns why it cannot be made; empty: it is made.
+    /// Makes a folder inside an existing one. Returns the reason why it cannot be made; empty: it has been made.
     virtual std::string make_folder(const std::string& path) = 0;
 };
 

@@ -9,16 +9,16 @@ namespace lapfx::ui {
 /// Shared with the thread that reads.
 struct FolderReader::Reading {
     std::string folder;
-    std::vector<FileEntry> entries;  ///< the thread's until `done`
+    std::vector<FileEntry> entries;  ///< only the thread uses them until `done`
     std::mutex mutex;
     bool done = false;
-    Ui* ui = nullptr;  ///< to be woken; null: nobody waits any more
+    Ui* ui = nullptr;  ///< woken at the end; null: nobody waits any more
 
     void read(FileSystem& files) {
         std::vector<FileEntry> found;
         try {
             if (!files.list(folder, found).empty()) found.clear();
-        } catch (const std::exception&) {  // no memory for it
+        } catch (const std::exception&) {  // out of memory
             found.clear();
         }
         const std::lock_guard lock(mutex);
@@ -39,7 +39,7 @@ const std::vector<FileEntry>* FolderReader::read(Ui& ui, const std::string& fold
         if (beside_) {
             try {
                 beside_([reading = now_, &files = files_] { reading->read(files); });
-            } catch (const std::exception&) {  // no thread for it
+            } catch (const std::exception&) {  // no thread can be made
                 now_->done = true;
             }
         } else {

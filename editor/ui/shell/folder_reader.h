@@ -16,8 +16,8 @@ class FolderReader {
     FolderReader(const FolderReader&) = delete;
     FolderReader& operator=(const FolderReader&) = delete;
 
-    /// What is in `folder`; null: it is still being read, and the UI is woken when it has been. What cannot be read
-    /// holds nothing. A folder asked for before another one is read anew.
+    /// The entries of `folder`; null: it is still being read, and the UI is woken when it has been. A folder that
+    /// cannot be read has no entries. Only the last folder is kept: another one asked for earlier is read again.
     const std::vector<FileEntry>* read(Ui& ui, const std::string& folder);
     /// Drops what was read and what is being read. Call it before the Ui is destroyed.
     void forget();

@@ -25,15 +25,15 @@ bool starts_word(std::string_view text, std::size_t at) {
     return (wordy(text[at]) && !wordy(text[at - 1])) || hump;
 }
 
-/// Scores of the best way to have matched the letters so far with the last of them at each byte, and where the one
-/// before lay.
+/// For each letter of the word and each byte of the text: the score of the best match of the letters so far that has
+/// this letter at this byte, and the byte of the letter before it.
 struct Table {
     float best[most_letters][fuzzy_text_bytes];
     std::uint8_t from[most_letters][fuzzy_text_bytes];
 };
 
 void fill_row(Table& table, std::string_view word, std::string_view text, std::size_t i) {
-    float before = impossible;  // the best of the row above with at least one byte between
+    float before = impossible;  // the best score of the row above with at least one byte between
     std::size_t before_at = 0;
     for (std::size_t j = 0; j < text.size(); ++j) {
         if (i > 0 && j >= 2 && table.best[i - 1][j - 2] > before) before = table.best[i - 1][j - 2], before_at = j - 2;

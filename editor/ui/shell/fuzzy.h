@@ -8,7 +8,7 @@
 
 namespace lapfx::ui {
 
-/// Of a longer text only so many bytes are looked at.
+/// Only so many bytes of a longer text are searched.
 inline constexpr std::size_t fuzzy_text_bytes = 128;
 
 struct FuzzyMatch {

@@ -16,7 +16,7 @@ constexpr std::size_t none = ~std::size_t{0};
 constexpr float chord_width = 11;                                     // em
 constexpr float sheet_column = 19, sheet_gap = 2, sheet_padding = 1;  // em
 
-/// Of the UI itself; they cannot be bound otherwise.
+/// Keys of the UI itself, which cannot be bound to commands.
 constexpr SheetLine fixed_keys[] = {{"Next field", "Tab"},
                                     {"Field before", "Shift+Tab"},
                                     {"Next panel", "F6"},
@@ -65,7 +65,7 @@ void draw_chord(Painter& painter, const Node& node, const ChordLook& look) {
                  painter.text_style(1, look.rebound ? Weight::bold : Weight::regular), ink);
 }
 
-/// What was pressed while it waited. Returns whether a binding changed.
+/// Takes the chord that was pressed while a command waited for one. Returns whether a binding changed.
 bool take_chord(CommandTable& table, EditorState& state, std::size_t command, const Chord& chord) {
     state.recording = none;
     state.fault.clear();
@@ -127,7 +127,7 @@ bool put_row(Ui& ui, CommandTable& table, EditorState& state, std::size_t comman
     return changed;
 }
 
-/// What stands in the way of the last change.
+/// Shows why the last change was not possible.
 bool put_conflict(Ui& ui, CommandTable& table, EditorState& state) {
     if (!state.fault.empty()) label(ui, state.fault, {.tone = Tone::warning, .wrap = true});
     if (state.wants >= table.size() || state.holder >= table.size()) return false;
@@ -157,7 +157,7 @@ void draw_sheet_line(Painter& painter, const Node& node, const TextStyle& style)
     painter.text(rect, node.shown, style, t.text_dim);
 }
 
-/// Lines down, then on to the next column.
+/// Puts lines into columns, from the top down.
 class SheetColumns {
   public:
     SheetColumns(Ui& ui, std::size_t lines) : ui_(ui), lines_(std::max<std::size_t>(lines, 4)) { open(); }
@@ -170,7 +170,7 @@ class SheetColumns {
     }
     void line(std::string_view what, std::string_view keys) {
         if (used_ >= lines_) next();
-        ui_.push_seed(placed_++);  // "Zoom" is in several parts
+        ui_.push_seed(placed_++);  // "Zoom" is in several groups
         Node& node = ui_.leaf(Role::list_item, what);
         ui_.pop_seed();
         node.text = ui_.copy(keys);
@@ -203,7 +203,7 @@ bool in_group(const CommandTable& table, std::size_t i, const std::string& group
     return table.chord(i) && table[i].group == group;
 }
 
-/// The first command with keys of each group tells its place.
+/// Whether this is the first command with keys of its group, which determines where the group is shown.
 bool begins_group(const CommandTable& table, std::size_t i) {
     if (!table.chord(i)) return false;
     for (std::size_t k = 0; k < i; ++k) {
@@ -275,7 +275,7 @@ void cheat_sheet(Ui& ui, const CommandTable& table, std::span<const SheetPart> m
     const std::size_t across = at_most(room.x + ui.em(sheet_gap), ui.em(sheet_column + sheet_gap));
     const std::size_t down = at_most(room.y, ui.row_height());
     const std::size_t columns = std::min(across, (all + down - 1) / down);
-    const std::size_t lines = (all + columns - 1) / columns + 1;  // all about as long
+    const std::size_t lines = (all + columns - 1) / columns + 1;  // all columns get about the same length
     {
         const auto count = static_cast<float>(columns);
         const ScrollArea area(ui, "All keys",

@@ -15,12 +15,12 @@ constexpr std::string_view overlay = "palette";
 constexpr Id state_id = 0x70616c6574746521ULL;
 constexpr std::size_t rows_shown = 12;
 constexpr float width = 36;        // em
-constexpr float recent_bonus = 3;  // of the score: about a third of a word's beginning
-// Of the score, for words that are whole somewhere: after those in a title, before letters here and there.
+constexpr float recent_bonus = 3;  // in the score: about a third of a word's beginning
+// In the score, for words that are found whole outside of titles: below those in a title, above scattered letters.
 constexpr float whole_letter = 10, whole_word = -4;
 
 struct Found {
-    std::size_t index;  ///< of a command; from their number on, of an item
+    std::size_t index;  ///< of a command; items follow after the last command
     FuzzyMatch match;
 };
 using Items = std::span<const PaletteItem>;
@@ -61,7 +61,7 @@ void search(PaletteState& state, const CommandTable& table, Items items) {
         auto match = fuzzy_match(state.query, table.full_title(i));
         if (!match) continue;
         const auto at = std::find(recent.begin(), recent.end(), i);
-        // the newest a little more: with nothing typed that is the whole order
+        // The newest get a little more. While nothing is typed, only this decides the order.
         if (at != recent.end()) match->score += recent_bonus - 0.1F * static_cast<float>(at - recent.begin());
         state.found.push_back({i, *match});
     }
@@ -86,7 +86,7 @@ struct RowLook {
     FuzzyMatch match;
 };
 
-/// Once more in another colour where letters were matched: the text keeps its kerning.
+/// Draws the matched letters again in another colour, as parts of the whole text, so that its kerning stays.
 void draw_matched(Painter& painter, const Rect& rect, std::string_view text, const FuzzyMatch& match, Color color) {
     const TextStyle style = painter.text_style();
     const Run& run = painter.fonts().run(text, style);
@@ -120,7 +120,7 @@ void draw_row(Painter& painter, const Node& node, const RowLook& look) {
     if (!disabled) draw_matched(painter, rect, node.shown, look.match, current ? t.text : t.text_link);
 }
 
-/// What a row shows.
+/// The texts of a row.
 struct RowText {
     std::string_view title, note, tip;
     Icon icon = Icon::none;
@@ -157,7 +157,7 @@ bool put_row(Ui& ui, const RowText& text, const Found& found, bool current) {
     return r.clicked;
 }
 
-/// Of the field, which leaves them to us.
+/// A key that the field got and does not use.
 Key key_of_field(Ui& ui, Id field) {
     Key key = Key::none;
     ui.events_of(field, [&](const Event& event) {
@@ -189,7 +189,7 @@ bool move(PaletteState& state, Key key) {
     }
 }
 
-/// The rows in sight. The index of what was clicked in `found`, or its size.
+/// Builds the visible rows. Returns the index in `found` of the row that was clicked, or the size of `found`.
 std::size_t put_rows(Ui& ui, const CommandTable& table, Items items, PaletteState& state, bool show) {
     const float height = ui.row_height();
     const auto rows = static_cast<float>(std::clamp<std::size_t>(state.found.size(), 1, rows_shown));
@@ -240,7 +240,7 @@ bool palette(Ui& ui, CommandTable& table, Items items, const std::function<void(
     if (chosen >= state.found.size()) return false;
     const std::size_t index = state.found[chosen].index;
     if (index < table.size() && !table.enabled(index)) return false;
-    ui.close_overlay(overlay);  // first: the command may open something itself
+    ui.close_overlay(overlay);  // before the command, which may open an overlay itself
     if (index >= table.size()) {
         if (choose) choose(index - table.size());
         return true;

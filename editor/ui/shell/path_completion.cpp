@@ -26,7 +26,7 @@ void draw_row(Painter& painter, const Node& node, const RowLook& look) {
     painter.text(rect, node.text, painter.text_style(), t.text);
 }
 
-/// Bytes that both begin with; never half a character.
+/// The number of bytes that both begin with; it never ends inside a character.
 std::size_t same_start(std::string_view a, std::string_view b) {
     std::size_t same = 0;
     while (same < std::min(a.size(), b.size()) && a[same] == b[same]) ++same;
@@ -141,7 +141,7 @@ bool PathCompletion::take_key(Ui& ui, Key key, std::string& typed, const Shown& 
     }
 }
 
-/// The one that was clicked.
+/// Builds the rows and returns the one that was clicked.
 std::size_t PathCompletion::put_rows(Ui& ui) {
     std::size_t clicked = no_row;
     for (std::size_t i = first_; i < std::min(first_ + rows, found_.size()); ++i) {
@@ -149,7 +149,7 @@ std::size_t PathCompletion::put_rows(Ui& ui) {
         ui.push_seed(i);
         Node& node = ui.leaf(Role::list_item, "##name", Sense::hover | Sense::press);
         ui.pop_seed();
-        node.label = ui.copy(found.name);  // as it is: a file may be called a##b
+        node.label = ui.copy(found.name);  // unchanged: a file may be called a##b
         node.text = found.folder ? ui.join({found.name, "/"}) : node.label;
         node.size[0] = grow();
         node.size[1] = px(ui.row_height());
@@ -182,7 +182,7 @@ bool PathCompletion::build(Ui& ui, Id field, std::string& typed, const Shown& sh
     const Rect at = ui.rect_before(field);
     const float pad = ui.em(0.25F), lines = static_cast<float>(std::min(found_.size(), rows + 1));
     const float height = lines * ui.row_height() + 2 * pad, top = at.y - pad - height;
-    // Over the field, where there is room: what is pressed next to open or save lies below it.
+    // The list is above the field if there is room: the buttons to press next, to open or save, are below it.
     if (top >= 0) root->placement = ui.arena().make(Placement{.side = Side::pointer, .rect = {at.x, top, 0, 0}});
     root->size[0] = px(std::max(at.w, ui.em(8)));
     root->size[1] = px(height);

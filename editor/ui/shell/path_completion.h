@@ -9,13 +9,13 @@
 
 namespace lapfx::ui {
 
-/// What has all of `names` as its continuation, as they spell it; at least `typed`, which begins them all but for the
-/// case of letters: where they differ in that, it stays as it was typed.
+/// The longest text that all of `names` begin with, in their spelling. All of them begin with `typed`, apart from the
+/// case of letters; where they differ in case, the letters stay as typed.
 std::string longest_common(std::span<const std::string_view> names, std::string_view typed);
 
 class PathCompletion {
   public:
-    static constexpr std::size_t most_found = 500;  ///< what comes after in order is left out
+    static constexpr std::size_t most_found = 500;  ///< names after these, in order, are left out
     static constexpr std::size_t rows = 8;          ///< seen at once
 
     /// The folder that is shown, and which of any folder's entries are looked for (`hidden`: also those that begin with

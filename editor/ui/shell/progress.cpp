@@ -30,12 +30,12 @@ void draw_progress(Painter& painter, const Node& node, const ProgressLook& look)
     const Rect inside = rect.inset(painter.em(0.5F), 0);
     painter.text(inside, node.text, look.style, disabled ? t.text_disabled : t.text, Align::center);
     if (part.w <= 0) return;
-    painter.push_clip(part);  // the same text where it lies on the filled part
+    painter.push_clip(part);  // the same text where it is on the filled part
     painter.text(inside, node.text, look.style, disabled ? t.text_disabled : t.text_on_accent, Align::center);
     painter.pop_clip();
 }
 
-/// 0 to 1 and back, slower at the ends.
+/// Moves from 0 to 1 and back, slower at the ends.
 float place_of_sweep(double time) {
     return static_cast<float>(0.5 - 0.5 * std::cos(2 * 3.14159265358979 * time / sweep));
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view overlay = "toasts", log_name = "notices log";
 constexpr Sense card_sense = Sense::hover | Sense::press | Sense::focus | Sense::activate | Sense::arrows_y |
-                             Sense::erase | Sense::escape;  // in no Tab order: take_focus()
+                             Sense::erase | Sense::escape;  // not in the Tab order, see take_focus()
 constexpr float widest = 24;                                // em
 constexpr float edge = 0.8F;                                // em, to the window's edges and the status bar
 constexpr float gap = 0.5F;                                 // em, between two
@@ -25,7 +25,7 @@ constexpr float stripe = 0.2F;                              // em, in the colour
 constexpr float mark = 1.7F;                                // em of the icon and what is beside it
 constexpr double minute = 60;                               // s
 
-/// px of a notice across, beside its text.
+/// px of a notice's width that its text does not get.
 float beside_text(const Ui& ui) {
     return ui.em(stripe) + 2 * ui.em(inset) + ui.em(mark) + ui.row_height();
 }
@@ -34,7 +34,7 @@ constexpr struct {
     ToastKind value;
     Tone tone;
     Icon icon;
-    double seconds;  ///< that it stays; 0: until it is closed
+    double seconds;  ///< how long it stays; 0: until it is closed
 } kinds[] = {
     {ToastKind::info, Tone::normal, Icon::info, 5},
     {ToastKind::good, Tone::good, Icon::check, 5},
@@ -55,8 +55,8 @@ struct ToastLook {
     Icon icon;
     Color tint;
     TextStyle style;
-    float close;        ///< px, of the button that closes it
-    std::size_t bytes;  ///< of the text that there is room for
+    float close;        ///< px, width of the button that closes it
+    std::size_t bytes;  ///< how much of the text there is room for
 };
 
 void draw_toast(Painter& painter, const Node& node, const ToastLook& look) {
@@ -99,12 +99,12 @@ float width_in(const Ui& ui) {
     return std::min(ui.em(widest), ui.window().x - 2 * ui.em(edge));
 }
 
-/// px that notices may take, of the window.
+/// px of the window's height that notices may take.
 float room_in(const Ui& ui) {
     return ui.window().y - ui.row_height() - 2 * ui.em(edge);
 }
 
-/// px of a notice with so many lines of text.
+/// The height, px, of a notice whose text is `text` px high.
 float height_of(const Ui& ui, float text, bool action) {
     const float height = std::max(text + 2 * ui.em(inset), ui.row_height() + ui.em(inset));
     return action ? height + ui.row_height() + ui.em(0.3F) : height;
@@ -112,7 +112,7 @@ float height_of(const Ui& ui, float text, bool action) {
 
 struct Measured {
     float height = 0;       ///< px, of the whole notice
-    std::size_t bytes = 0;  ///< of its text that there is room for
+    std::size_t bytes = 0;  ///< how much of its text there is room for
 };
 
 Measured measure(Ui& ui, std::string_view words, bool action) {
@@ -176,7 +176,7 @@ void Toasts::open_log(Ui& ui) {
     open_dialog(ui, log_name);
 }
 
-/// Of those that are seen; the others wait.
+/// Counts down the time of the notices that are visible; the others wait.
 void Toasts::count_down(double passed) {
     std::erase_if(all_, [passed](Shown& each) {
         if (each.left <= 0 || !each.seen) return false;
@@ -185,7 +185,7 @@ void Toasts::count_down(double passed) {
     });
 }
 
-/// The newest are, as many as there is room for.
+/// The first notice that is shown: as many of the newest as there is room for.
 std::size_t Toasts::first_in_sight(Ui& ui) const {
     const float rest = ui.row_height() + ui.em(gap);
     float room = room_in(ui);
@@ -221,12 +221,12 @@ Toasts::Answer Toasts::build_one(Ui& ui, Shown& shown) {
                                              style, ui.row_height(), measured.bytes});
     Answer answer{.gone = r.clicked};
     hovered_ |= r.hovered || r.focused;
-    if (r.clicked && !r.released) answer.act = toast.act;  // Enter is its button
+    if (r.clicked && !r.released) answer.act = toast.act;  // Enter presses its button
     ui.events_of(id,
                  [&](const Event& event) { answer.gone |= event.kind == EventKind::key && event.key == Key::escape; });
     const bool closes =
         icon_button(ui, Icon::cross, "Close", {.tip = "Closes it; All notices keeps it", .quiet = true});
-    ui.last().sense = Sense::hover | Sense::press;  // the keyboard closes by Esc: in no Tab order
+    ui.last().sense = Sense::hover | Sense::press;  // not in the Tab order: keys close it by Esc
     hovered_ |= has(ui.last().is, Is::hovered);
     answer.gone |= closes;
     if (!toast.action.empty()) {
@@ -244,7 +244,7 @@ Toasts::Answer Toasts::build_one(Ui& ui, Shown& shown) {
     return answer;
 }
 
-/// Leads to those that have no room.
+/// The line that leads to the notices for which there is no room.
 void Toasts::build_rest(Ui& ui, std::size_t out_of_sight) {
     const std::size_t count = hidden_ + out_of_sight;
     bool cut = false;
@@ -294,7 +294,8 @@ void Toasts::build_log(Ui& ui) {
     if (pressed == 2) dialog.close();
 }
 
-/// After all have been built. `gone`: the one that goes in this build, or how many are seen.
+/// Called after all have been built. `gone` is the index of the notice that is closed in this build, or the number of
+/// visible notices.
 void Toasts::take_keys(Ui& ui, bool wants_focus, std::size_t& gone) {
     const std::size_t count = ids_.size();
     const auto here = static_cast<std::size_t>(std::find(ids_.begin(), ids_.end(), ui.focus()) - ids_.begin());
@@ -317,7 +318,7 @@ void Toasts::build(Ui& ui) {
     count_down(hovered_ ? 0.0 : std::max(0.0, ui.time() - time_));
     time_ = ui.time();
     hovered_ = false;
-    if (std::exchange(added_, false))  // on top of what may have been opened since
+    if (std::exchange(added_, false))  // over anything that has been opened since
         ui.open_overlay(
             overlay, OverlayKind::passive,
             {.side = Placement::Side::bottom_right, .offset = {ui.em(edge), ui.row_height() + ui.em(edge)}});
@@ -331,7 +332,7 @@ void Toasts::build(Ui& ui) {
     const std::size_t first = first_in_sight(ui), count = all_.size() - first;
     for (Shown& each : all_) each.seen = false;
     std::size_t gone = count;
-    std::function<void()> act;  // called last: it may add another
+    std::function<void()> act;  // called last, as it may add another notice
     ids_.clear();
     for (std::size_t i = 0; i < count; ++i) {
         Answer answer = build_one(ui, all_[first + i]);

@@ -126,7 +126,7 @@ const Face::Bitmap& Face::rasterise(std::uint32_t glyph, std::uint16_t size_quar
 }
 
 Faces::Faces(const FontOptions& options) : options_(options), config_(FcInitLoadConfigAndFonts()) {
-    // The configuration is our own, not fontconfig's shared one: it is read anew, and goes when we go.
+    // The configuration is our own, not fontconfig's shared one: it is read for this object and freed with it.
     FT_Library library = nullptr;
     if (config_ == nullptr || FT_Init_FreeType(&library) != 0) throw std::runtime_error("fonts cannot be read");
     library_.reset(library);

@@ -39,7 +39,7 @@ struct Fonts::Implementation {
 
 namespace {
 
-/// At most max_run_bytes, cut before a code point rather than in the middle of it.
+/// The text cut to at most max_run_bytes, before a code point rather than in the middle of it.
 std::string_view limited(std::string_view text) {
     if (text.size() <= max_run_bytes) return text;
     std::size_t size = max_run_bytes;

@@ -33,7 +33,7 @@ struct LineMetrics {
     float ascent = 0, descent = 0, height = 0;  ///< descent is positive, below the baseline
 };
 
-/// Where the caret can stand.
+/// A place that the caret can have.
 struct CaretStop {
     std::uint32_t byte = 0;  ///< offset into the text
     float x = 0;             ///< px from the start of the run
@@ -87,7 +87,7 @@ class Fonts {
     /// Cached: the second call with the same text and style allocates nothing.
     const Run& run(std::string_view text, const TextStyle& style);
     LineMetrics metrics(const TextStyle& style);
-    /// Drops runs that have not been used for long. Packs a full atlas anew, which never happens in the middle of a
+    /// Drops runs that have not been used for long. Packs a full atlas again, which never happens in the middle of a
     /// frame.
     void next_frame();
     const Atlas& atlas() const;

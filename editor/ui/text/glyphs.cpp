@@ -114,7 +114,7 @@ const Glyph* Glyphs::box(char32_t codepoint, std::uint16_t size_quarters) {
 
 const Glyph* Glyphs::add(std::uint64_t hash, int left, int top, int width, int height,
                          std::span<const std::uint8_t> pixels) {
-    // What would not even fit into an empty atlas (words as one character, at 400 px) is left out for good.
+    // A glyph that would not even fit into an empty atlas (words as one character, at 400 px) is never drawn.
     if (width > last_side - 2 || height > last_side - 2) width = height = 0;
     Glyph glyph{.left = static_cast<std::int16_t>(left), .top = static_cast<std::int16_t>(top)};
     if (width > 0 && height > 0) {

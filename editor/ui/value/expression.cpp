@@ -427,7 +427,7 @@ char Parser::take_operator(std::string_view allowed) {
     return op;
 }
 
-/// Whether that unit stands here and does not go on as another word.
+/// Whether the text continues with that unit and not with a longer word.
 bool Parser::fits(std::string_view unit) const {
     if (!rest().starts_with(unit)) return false;
     std::string_view behind = rest().substr(unit.size());

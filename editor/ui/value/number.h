@@ -14,7 +14,7 @@ int decimals_of(double step);
 /// form), never
 /// "-0". Returns the part of `buffer` that was written; 32 bytes are always enough.
 std::string_view format_number(std::span<char> buffer, double value, int decimals);
-/// As few digits as read back to the same double: what is copied and what a text entry begins with.
+/// The shortest text that reads back to the same double. It is used for copying and at the start of a text entry.
 std::string_view format_exact(std::span<char> buffer, double value);
 /// "1:23.45", of s, for time rulers.
 std::string_view format_time(std::span<char> buffer, double seconds, int decimals);
@@ -24,8 +24,9 @@ enum class ValueScale : std::uint8_t {
     logarithmic,  ///< equal ratios, equal ways; from 0 on, its first hundredth is linear up to `smallest`
 };
 
-/// From a value to its place along a slider, 0..1, and back. Monotonic; exact at both ends, and back and forth within
-/// 1e-12 of the range. Outside of minimum..maximum it goes on, so that a drag may leave the soft range.
+/// Converts a value to its place along a slider, 0..1, and back. Both are monotonic and exact at the ends; there and
+/// back the error is at most 1e-12 of the range. Outside of minimum..maximum they continue, so that a drag may leave
+/// the soft range.
 struct ValueRange {
     double minimum = 0, maximum = 1;
     ValueScale scale = ValueScale::linear;

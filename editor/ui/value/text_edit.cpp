@@ -134,7 +134,7 @@ bool TextEdit::apply(TextCommand command) {
     }
 }
 
-/// Of the two characters that meet at the caret, the one that is of a word, else the one after.
+/// Selects the word at the caret: of the two characters next to it, the one that belongs to a word, else the one after.
 bool TextEdit::apply_select_word() {
     if (text_.empty()) return set_selection(0, 0);
     const bool at_end = caret_ == text_.size();
@@ -143,7 +143,7 @@ bool TextEdit::apply_select_word() {
     return set_selection(run_begin(text_, caret_, c), run_end(text_, caret_, c));
 }
 
-/// Where a motion from the caret ends.
+/// The place at which a motion from the caret ends.
 std::size_t TextEdit::target(TextCommand command) const {
     using enum TextCommand;
     switch (command) {
@@ -223,7 +223,8 @@ void TextEdit::reset(std::string text) {
     history_bytes_ = 0;
 }
 
-/// Without control characters, with spaces for line breaks, and at most `room` bytes of whole characters.
+/// The text without control characters and with spaces for line breaks, cut to at most `room` bytes of whole
+/// characters.
 std::string TextEdit::cleaned(std::string_view text, std::size_t room) const {
     std::string out;
     out.reserve(std::min(text.size(), room + 8));

@@ -56,20 +56,20 @@ class TextEdit {
 
     /// Returns whether anything changed, the caret and the selection among it.
     bool apply(TextCommand command);
-    /// In place of the selection. Line breaks become spaces, other control characters but tab are left out. Typing goes
-    /// on in one undo step until the caret is moved, a word ends, or something else happens.
+    /// Replaces the selection. Line breaks become spaces, other control characters except tab are left out. What is
+    /// typed is one undo step until the caret is moved, a word ends, or something else happens.
     bool insert(std::string_view text);
     bool insert(char32_t codepoint);
     void place(std::size_t byte, bool select);  ///< the nearest place that is allowed
-    void replace(std::string text);             ///< all of it, as one undo step, caret at the end
+    void replace(std::string text);             ///< replaces the whole text, as one undo step, caret at the end
     void reset(std::string text);               ///< a new text with no history
 
   private:
     struct Step {
         std::size_t at = 0;
         std::string removed, inserted;
-        std::size_t caret = 0, anchor = 0;  ///< before
-        bool open = false;                  ///< typing may go on in it
+        std::size_t caret = 0, anchor = 0;  ///< before the step
+        bool open = false;                  ///< further typing is added to it
     };
 
     std::string cleaned(std::string_view text, std::size_t room) const;

@@ -27,7 +27,8 @@ bool valid_utf8(std::string_view text);
 std::size_t previous_character(std::string_view text, std::size_t byte);
 std::size_t next_character(std::string_view text, std::size_t byte);
 
-/// Where characters begin, told from code points in the order of the text, from the start of a character on.
+/// Finds where characters begin. It is given the code points in the order of the text, from the start of a character
+/// on.
 class CharacterBreaks {
   public:
     /// Whether `next` begins a character; the first one does.

@@ -11,7 +11,7 @@ namespace {
 
 struct TextLook {
     std::string_view text;
-    const Run* run;  ///< of text and style; null: the text wraps
+    const Run* run;  ///< the run of text and style; null: the text wraps
     TextStyle style;
     Color color;
     Align align;
@@ -23,16 +23,16 @@ struct TextLook {
 
 void draw_label(Painter& painter, const Node& node, const TextLook& look) {
     Rect rect = node.rect();
-    // In the middle of a row its text stands on the same pixel as that of the fields beside it: half pixels are rounded
-    // once.
+    // In the middle of a row the text is on the same pixel as that of the fields next to it, because half pixels are
+    // rounded only once.
     const bool odd = std::fmod(std::abs(painter.em(painter.theme().row_height) - rect.h), 2.0F) == 1;
     if (odd) rect.y -= 1, rect.h += 1;
     painter.text(rect, look.text, *look.run, look.style, look.color, look.align);
 }
 
-/// A node of one line that is whole in its tooltip where it has been cut. Only then it has an id, told apart by where
-/// it stands: many may read the same, and what they read may change all the time. In what lights up as a whole it
-/// leaves the hover to that.
+/// A node of one line of text. If it is cut, its tooltip has the whole text. Only then it has an id, which depends on
+/// its place: several lines may have the same text, and the text may change all the time. Inside a widget that lights
+/// up as a whole, it leaves the hover to that widget.
 Node& put_line(Ui& ui, Role role, std::string_view text, const TextStyle& style, const Run*& run) {
     run = &ui.fonts().run(split_label(text).shown, style);
     const Node* before = ui.in_place_before();
@@ -68,7 +68,7 @@ void draw_separator(Painter& painter, const Node& node, const Axis& across) {
 struct ButtonLook {
     Icon icon;
     bool primary, quiet, on;
-    const Run* run;  ///< null: the icon alone
+    const Run* run;  ///< null: only the icon is shown
     friend bool operator==(const ButtonLook&, const ButtonLook&) = default;
 };
 

@@ -16,7 +16,7 @@ void draw_segment(Painter& painter, const Node& node, const ChoiceLook& look) {
     Color ground = hovered ? t.control_hover : t.control, ink = t.text;
     if (look.chosen) ground = hovered ? t.accent_hover : t.accent, ink = t.text_on_accent;
     if (disabled) ground = look.chosen ? t.control : t.field, ink = t.text_disabled;
-    // Only the outer corners are round: the inner ones lie outside of what is drawn.
+    // Only the outer corners are round: the inner ones are outside of the drawn part.
     Rect rect = node.rect();
     painter.push_clip(rect);
     if (!look.first) rect.x -= radius, rect.w += radius;
@@ -30,7 +30,7 @@ void draw_segment(Painter& painter, const Node& node, const ChoiceLook& look) {
     painter.text(node.rect().inset(painter.em(0.4F), 0), node.shown, painter.text_style(), ink, Align::center);
 }
 
-/// Where a key leads from choice `at` of `count`; arrows go round.
+/// The choice that a key leads to from choice `at` of `count`; arrows wrap around.
 int step(Key key, int at, int count) {
     switch (key) {
         case Key::left:
@@ -49,13 +49,13 @@ int step(Key key, int at, int count) {
 }
 
 void lay_segment(Ui& ui, Node& node) {
-    // A share by its text, so that all are cut at once where there is too little room, and none runs into what is
-    // beside them.
+    // Each gets a share according to its text, so that all are cut together where there is too little room, and none
+    // extends over its neighbours.
     const float wish = std::ceil(ui.text_width(node.shown)) + 2 * ui.em(0.6F);
     node.size[0] = grow(wish);
     node.minimum[0] = ui.em(1.5F);
     node.padding[0] = node.padding[2] =
-        static_cast<std::uint8_t>(std::min(std::ceil(wish / 2), 255.0F));  // is its wish
+        static_cast<std::uint8_t>(std::min(std::ceil(wish / 2), 255.0F));  // makes the width that it wants
     if (const float had = ui.rect_before(node.id).w; had > 0 && had + 1 < wish) node.tip = node.shown;
 }
 Edit choose(Ui& ui, int& chosen, std::span<const std::string_view> choices) {
@@ -66,7 +66,7 @@ Edit choose(Ui& ui, int& chosen, std::span<const std::string_view> choices) {
     Id* ids = static_cast<Id*>(ui.arena().take(choices.size() * sizeof(Id), alignof(Id)));
     bool by_key = false;
     for (int i = 0; i < count; ++i) {
-        // One stop for Tab: what is chosen.
+        // Tab stops only at the chosen one.
         Sense sense = Sense::hover | Sense::press | Sense::activate;
         if (i == chosen) sense = sense | Sense::focus | Sense::arrows_x | Sense::arrows_y | Sense::extremes;
         Node& node = ui.leaf(Role::radio, choices[static_cast<std::size_t>(i)], sense);
@@ -86,7 +86,7 @@ Edit choose(Ui& ui, int& chosen, std::span<const std::string_view> choices) {
     }
     if (next == chosen) return {};
     chosen = next;
-    ui.set_focus(ids[next], by_key);  // and another build, which shows it
+    ui.set_focus(ids[next], by_key);  // this also asks for another build, which shows it
     return Edit::once();
 }
 

@@ -12,20 +12,20 @@ namespace lapfx::ui {
 
 namespace {
 
-/// Kept for a picker from its first opening on.
+/// The state of a picker, which is kept from its first opening on.
 struct Picking {
     Hsv hsv;
-    Color shown;   ///< that hsv belongs to
-    Color before;  ///< when it was opened
-    Color start;   ///< when the drag began
+    Color shown;   ///< the colour that hsv belongs to
+    Color before;  ///< the colour when it was opened
+    Color start;   ///< the colour when the drag began
     Hsv start_hsv;
     bool began = false;
-    std::string_view part;  ///< of the picker that began it; a literal
+    std::string_view part;  ///< the part of the picker that began the edit; a literal
     std::string hex;
     Id hex_field = 0;
 };
 
-/// The picker whose edit has begun and not ended: it may be closed in the midst of typing.
+/// The picker whose edit has begun and not ended; a picker may be closed in the middle of typing.
 struct Unfinished {
     Id owner = 0;
 };
@@ -37,7 +37,8 @@ struct ColorLook {
     bool caption;
 };
 
-// Looks are drawn through pointers into the frame's arena: what comes later in the build may still change the colour.
+// Looks are drawn through pointers into the frame's arena, because later parts of the build may still change the
+// colour.
 
 void draw_color_field(Painter& painter, const Node& node, ColorLook* const& shown) {
     const ColorLook& look = *shown;
@@ -63,7 +64,7 @@ struct PadLook {
 void draw_ring(Painter& painter, glm::vec2 at, float radius) {
     const float line = painter.hairline();
     const Rect ring{std::round(at.x) - radius, std::round(at.y) - radius, 2 * radius, 2 * radius};
-    painter.frame(ring.inset(-line), with_alpha(rgb(0x000000), 0.7F), line, radius + line);  // seen on any colour
+    painter.frame(ring.inset(-line), with_alpha(rgb(0x000000), 0.7F), line, radius + line);  // visible on any colour
     painter.frame(ring, rgb(0xffffff), 2 * line, radius);
 }
 
@@ -110,7 +111,7 @@ void draw_swatch_node(Painter& painter, const Node& node, const Color& color) {
     if (has(node.is, Is::hovered)) painter.frame(node.rect(), painter.theme().text_dim, painter.hairline());
 }
 
-/// What all parts of the picker change: the colour as it is dragged, and as it is given.
+/// What all parts of the picker change: the picker's own colour and the caller's.
 struct Session {
     Ui& ui;
     Picking& p;
@@ -146,8 +147,8 @@ struct Session {
     }
 };
 
-/// A square or a bar: a press goes to the pointer, a drag follows it. `moved(place)` with 0..1 from the upper left;
-/// arrows by hundredths, with Shift thousandths, with Ctrl tenths.
+/// A square or a bar. A press or a drag calls `moved(place)` with the pointer's place, 0..1 from the upper left. Arrows
+/// move by hundredths, with Shift by thousandths, with Ctrl by tenths.
 template <typename Moved>
 void drag_pad(Session& s, std::string_view part, Node& node, glm::vec2 place, Moved&& moved) {
     const Response r = s.ui.respond(node);
@@ -220,7 +221,7 @@ void take_over(Session& s, Color color) {
     s.commit("Before");
 }
 
-/// What it was when the picker opened, a click goes back to it; beside it what it is now.
+/// Shows the colour that the picker was opened with, where a click restores it, and next to it the present one.
 void put_swatches(Session& s, const ColorOptions& options) {
     Ui& ui = s.ui;
     const Row row(ui, {.width = grow(), .gap = 0, .cross = ChildAlign::center});
@@ -237,7 +238,7 @@ void put_swatches(Session& s, const ColorOptions& options) {
     ui.draw_with<draw_swatch_node>(now, s.color);
 }
 
-/// Follows the colour, unless it is being typed into; what is no colour is red and changes nothing.
+/// A field that shows the colour unless a person is typing in it. Text that is not a colour is red and changes nothing.
 void put_hex(Session& s, const ColorOptions& options) {
     Ui& ui = s.ui;
     char hex[9];
@@ -259,7 +260,7 @@ void put_hex(Session& s, const ColorOptions& options) {
     s.p.hex = format_hex(hex, s.color, options.alpha);
 }
 
-/// A number that is dragged or typed; `changed(number)` sets the colour.
+/// A number that can be dragged or typed; `changed(number)` sets the colour.
 template <typename Changed>
 void put_number(Session& s, std::string_view label, double number, double maximum, std::string_view unit,
                 Changed&& changed) {
@@ -362,7 +363,7 @@ std::string_view format_hex(std::span<char> buffer, Color color, bool alpha) {
 void draw_swatch(Painter& painter, const Rect& rect, Color color) {
     if (color.a < 255) painter.checker(rect, rgb(0xbbbbbb), rgb(0x777777), painter.em(0.35F));
     painter.fill(rect, color);
-    painter.frame(rect, painter.theme().border, painter.hairline());  // it may have the colour of what it lies on
+    painter.frame(rect, painter.theme().border, painter.hairline());  // it may have the same colour as its background
 }
 
 void open_color_picker(Ui& ui, Id owner, Color color, glm::vec2 offset) {

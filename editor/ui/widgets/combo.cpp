@@ -10,20 +10,20 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr std::size_t filter_from = 12;  // so many choices have a field to filter them
+constexpr std::size_t filter_from = 12;  // with at least so many choices there is a field to filter them
 constexpr int most_rows = 14;
 constexpr float bar_width = 0.45F, least_bar = 2;  // em
 
-/// Kept while the list is open, and for what is typed on a closed one.
+/// The state while the list is open, and of what is typed on a closed one.
 struct Choosing {
     ScrollState scroll;
     std::string filter;
     TypeAhead typed;
-    std::vector<std::uint32_t> shown;  ///< choices that the filter leaves
+    std::vector<std::uint32_t> shown;  ///< choices that pass the filter
     std::string filtered_by;
     const void* filtered = nullptr;  ///< and of how many
     std::size_t filtered_count = 0;
-    int at = -1;  ///< in `shown`: what Enter takes
+    int at = -1;  ///< index in `shown` of the marked choice, which Enter takes
     float width = 0;
     Id keys = 0;            ///< the node that has the keyboard
     glm::vec2 pointer{-1};  ///< where it was last: only a pointer that moves takes the mark from the keys
@@ -61,7 +61,7 @@ void draw_row(Painter& painter, const Node& node, const std::string_view& text) 
     painter.text(rect, text, painter.text_style(), t.text);
 }
 
-void draw_bar(Painter& painter, const Node& node, ScrollState* const& scroll) {  // as the layout has left it
+void draw_bar(Painter& painter, const Node& node, ScrollState* const& scroll) {  // as the layout has set it
     const Rect thumb = scroll_thumb(node.rect(), *scroll, painter.em(least_bar));
     painter.fill(thumb, painter.theme().control_hover, thumb.w / 2);
 }
@@ -114,7 +114,7 @@ void open_list(Ui& ui, Choosing& c, Id id, std::string_view name, int chosen, st
     refilter(c, choices);
     c.at = std::max(chosen, 0);
     c.pointer = ui.pointer();
-    // What is chosen lies in the middle of the list, where there are that many.
+    // The chosen one is in the middle of the list if there are enough rows above and below.
     const float row = ui.row_height(), view = list_height(ui, choices.size());
     c.scroll.offset.y = std::clamp(row * (static_cast<float>(c.at) + 0.5F) - view / 2, 0.0F,
                                    std::max(0.0F, row * static_cast<float>(choices.size()) - view));
@@ -126,7 +126,7 @@ void open_list(Ui& ui, Choosing& c, Id id, std::string_view name, int chosen, st
     ui.open_overlay(name, OverlayKind::popup, {.side = Placement::Side::below, .offset = offset, .anchor = id});
 }
 
-/// Returns whether what is marked is taken.
+/// Handles an event of the open list. Returns whether the marked choice is taken.
 bool take_list_key(Ui& ui, Choosing& c, const Event& event, std::span<const std::string_view> choices, bool filters,
                    bool& leaves) {
     const int last = static_cast<int>(c.shown.size()) - 1;
@@ -172,7 +172,7 @@ bool take_list_key(Ui& ui, Choosing& c, const Event& event, std::span<const std:
     return false;
 }
 
-/// A pointer that moves takes the mark from the keys; one that rests does not.
+/// A pointer that moves marks the row under it; one that rests leaves the mark to the keys.
 void mark_by_pointer(Ui& ui, Choosing& c, const Rect& list) {
     const bool moved = ui.pointer() != c.pointer;
     c.pointer = ui.pointer();
@@ -181,7 +181,7 @@ void mark_by_pointer(Ui& ui, Choosing& c, const Rect& list) {
     if (row < c.shown.size()) c.at = static_cast<int>(row);
 }
 
-/// Only the rows that are seen; above and below them room for the others. Returns whether one was clicked.
+/// Builds only the visible rows, with room above and below for the others. Returns whether one was clicked.
 bool put_rows(Ui& ui, Choosing& c, int chosen, std::span<const std::string_view> choices) {
     const float row = ui.row_height(), view = list_height(ui, c.shown.size());
     const float all = row * static_cast<float>(c.shown.size());
@@ -264,7 +264,7 @@ bool put_list(Ui& ui, Choosing& c, Node& root, int chosen, std::span<const std::
     return taken && c.at >= 0;
 }
 
-/// Less than a notch of the wheel, kept for the next.
+/// A part of a notch of the wheel, which is kept and added to the next.
 struct WheelRest {
     float notches = 0;
 };

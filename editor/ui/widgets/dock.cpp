@@ -10,7 +10,7 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr float edge_share = 0.25F;  // of a leaf, from each side: what is dropped there goes beside it
+constexpr float edge_share = 0.25F;  // of a leaf, from each side: a panel dropped there goes next to it
 
 struct DockLook {
     Rect preview;
@@ -54,13 +54,13 @@ Rect half_of(Rect leaf, DockSide side) {
     }
 }
 
-/// What is to be done to the arrangement once all is built.
+/// A change of the arrangement, which is made after all has been built.
 struct Wish {
     enum class Kind : std::uint8_t { none, front, close, move, show } kind = Kind::none;
     int leaf = -1, tab = -1;
     int to = -1, position = -1;
     DockSide side = DockSide::center;
-    std::string_view panel = {};  // of `show`: a closed one, into leaf `to`
+    std::string_view panel = {};  // for `show`: a closed panel, which goes into leaf `to`
 };
 
 /// The panel whose tab the menu was opened at.
@@ -87,11 +87,11 @@ struct Making {
     const FunctionRef<void(std::size_t)>& build;
     const DockOptions& options;
     Id id;        // of the dock
-    Rect* rects;  // of the nodes, px within the dock
-    int* places;  // of the pointer among the tabs of each leaf
+    Rect* rects;  // rectangles of the nodes, px within the dock
+    int* places;  // place of the pointer among the tabs of each leaf
     DockEvents& events;
     Wish wish = {};
-    std::string_view context = {};  // the panel whose tab was clicked by the right button now
+    std::string_view context = {};  // the panel whose tab has just been clicked with the right button
     int grabbed_leaf = -1, grabbed_tab = -1;
 
     DockNode& node(int index) { return layout.nodes[static_cast<std::size_t>(index)]; }
@@ -110,7 +110,7 @@ struct Making {
     void fulfil();
 };
 
-/// px that a node needs at least.
+/// The least size, px, that a node needs.
 float Making::least(int index, int a) const {
     const DockNode& n = layout.nodes[static_cast<std::size_t>(index)];
     if (n.leaf()) return ui.em(options.minimum) + (a == 1 ? ui.row_height() : 0.0F);
@@ -165,7 +165,7 @@ void Making::leaf(int index) {
     ui.close();
 }
 
-/// Of a tab: closes its panel, or brings one back beside it that was closed.
+/// The menu of a tab. It closes the tab's panel, or shows a closed panel next to it.
 void Making::menu() {
     const std::string_view name = ui.join({"tabs of ", {reinterpret_cast<const char*>(&id), sizeof id}});
     const bool closable = options.closable && held_open(layout) > 1;
@@ -198,7 +198,7 @@ void Making::edges() {
     }
 }
 
-/// Where what is dragged would go; leaf -1: nowhere.
+/// The place to which the dragged panel would go; leaf -1: nowhere.
 Drop Making::drop_at(glm::vec2 pointer, const Rect& whole) {
     const glm::vec2 p = pointer - whole.at();
     for (int i = 0; i < static_cast<int>(layout.nodes.size()); ++i) {
@@ -212,7 +212,7 @@ Drop Making::drop_at(glm::vec2 pointer, const Rect& whole) {
     return {};
 }
 
-/// Ctrl+PageUp and Ctrl+PageDown: the tabs of the group that has the keyboard.
+/// Ctrl+PageUp and Ctrl+PageDown choose among the tabs of the group that has the keyboard.
 void Making::turn_pages(const Rect& whole) {
     ui.events_of(id, [&](const Event& event) {
         if (event.kind != EventKind::key) return;

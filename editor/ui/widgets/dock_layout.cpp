@@ -13,7 +13,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr float least_fraction = 0.02F;
-constexpr int deepest = 32;  // splits within splits that a file may have
+constexpr int deepest = 32;  // levels of splits within splits that a file may have
 constexpr int version = 1;
 
 int put_copy(const std::vector<DockNode>& from, int index, std::vector<DockNode>& to) {
@@ -72,7 +72,7 @@ int DockLayout::find(std::string_view panel) const {
     return -1;
 }
 
-/// Its sibling takes the place of their parent.
+/// Removes a leaf: its sibling replaces their parent.
 void DockLayout::drop_leaf(int leaf) {
     for (DockNode& parent : nodes) {
         if (parent.leaf() || (parent.first != leaf && parent.second != leaf)) continue;
@@ -83,14 +83,14 @@ void DockLayout::drop_leaf(int leaf) {
     }
 }
 
-/// Nodes that nothing leads to any more go; the rest is put in order.
+/// Removes nodes that cannot be reached any more and puts the others in order.
 void DockLayout::compact() {
     std::vector<DockNode> kept;
     put_copy(nodes, 0, kept);
     nodes = std::move(kept);
 }
 
-/// May leave an empty leaf behind.
+/// Removes a panel. It may leave an empty leaf.
 void DockLayout::take_out(std::string_view panel) {
     std::erase(closed, panel);
     const int at = find(panel);
@@ -105,7 +105,7 @@ void DockLayout::take_out(std::string_view panel) {
 
 void DockLayout::move(std::string_view panel, int leaf, DockSide side, int position) {
     assert(leaf >= 0 && leaf < static_cast<int>(nodes.size()) && nodes[static_cast<std::size_t>(leaf)].leaf());
-    const std::string name(panel);  // `panel` may be a view of what is moved
+    const std::string name(panel);  // `panel` may be a view of a string that is moved
     const int from = find(name);
     const auto index = static_cast<std::size_t>(leaf);
     if (from == leaf && nodes[index].tabs.size() == 1) return;
@@ -163,7 +163,7 @@ void DockLayout::show(std::string_view panel) {
 void DockLayout::fit(std::span<const std::string_view> panels) {
     if (nodes.empty()) nodes.emplace_back();
     std::vector<std::string_view> left(panels.begin(), panels.end());
-    const auto stays = [&](const std::string& name) {  // known, and not seen before
+    const auto stays = [&](const std::string& name) {  // it is a known panel that has not come before
         const auto at = std::find(left.begin(), left.end(), name);
         if (at == left.end()) return false;
         left.erase(at);

@@ -33,7 +33,7 @@ struct DockLayout {
     std::vector<std::string> closed;
     friend bool operator==(const DockLayout&, const DockLayout&) = default;
 
-    /// Of the leaf that has this panel; -1: none has.
+    /// The index of the leaf that has this panel; -1: none has it.
     int find(std::string_view panel) const;
     /// Puts a panel, wherever it was, into `leaf`'s tabs at `position` (-1: the end), or beside that leaf. It comes to
     /// the front. Nothing happens when it is alone in that very leaf. `leaf` must be the index of a leaf (assert).

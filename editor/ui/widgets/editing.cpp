@@ -10,8 +10,8 @@ namespace lapfx::ui {
 namespace {
 
 constexpr std::string_view menu_kind = "text menu ";
-constexpr double blink = 0.53;             // s that the caret is seen, and then is not
-constexpr double blinks_for = 20 * blink;  // s after the last input: then the machine may sleep
+constexpr double blink = 0.53;             // s that the caret is visible, and then as long hidden
+constexpr double blinks_for = 20 * blink;  // s after the last input; after that the machine may sleep
 
 struct KeyCommand {
     Key key;
@@ -63,13 +63,13 @@ void Editing::follow(Ui& ui, const std::string& text) {
 
 Edit Editing::close() {
     const Edit result{.committed = began_};
-    *this = {};  // a history may be large
+    *this = {};  // frees the history, which may be large
     return result;
 }
 
 void Editing::changed(Ui& ui, std::string& text, Edit& result) {
     touch(ui);
-    const std::uint64_t now = hash_bytes(0, edit.text());  // not the program's: there may be what the field leaves out
+    const std::uint64_t now = hash_bytes(0, edit.text());  // not `text`, which may have characters that are left out
     if (now == known_) return;
     known_ = now;
     text = given_ = edit.text();
@@ -135,7 +135,7 @@ bool Editing::take_key(Ui& ui, const Event& event, std::string& text, Edit& resu
     return true;
 }
 
-/// What the field has nothing to undo of goes on to the program.
+/// Handles undo, redo and the clipboard. If the field has nothing to undo, the program gets the key.
 bool Editing::take_shortcut(Ui& ui, const Event& event) {
     Clipboard* clipboard = ui.clipboard();
     const bool redo = event.key == key_of('Y') || (event.key == key_of('Z') && has(event.mods, Mods::shift));
@@ -193,7 +193,7 @@ void Editing::menu(Ui& ui, Id id, std::string_view label, const Response& r, std
 bool Editing::caret_shown(Ui& ui) const {
     const double since = std::max(0.0, ui.time() - active_);
     if (ui.options().reduced_motion || since >= blinks_for) return true;
-    const double turn = std::floor(since / blink + 1e-6);  // woken exactly at a turn, it counts
+    const double turn = std::floor(since / blink + 1e-6);  // a wake-up exactly at a turn counts as after it
     ui.wake_at(active_ + (turn + 1) * blink, "caret");
     return static_cast<long>(turn) % 2 == 0;
 }

@@ -33,7 +33,7 @@ struct Editing {
     /// while the menu is open.
     void menu(Ui& ui, Id id, std::string_view label, const Response& response, std::string& text, Edit& result);
     static bool menu_open(Ui& ui, Id id);
-    /// Starts the blinking anew: after every input the caret is seen.
+    /// Starts the blinking again, so that the caret is visible after every input.
     void touch(Ui& ui) { active_ = ui.time(); }
     /// Whether the caret is drawn now; asks for the frame in which that changes. After ten seconds without input the
     /// caret stays, and the program can sleep.

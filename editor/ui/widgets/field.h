@@ -19,10 +19,10 @@ Color selection_color(const Theme& theme);
 
 /// The ground of what drops down from a field. Nothing is asked of `look`.
 void draw_popup(Painter& painter, const Node& node, const bool& look);
-/// Of an overlay that belongs to one widget.
+/// The name of an overlay that belongs to one widget.
 std::string_view overlay_name(Ui& ui, std::string_view kind, Id owner);
 
-/// Where the thumb of a scrolled view stands on its track, px; empty when all can be seen.
+/// The thumb of a scrolled view on its track, px; empty when everything is visible.
 Rect scroll_thumb(const Rect& track, const ScrollState& scroll, float least);
 /// The offset that moves the thumb by `px` along the track.
 float scrolled_by_thumb(const Rect& track, const ScrollState& scroll, float px, float least);

@@ -31,7 +31,7 @@ Color ink(Ui& ui, Tone tone) {
     return ui.disabled() ? ui.theme().text_disabled : color_of(ui.theme(), tone);
 }
 
-/// A button without text, and its text over it.
+/// A button without text of its own, with a text drawn over it.
 struct NamedLook {
     const Drawer* ground;
     const void* look;
@@ -77,7 +77,7 @@ void literal_line(Ui& ui, std::string_view text) {
 }
 
 bool literal_button(Ui& ui, std::string_view text, const ButtonOptions& options) {
-    const bool clicked = button(ui, ui.join({"##", text}), options);  // its look and its id, but no text
+    const bool clicked = button(ui, ui.join({"##", text}), options);  // this has the look and the id, but no text
     Node& node = ui.last();
     node.label = ui.copy(text);  // also where it begins with #
     const Run& run = ui.fonts().run(node.label, ui.text_style());

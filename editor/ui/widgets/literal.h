@@ -8,7 +8,7 @@
 
 namespace lapfx::ui {
 
-/// As many lines as the width asks for.
+/// A text with as many lines as its width makes necessary.
 void literal(Ui& ui, std::string_view text, Tone tone = Tone::normal);
 /// One line as wide as there is room, cut with an ellipsis and whole in its tooltip. One to a parent, or each with a
 /// seed.

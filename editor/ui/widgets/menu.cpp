@@ -9,37 +9,37 @@ namespace lapfx::ui {
 namespace {
 
 constexpr double submenu_after = 0.12;  // s that the pointer stays on an item until its submenu opens
-constexpr double leave_after = 0.25;    // s on another item until an open submenu closes: the way there may be diagonal
+constexpr double leave_after = 0.25;    // s on another item until an open submenu closes: the way to it may be diagonal
 constexpr float mark_width = 1.7F;      // em, for a check mark or an icon
 constexpr Id state_id = 0x6d656e752e737461ULL;
 
-/// One menu that is being built; lives in the frame's arena.
+/// One menu that is being built. It is in the frame's arena.
 struct Level {
     std::string_view name;
     Level* outer = nullptr;
-    int bar_index = -1;                             ///< of a bar's menus, else -1
+    int bar_index = -1;                             ///< index of the menu in a bar, else -1
     float height = 0;                               ///< px of the items so far
-    char32_t letter = 0;                            ///< typed in this build: wanted is the next item that begins so
+    char32_t letter = 0;                            ///< typed in this build, to go to the next item that begins with it
     Key key = Key::none;                            ///< Home, End, Left or Right that came in this build
-    Id key_target = 0;                              ///< who had the keyboard then
+    Id key_target = 0;                              ///< the node that had the keyboard then
     Id first = 0, last = 0, after = 0, before = 0;  ///< items that can be chosen, or that begin with the letter
     bool passed = false;                            ///< key_target has been built
-    bool opened_by_key = false;                     ///< just now
-    Id keys = 0;                                    ///< has the keyboard while no item is marked
+    bool opened_by_key = false;                     ///< in this build
+    Id keys = 0;                                    ///< the node that has the keyboard while no item is marked
 };
 
 struct MenuState {
     Level* level = nullptr;
-    // of the pointer: which item it is on, since when, and whether that has had its effect
+    // The item that the pointer is on, since when, and whether that has had its effect.
     Id hot = 0;
     double hot_since = 0;
     bool acted = false;
-    Id keys = 0;  ///< Level::keys that had the keyboard in the last build
-    // of the bar that is being built
+    Id keys = 0;  ///< the Level::keys that had the keyboard in the last build
+    // The bar that is being built.
     int bar_count = 0, bar_index = 0;
-    float bar_text = 0, bar_texts = 0;  ///< px of the titles: of those so far, and of all of the last build
-    float bar_pad = 0;                  ///< px beside a title
-    int bar_want = -1;                  ///< its menu to be opened next, by Left and Right
+    float bar_text = 0, bar_texts = 0;  ///< px of the titles so far, and of all titles in the last build
+    float bar_pad = 0;                  ///< px on each side of a title
+    int bar_want = -1;                  ///< index of the menu to open next, after Left or Right
     std::array<char, 96> open_bar_menu{};
 };
 
@@ -64,7 +64,7 @@ struct ItemLook {
     bool submenu;
 };
 
-/// The pointer or the keyboard is on it.
+/// Whether the pointer or the keyboard is on it.
 bool lit(const Node& node) {
     if (has(node.is, Is::disabled)) return false;
     return has(node.is, Is::expanded) ||
@@ -104,7 +104,8 @@ void draw_bar_item(Painter& painter, const Node& node, const TextStyle& style) {
     painter.text(node.rect(), node.shown, style, disabled ? t.text_disabled : t.text, Align::center);
 }
 
-/// What the item with the keyboard got in this build. Read before the items are built: they are what it chooses from.
+/// Reads the events that the item with the keyboard got in this build. This is done before the items are built, because
+/// the events choose among them.
 void take_keys(Ui& ui, Level& level) {
     level.key_target = ui.focus();
     ui.events_of(ui.focus(), [&](const Event& event) {
@@ -113,8 +114,8 @@ void take_keys(Ui& ui, Level& level) {
     });
 }
 
-/// Of a menu that the pointer opened no item is marked, and what nobody sees marked must not run: until one is chosen
-/// this has the keyboard.
+/// A menu that the pointer opened has no marked item, and an item must not run unless a person sees that it is marked.
+/// Until one is chosen, this node has the keyboard.
 void put_keys(Ui& ui, Level& level, std::uint8_t layer) {
     const Node* focused = ui.before(ui.focus());
     if (focused != nullptr && focused->role == Role::menu_item && focused->layer == layer) return;
@@ -152,7 +153,7 @@ void begin_menu(Ui& ui, Node& node, std::string_view name, int bar_index) {
     state.level = level;
 }
 
-/// Left leaves a submenu, and a bar's menu for its neighbour; Right goes on to the next of the bar.
+/// Left closes a submenu, or goes from a bar's menu to the one before; Right goes to the next menu of the bar.
 void leave_sideways(Ui& ui, const Level& level) {
     MenuState& state = state_of(ui);
     if (level.key == Key::left && level.outer != nullptr) return ui.close_overlay(level.name);
@@ -165,7 +166,7 @@ void leave_sideways(Ui& ui, const Level& level) {
     ui.close_overlay(root->name);
 }
 
-/// The item that a key asks for; while none is marked, arrows and being opened by a key ask as well.
+/// The item that a key leads to. While none is marked, arrows lead to one, and so does opening the menu with a key.
 Id next_item(const Ui& ui, const Level& level) {
     if (!level.passed) return 0;
     if (level.letter != 0) return level.after != 0 ? level.after : level.before;
@@ -181,7 +182,7 @@ void end_menu(Ui& ui) {
     MenuState& state = state_of(ui);
     const Level& level = *state.level;
     Node& node = ui.parent();
-    // as tall as its items; one that is taller than the window scrolls
+    // The menu is as tall as its items. If it is taller than the window, it scrolls.
     const float whole = level.height + static_cast<float>(node.padding[1] + node.padding[3]);
     node.size[1] = px(std::min(whole, ui.window().y));
     if (whole > ui.window().y) {
@@ -199,7 +200,7 @@ void end_menu(Ui& ui) {
     if (level.key == Key::left || level.key == Key::right) leave_sideways(ui, level);
 }
 
-/// Keeps account of an item that can be chosen, for letters, Home and End.
+/// Takes note of an item that can be chosen, for letters, Home and End.
 void count_item(Level& level, const Node& node) {
     if (level.first == 0) level.first = node.id;
     level.last = node.id;
@@ -209,7 +210,7 @@ void count_item(Level& level, const Node& node) {
     level.passed |= node.id == level.key_target;
 }
 
-/// Returns whether the pointer has been on the item for long enough to act on it: once.
+/// Returns whether the pointer has been on the item for long enough to act on it. It returns true only once.
 bool pointer_acts(Ui& ui, const Level& level, Id id, double after) {
     MenuState& state = state_of(ui);
     if (state.hot != id || state.acted) return false;
@@ -293,12 +294,12 @@ Submenu::Submenu(Ui& ui, std::string_view label, Icon icon) : ui_(ui) {
     bool opens = r.clicked;
     if (id == outer.key_target && outer.key == Key::right) {
         opens = true;
-        outer.key = Key::none;  // and does not go on along the bar
+        outer.key = Key::none;  // so that it does not also lead to the next menu of the bar
     }
     if (!has(ui.last().is, Is::disabled) && pointer_acts(ui, outer, id, submenu_after)) opens = true;
     if (opens && !open) {
         ui.close_overlays_over(outer.name);
-        ui.set_focus(id, ui.focus_ringed());  // Esc and Left come back to it
+        ui.set_focus(id, ui.focus_ringed());  // Esc and Left return to it
         ui.open_overlay(name, OverlayKind::submenu,
                         {.side = Placement::Side::right_of, .offset = {0, -ui.em(0.3F)}, .anchor = id});
     }
@@ -321,7 +322,7 @@ MenuBar::MenuBar(Ui& ui) : ui_(ui) {
     state.bar_index = 0;
     state.bar_text = 0;
     state.bar_pad = ui.em(0.6F);
-    // In a narrow window titles come nearer to each other, so that none is cut.
+    // In a narrow window titles are closer to each other, so that none is cut.
     const float width = ui.rect_before(node.id).w;
     const float room = width - 2 * ui.em(0.3F) - state.bar_texts;
     if (width > 0 && state.bar_count > 0 && room < 2 * static_cast<float>(state.bar_count) * state.bar_pad)

@@ -48,7 +48,7 @@ void NumberEntry::pointer(Ui& ui, const Event& event, const Rect& field) {
     if (press) selecting_ = event.clicks == 1;
 }
 
-/// An error costs an allocation: not in each frame.
+/// Evaluates a changed text once, not in each frame, because an error costs an allocation.
 void NumberEntry::evaluate_once(const ExpressionContext& context) {
     if (evaluated_once_ && text_ == evaluated_) return;
     evaluated_once_ = true;

@@ -11,14 +11,15 @@ namespace {
 struct ParamLook {
     LabelLook label;
     NumberText text;
-    bool caption;    ///< else the label is inside the field
+    bool caption;    ///< the label is next to the field, else inside
     float from, to;  ///< the bar, 0 to 1 of the field
     bool dragging;
     const EntryLook* entry;
     friend bool operator==(const ParamLook&, const ParamLook&) = default;
 };
 
-/// The bar from the range's begin, or from 0 where that lies within, to the value. No clips: a batch has room for few.
+/// Draws the bar from the beginning of the range, or from 0 if that is inside, to the value. It uses no clips, because
+/// a batch has room for only a few.
 void draw_bar(Painter& painter, const Rect& field, const ParamLook& look, bool lit) {
     const Theme& t = painter.theme();
     const float from = whole(field.w * std::min(look.from, look.to));
@@ -38,12 +39,12 @@ void draw_param(Painter& painter, const Node& node, const ParamLook& look) {
     if (look.entry != nullptr) return draw_entry(painter, field, *look.entry);
     draw_field(painter, field, node.is);
     if (look.dragging) painter.frame(field, t.accent, painter.hairline(), painter.em(t.radius));
-    const bool room = look.caption || field.w >= painter.em(7);  // else the number is all that fits
+    const bool room = look.caption || field.w >= painter.em(7);  // otherwise only the number fits
     if (!disabled && room) draw_bar(painter, field.inset(painter.hairline()), look, lit);
     Rect inside = field.inset(painter.em(look.caption ? param_inner : 0.35F), 0);
     if (!look.caption) {
         const float number = painter.fonts().run(look.text.number, painter.number_style()).width;
-        // Which of several numbers it is matters more than its last digits: a letter stays.
+        // A label of one letter stays: it says which of several numbers this is, which matters more than last digits.
         const bool letter = look.label.text.size() == 1;
         const float least =
             letter ? std::ceil(painter.fonts().run(look.label.text, painter.text_style()).width) + painter.em(0.3F) : 0;
@@ -61,7 +62,7 @@ bool elided(Ui& ui, const Node& node) {
     return column > 0 && ui.text_width(node.shown) > column;
 }
 
-/// One number, with its label beside it or inside.
+/// One number, with its label next to it or inside.
 Edit put_param(Ui& ui, std::string_view label, double& value, const ParamOptions& options, bool caption,
                ParamActions* actions) {
     const ParamOptions o = sound(options);
@@ -150,7 +151,7 @@ void draw_param_mark(Painter& painter, const Rect& field, float place, float wid
     painter.fill({field.x + x, field.bottom() - height, width, height}, color);
 }
 
-/// Where there is no room for both, the unit goes.
+/// Draws the number and its unit. Where there is no room for both, the unit is left out.
 void draw_number(Painter& painter, Rect inside, const NumberText& text, Align align, bool disabled) {
     const Theme& t = painter.theme();
     const Color ink = disabled ? t.text_disabled : t.text, quiet = disabled ? t.text_disabled : t.text_dim;

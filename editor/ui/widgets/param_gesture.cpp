@@ -1,4 +1,4 @@
-// Events to edits of one number.
+// Turns events into edits of one number.
 #include <cmath>
 
 #include "ui/widgets/param_parts.h"
@@ -11,7 +11,7 @@ constexpr Id state_id = 0x706172616d2e7374ULL;
 constexpr float drag_after = 3;  // px at scale 1
 constexpr double page = 10;      // steps
 
-/// Steps of a key; 0: it is none for stepping.
+/// The number of steps that a key makes; 0: it is not a key for stepping.
 double steps_of(Key key) {
     switch (key) {
         case Key::right:
@@ -57,7 +57,7 @@ Edit NumberGesture::take(NumberState& s, const Response& r) {
     if (s.typing == id_) {
         type(s, r);
     } else {
-        // the entry that Tab left may stand after this one: it is closed in this build, this one opens in the next
+        // The entry that Tab left may come after this one. It closes in this build, and this one opens in the next.
         const bool from_entry = s.typing != 0 || s.tabbed_at == static_cast<std::uint32_t>(ui_.builds());
         if (r.focus_in && r.by_tab && from_entry) s.opens = id_;
         if (s.opens == id_ && !r.focus_in) {
@@ -72,7 +72,7 @@ Edit NumberGesture::take(NumberState& s, const Response& r) {
     return edit_;
 }
 
-/// Returns whether that is another value. What is no number is refused.
+/// Sets the value. Returns whether it differs from before. Values that are not finite are refused.
 bool NumberGesture::set(double next) {
     if (!std::isfinite(next)) return false;
     if (o_.integer) next = std::round(next);
@@ -86,7 +86,7 @@ bool NumberGesture::set(double next) {
 
 void NumberGesture::once(NumberState& s, double next) {
     if (!set(next)) return;
-    // within an arrow's repeats it is part of them, and ends them: there is one edit at a time
+    // While an arrow repeats, this is part of that edit and ends it: there is one edit at a time.
     edit_.began |= s.stepping != id_;
     edit_.committed = true;
     if (s.stepping == id_) s.stepping = 0;
@@ -103,7 +103,7 @@ void NumberGesture::open(NumberState& s) {
 }
 
 void NumberGesture::type(NumberState& s, const Response& r) {
-    if (!r.focused) return close(s, r.focus_out);  // disabled meanwhile: not kept
+    if (!r.focused) return close(s, r.focus_out);  // if it was disabled meanwhile, the entry is dropped
     const NumberEntry::Outcome outcome = s.entry.take(ui_, id_, field_, context_of(o_, shown()));
     if (outcome != NumberEntry::Outcome::goes_on) close(s, outcome == NumberEntry::Outcome::taken);
 }
@@ -119,7 +119,7 @@ void NumberGesture::close(NumberState& s, bool keep) {
 void NumberGesture::press(NumberState& s, const Response& r) {
     if (r.pressed) {
         s.held = id_;
-        s.clicks = s.dragging ? std::uint8_t{1} : r.clicks;  // after a drag a click is the first
+        s.clicks = s.dragging ? std::uint8_t{1} : r.clicks;  // a click after a drag does not count as a double click
         s.on_label = !field_.contains(r.pressed_at);
         s.dragging = s.began = false;
         s.travel = 0;
@@ -148,7 +148,7 @@ void NumberGesture::press(NumberState& s, const Response& r) {
     }
 }
 
-/// Only what is beyond the first few px counts, so that the value sets off from where it is.
+/// Only movement beyond the first few px counts, so that the value does not jump when the drag starts.
 void NumberGesture::move(NumberState& s, float pixels, Mods mods) {
     if (!s.dragging) {
         const float still = drag_after * ui_.scale();
@@ -208,7 +208,7 @@ void NumberGesture::end_steps(NumberState& s) {
     edit_.committed = true;
 }
 
-/// From the first press of an arrow until it is let go is one edit, however often it repeats.
+/// An arrow makes one edit from its first press until it is released, however often it repeats.
 void NumberGesture::step(NumberState& s, const Event& event, double count) {
     const ParamLimits limits = limits_of(o_, shown());
     const double next = stepped(o_, shown(), count, has(event.mods, Mods::shift));

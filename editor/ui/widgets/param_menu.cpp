@@ -1,4 +1,4 @@
-// What a right click on a number offers, and the fields that set its range.
+// The menu of a right click on a number, and the fields that set its range.
 #include "ui/widgets/menu.h"
 #include "ui/widgets/param_parts.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view menu_name = "param menu", range_name = "param range";
 
-/// At the pointer, or below the number when it was the Menu key.
+/// Opens the menu at the pointer, or below the number if it was opened with the Menu key.
 void open_at(Ui& ui, Id id, const Response& r, bool by_key) {
     using Side = Placement::Side;
     open_menu(ui, menu_name,
@@ -44,7 +44,7 @@ void action_items(Ui& ui, NumberState& s, Id id, const ParamOptions& o, ParamAct
     actions.toggle_favourite |= menu_item(ui, "Favourite", {.icon = Icon::star, .checked = o.favourite});
     if (menu_item(ui, "Set range...")) {
         s.range_of = id;
-        const double more = o.maximum - o.minimum;  // kept: the fields must not change under the pointer
+        const double more = o.maximum - o.minimum;  // fixed now, because the fields must not change under the pointer
         s.range_shown = {o.minimum - more, o.maximum + more};
         ui.open_overlay(range_name, OverlayKind::popup, {.side = Placement::Side::below, .anchor = id});
     }
@@ -61,7 +61,7 @@ void range_box(Ui& ui, const NumberState& s, const ParamOptions& o, ParamActions
     ParamOptions low{.minimum = s.range_shown.low, .maximum = s.range_shown.high, .step = o.step, .unit = o.unit};
     low.integer = o.integer, low.hard_minimum = o.hard_minimum, low.hard_maximum = o.hard_maximum;
     ParamOptions high = low;
-    const double least = step_of(o, 0);  // never an empty range
+    const double least = step_of(o, 0);  // so that the range is never empty
     low.hard_maximum = std::min(low.hard_maximum, range.high - least);
     high.hard_minimum = std::max(high.hard_minimum, range.low + least);
     Edit edit = param(ui, "From", range.low, low);

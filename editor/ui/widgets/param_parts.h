@@ -97,9 +97,9 @@ struct LabelLook {
     bool changed = false, locked = false, disabled = false;
     friend bool operator==(const LabelLook&, const LabelLook&) = default;
 };
-/// In the label's column: label, padlock, dot.
+/// Draws the label, the padlock and the dot in the label's column.
 void draw_param_label(Painter& painter, Rect column, const LabelLook& look);
-/// At `place` px of the field, along its lower edge.
+/// Draws a mark at `place` px of the field, along its lower edge.
 void draw_param_mark(Painter& painter, const Rect& field, float place, float width, Color color);
 void draw_number(Painter& painter, Rect inside, const NumberText& text, Align align, bool disabled);
 

@@ -58,7 +58,7 @@ bool put_name(Ui& ui, const ParamOptions& o) {
     return r.pressed && r.clicks == 2;
 }
 
-/// Returns where it was.
+/// Opens the row. Returns its rectangle in the last build.
 Rect open_row(Ui& ui, Role role, std::string_view label, const ParamOptions& o) {
     Node& node = ui.open(role, label, Axis::x, Sense::hover);
     node.size[0] = o.width;
@@ -69,7 +69,7 @@ Rect open_row(Ui& ui, Role role, std::string_view label, const ParamOptions& o) 
     return ui.rect_before(node.id);
 }
 
-/// What came to a handle in this build.
+/// What happened to a handle in this build.
 struct Handle {
     Id id = 0;
     NumberState* state = nullptr;
@@ -96,7 +96,7 @@ Handle put_handle(Ui& ui, int index, float way, double& value, const ParamOption
     return handle;
 }
 
-/// Over the part of the field, from..to, that is nearer to it than to the other.
+/// Puts a handle over from..to, the part of the field that is nearer to it than to the other handle.
 void place_handle(Ui& ui, Node& node, float from, float to) {
     const float field = 1 - caption_share;
     node.placed = true;
@@ -169,13 +169,13 @@ Edit vector_param(Ui& ui, std::string_view label, std::span<double> values, cons
                   std::span<const double> standards, std::string_view letters) {
     const Rect row = open_row(ui, Role::group, label, options);
     const std::size_t count = std::min(values.size(), letters.size());
-    // Side by side in a narrow panel nothing is left of the numbers: there they stand one below the other.
+    // In a narrow panel the numbers would have no room side by side, so they are one below the other.
     const float each = row.w * (1 - caption_share) / static_cast<float>(std::max<std::size_t>(count, 1));
     const bool stacked = row.w > 0 && each < ui.em(least_field);
     if (stacked) ui.parent().size[1] = fit();
     ui.follow_size(ui.parent());
     const bool to_standard = put_name(ui, options);
-    // The gaps are between them alone: they begin where others do.
+    // Gaps are only between the numbers, so that the first begins at the same place as in other rows.
     Node& fields = ui.open(Role::none, {}, stacked ? Axis::y : Axis::x);
     fields.size[0] = grow();
     fields.gap = ui.em(0.2F);

@@ -15,7 +15,7 @@ ValueRange range_of(const ParamOptions& o) {
     return {o.minimum, o.maximum, o.scale, o.smallest};
 }
 
-/// Equal steps are of no use on a scale that covers decades.
+/// Whether steps follow the scale: equal steps are useless on a scale that covers decades.
 bool steps_follow_scale(const ParamOptions& o) {
     return !o.integer && o.scale != ValueScale::linear && !(o.step > 0);
 }
@@ -84,7 +84,7 @@ double dragged(const ParamOptions& o, double& raw, double pixels, double way, Mo
     const ValueRange range = range_of(o);
     const double part = has(mods, Mods::shift) ? fine_part : 1, pixel = part / std::max(1.0, way);
     raw = std::clamp(range.value_at(range.place_of(raw) + pixels * pixel), limits.low, limits.high);
-    if (raw <= limits.low || raw >= limits.high) return raw;  // the ends, round or not
+    if (raw <= limits.low || raw >= limits.high) return raw;  // the ends need not be round
     if (has(mods, Mods::command)) {
         const double step = o.integer ? std::max(1.0, step_of(o, raw) * part) : step_of(o, raw) * part;
         return std::clamp(snap(raw, step), limits.low, limits.high);

@@ -53,9 +53,10 @@ struct ParamLimits {
 /// go back to it.
 ParamLimits limits_of(const ParamOptions& options, double from);
 
-/// Of `options`, or a round one. Scales that are not linear have one at each place: the power of ten below `value`.
+/// The step of `options`, or a round one if they have none. On scales that are not linear it depends on the place: it
+/// is the power of ten below `value`.
 double step_of(const ParamOptions& options, double value);
-/// `count` steps on, a tenth of a step each when `fine`.
+/// The value `count` steps farther; if `fine`, each is a tenth of a step.
 double stepped(const ParamOptions& options, double value, double count, bool fine);
 
 /// One move of a drag. `raw` is the exact value of the drag; it moves by `pixels` on a soft range that is `way` px
@@ -66,12 +67,12 @@ double dragged(const ParamOptions& options, double& raw, double pixels, double w
                const ParamLimits& limits);
 
 bool is_standard(const ParamOptions& options, double value);
-/// Without rounding errors in the last digits: 0.1F is 0.1, and an angle of pi/4 is 45.
+/// The value without rounding errors in the last digits: 0.1F is 0.1, and an angle of pi/4 is 45.
 double cleaned(const ParamOptions& options, double value);
 int decimals_for(const ParamOptions& options, double value);
-/// As it is shown, without its unit. `buffer`: 32 bytes.
+/// The value as it is shown, without its unit. `buffer` has 32 bytes.
 std::string_view format_param(std::span<char> buffer, const ParamOptions& options, double value);
-/// With all its digits, as it is copied and as an entry begins.
+/// The value with all its digits, for copying and for the start of an entry.
 std::string_view format_whole(std::span<char> buffer, const ParamOptions& options, double value);
 
 }  // namespace lapfx::ui

@@ -40,7 +40,7 @@ std::size_t item_after(Key key, std::size_t at, std::size_t count, std::size_t c
     const auto on = [&](std::size_t by) {
         if (!known) return std::size_t{0};
         if (at + by < count) return at + by;
-        const std::size_t below = at + (count - 1 - at) / columns * columns;  // of its own column
+        const std::size_t below = at + (count - 1 - at) / columns * columns;  // the last item of its own column
         return below != at || at / columns == (count - 1) / columns ? below : count - 1;
     };
     page = std::max<std::size_t>(page, 1);
@@ -104,7 +104,7 @@ void RowList::go(std::size_t item, Mods mods) {
     }
 }
 
-/// What is typed from here on is another word: it may be for what has been opened.
+/// Opens an item. Letters typed after this begin a new word, as they may be meant for the item that has been opened.
 void RowList::open(std::size_t item) {
     events_.opened = item;
     if (options_.name_of != nullptr) ui_.memory<TypeAhead>(area_.id()).clear();
@@ -157,7 +157,7 @@ Response RowList::respond(std::size_t item, Node& node) {
         if (r.pressed || !selection_.has(key)) go(item, r.pressed ? r.mods : Mods::none);
         if (r.context) events_.context = item;
         if (r.pressed && r.clicks == 2 && r.mods == Mods::none) open(item);
-        if (events_.selected) ui_.build_again();  // items before this one show what was selected
+        if (events_.selected) ui_.build_again();  // items before this one still show the earlier selection
     }
     node.is |= when(selection_.has(key), Is::selected);
     return r;

@@ -4,21 +4,22 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr float bar_em = 0.85F;      // what can be hit
-constexpr float thumb_em = 0.3F;     // what is seen of it at rest
-constexpr float shortest_em = 1.7F;  // of a thumb
+constexpr float bar_em = 0.85F;      // width of the part that reacts to the pointer
+constexpr float thumb_em = 0.3F;     // width of the visible part at rest
+constexpr float shortest_em = 1.7F;  // least length of a thumb
 
 struct BarDrag {
     bool dragging = false;
     float from = 0;  // px, the offset at the press
 };
 
-/// Whether the upright bar has room of its own. Content may grow with its width (a picture): then the bar is needed
-/// without the room that it takes and not needed with it. Where giving up the room has brought the need back, it stays.
+/// Whether the vertical bar has room of its own. The height of content may grow with its width (a picture). Then the
+/// bar may be needed while it has no room, and not be needed while it has. If removing the room makes the bar necessary
+/// again, the room stays.
 struct BarRoom {
     bool barred = false;
-    glm::vec2 given_up_at{-1};  // px of the area without any bar, when the room was given up for want of need
-    float given_up_with = -1;   // px of content then
+    glm::vec2 given_up_at{-1};  // px of the area without any bar when the room was removed as not needed
+    float given_up_with = -1;   // height of the content then, px
 };
 
 bool keep_room(BarRoom& room, const ScrollState& state, float bar) {
@@ -28,7 +29,7 @@ bool keep_room(BarRoom& room, const ScrollState& state, float bar) {
         if (room.given_up_at == whole && std::abs(room.given_up_with - state.content.y) < 1) return true;
         room = {false, whole, state.content.y};
     } else if (!room.barred && !needed) {
-        room = {};  // it was not missed
+        room = {};  // removing the room was right
     } else {
         room.barred = true;
     }
@@ -49,7 +50,7 @@ Thumb thumb_of(const ScrollState& state, int a, float track, float shortest) {
 }
 
 struct BarLook {
-    const ScrollState* state;  // read when drawn: where this frame's layout has put it
+    const ScrollState* state;  // read when it is drawn, after the layout of this frame
     int axis;
 };
 
@@ -97,7 +98,7 @@ void put_bar(Ui& ui, ScrollState& state, int a, float top) {
     if (r.cancelled && drag.dragging) state.offset[a] = drag.from;
     if (r.cancelled || r.released) drag.dragging = false;
     state.offset[a] = std::clamp(state.offset[a], 0.0F, most);
-    if (state.offset[a] != before) ui.build_again();  // rows were built for where it was
+    if (state.offset[a] != before) ui.build_again();  // rows were built for the earlier offset
 }
 
 }  // namespace
@@ -117,7 +118,7 @@ ScrollArea::ScrollArea(Ui& ui, Node& node, const ScrollOptions& options)
     for (std::uint8_t& pad : node.padding)
         pad = static_cast<std::uint8_t>(std::clamp(ui.em(options.padding), 0.0F, 255.0F));
     node.padding[1] = static_cast<std::uint8_t>(std::clamp(node.padding[1] + options.top, 0.0F, 255.0F));
-    // what can be clicked is not to lie under the bar
+    // The bar must not cover anything that can be clicked.
     const bool barred = keep_room(ui.memory<BarRoom>(node.id), state_, ui.em(bar_em));
     node.padding[2] = static_cast<std::uint8_t>(std::min(255.0F, node.padding[2] + (barred ? ui.em(bar_em) : 0.0F)));
     node.rigid = false;

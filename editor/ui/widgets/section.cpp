@@ -45,7 +45,7 @@ std::string_view count_text(Ui& ui, int count) {
 bool put_header(Ui& ui, std::string_view title, const SectionOptions& options) {
     Node& header = ui.leaf(Role::button, "##header",
                            Sense::hover | Sense::press | Sense::focus | Sense::activate | Sense::arrows_x);
-    const Id id = header.id;  // of two sections of one name each has its own
+    const Id id = header.id;  // two sections of the same name have different ids
     Folding& folding = ui.memory<Folding>(id);
     if (!folding.known) folding = {true, options.open};
     folding.open |= options.unfold;

@@ -9,7 +9,7 @@ namespace {
 constexpr float gap_em = 0.3F, hit_em = 0.75F;
 
 struct Drag {
-    float from = 0, before = 0;  // px where it was; the fraction itself
+    float from = 0, before = 0;  // px at the press; the fraction before
     bool began = false;
 };
 
@@ -65,7 +65,7 @@ Edit drag_splitter(Ui& ui, Id id, Axis axis, const Split& split, float& fraction
             edit.committed = true;
         } else if (event.kind == EventKind::cancel && std::exchange(drag.began, false)) {
             fraction = drag.before;
-            edit.changed = edit.cancelled = true;  // the value is another again
+            edit.changed = edit.cancelled = true;  // the value has changed back
         } else if (event.kind == EventKind::key) {
             if (event.key == Key::left || event.key == Key::up) set_once(now - step);
             if (event.key == Key::right || event.key == Key::down) set_once(now + step);
@@ -102,7 +102,7 @@ Splitter::Splitter(Ui& ui, std::string_view label, Axis axis, float& fraction, c
     outer.gap = splitter_gap(ui);
     outer.rigid = false;
     outer.clips = true;
-    // Nothing scrolls: it tells how much room there is, and has the frame built again when that is another.
+    // This does not scroll. It only measures the room and causes another build when that changes.
     ScrollState& known = ui.memory<ScrollState>(outer.id);
     outer.scroll = &known;
     const float room = std::max(0.0F, known.view[static_cast<int>(axis)] - outer.gap);

@@ -7,7 +7,7 @@ namespace {
 constexpr float narrowest = 2, widest = 100;  // em
 constexpr float handle_em = 0.7F;
 constexpr float pad_em = 0.5F;
-constexpr float order_em = 0.8F, order_pad_em = 0.2F;  // the arrow of the order, beside the title
+constexpr float order_em = 0.8F, order_pad_em = 0.2F;  // the arrow of the order, next to the title
 
 using CellOf = FunctionRef<TableCell(std::size_t, std::size_t)>;
 
@@ -51,7 +51,7 @@ void draw_header(Painter& painter, const Node& node, const HeaderLook& look) {
     Rect inside = rect.inset(painter.em(pad_em), 0);
     const TextStyle style = painter.text_style();
     if (look.order !=
-        Icon::none) {  // in the padding as far as it goes; the title comes first where there is not room for both
+        Icon::none) {  // in the padding if possible; where there is not room for both, the title has priority
         Rect rest = rect.inset(painter.em(order_pad_em), 0);
         const Rect mark = rest.cut_right(painter.em(order_em));
         rest.cut_right(painter.em(order_pad_em));
@@ -123,7 +123,7 @@ void Making::row(RowList& list, std::size_t index, std::uint64_t key) {
     ui.push_seed(key);
     const TableCell title = columns.empty() ? TableCell{} : cell(index, 0);
     Node& row = ui.open(Role::row, "##row", Axis::x, RowList::item_sense);
-    if (!title.text.empty()) row.label = ui.copy(title.text);  // as it is: a file may be called a##b
+    if (!title.text.empty()) row.label = ui.copy(title.text);  // unchanged: a file may be called a##b
     row.size[1] = px(ui.row_height());
     list.respond(index, row);
     ui.draw_with<draw_row>(row, RowLook{list.ringed(index)});
@@ -197,7 +197,7 @@ void Making::handle(RowList& list, std::size_t column, float at, float height) {
     if (r.cancelled) resize(column, drag.from);
 }
 
-/// Over the rows, moved sideways with them.
+/// Builds the header above the rows; it scrolls sideways with them.
 void Making::header(RowList& list, float height) {
     const float shift = std::round(list.area().state().offset.x);
     Node& ground = ui.leaf(Role::none, {});
@@ -220,7 +220,7 @@ void Making::header(RowList& list, float height) {
         before = id;
         at += width(c);
     }
-    ui.leaf(Role::none, {}).size[0] = px(at + shift);  // without rows, too, the header can be scrolled
+    ui.leaf(Role::none, {}).size[0] = px(at + shift);  // so that the header can be scrolled without rows, too
     at = -shift;
     for (std::size_t c = 0; c < columns.size(); ++c) handle(list, c, at += width(c), height);
 }

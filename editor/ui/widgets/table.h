@@ -32,7 +32,7 @@ struct TableCell {
     bool number = false;  ///< digits of one width
 };
 
-/// Of the program: may be kept in its settings.
+/// The state of a table. The program owns it and may keep it in its settings.
 struct TableState {
     Selection selection;
     int sort_column = -1;  ///< -1: as the rows come
@@ -43,7 +43,7 @@ struct TableState {
 struct TableOptions {
     bool multiple = false;
     Size width = grow(), height = grow();
-    /// Of a row, for selection and ids; null: its number.
+    /// The key of a row, for selection and ids; null: its number.
     const RowList::KeyOf* key_of = nullptr;
     bool letters = false;  ///< typed letters go to the next row whose first column begins with them
 };

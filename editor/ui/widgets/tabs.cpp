@@ -8,7 +8,7 @@ namespace lapfx::ui {
 namespace {
 
 constexpr float widest_em = 16, pad_em = 0.8F, cross_em = 1.4F;
-constexpr float slack_em = 0.5F;  // that a press may move before it is a drag
+constexpr float slack_em = 0.5F;  // that the pointer may move before a press becomes a drag
 
 struct Strip {
     ScrollState scroll;
@@ -74,7 +74,7 @@ void Making::take_key(int index, const Event& event) {
 }
 
 Id Making::tab(int index, std::string_view name) {
-    // only the one that is shown is on the way of Tab; arrows lead to the others
+    // Tab stops only at the tab that is shown; arrows lead to the others.
     const Sense keys = index == active
                            ? Sense::focus | Sense::arrows_x | Sense::extremes | Sense::activate | Sense::erase
                            : Sense::none;
@@ -118,7 +118,7 @@ Id Making::tab(int index, std::string_view name) {
     return id;
 }
 
-/// All of them, when not all can be seen.
+/// The menu of all tabs, for when not all of them are visible.
 void Making::menu(Id key, std::span<const std::string_view> names) {
     const std::string_view name = ui.join({"tabs of ", {reinterpret_cast<const char*>(&key), sizeof key}});
     if (strip.overflow) {
@@ -164,7 +164,7 @@ TabEvents tab_strip(Ui& ui, std::string_view label, int active, std::span<const 
     making.menu(key, names);
     ui.close();
     if (making.active != strip.active && active_id != 0) {
-        // the keyboard goes along with the page when it was on a tab
+        // If the keyboard was on a tab, it moves to the tab of the new page.
         if (ui.focus() != 0 && ui.focus() == strip.focus_next) ui.set_focus(active_id, ui.focus_ringed());
         ui.reveal(active_id);
         strip.active = making.active;

@@ -8,19 +8,19 @@ namespace lapfx::ui {
 
 namespace {
 
-// Of a very long text only so much around the caret is shaped; where that begins is moved when the caret comes near its
-// ends.
+// Of a very long text only a window of so many bytes around the caret is shaped. The window moves when the caret comes
+// near one of its ends.
 constexpr std::size_t window_bytes = 6144, window_margin = 1536;
 static_assert(window_bytes < max_run_bytes);
 constexpr std::size_t spoken_bytes = 64 << 10;
 constexpr float side = 0.5F;  // em between the edge and the text
 
-/// Kept while a field has the keyboard.
+/// The state of a field while it has the keyboard.
 struct Field {
     Editing editing;
-    std::size_t start = 0;  ///< byte that the shaped window begins at
-    float offset = 0;       ///< px that the window is scrolled to the left by
-    double scrolled = 0;    ///< s, when a drag scrolled last
+    std::size_t start = 0;  ///< byte at which the shaped window begins
+    float offset = 0;       ///< px by which the window is scrolled to the left
+    double scrolled = 0;    ///< s, when a drag last scrolled it
 };
 
 struct FieldLook {
@@ -32,7 +32,7 @@ struct FieldLook {
     friend bool operator==(const FieldLook&, const FieldLook&) = default;
 };
 
-/// Where the text of a field with this rectangle stands.
+/// The part of a field with this rectangle in which its text is drawn.
 Rect text_part(const Rect& row, const FieldLook& look, float em) {
     Rect part = field_part(row, look.caption).inset(std::round(side * em), 0);
     if (look.icon != Icon::none) part.cut_left(std::round(1.4F * em));
@@ -40,7 +40,8 @@ Rect text_part(const Rect& row, const FieldLook& look, float em) {
     return part;
 }
 
-/// The least scrolling by which the caret can be seen, and no empty room at the right that need not be.
+/// The offset nearest to the present one with which the caret is visible, and no room at the right is empty while text
+/// is hidden at the left.
 float offset_that_shows(float offset, float caret_x, float run_width, float width) {
     offset = std::min(offset, std::max(0.0F, run_width + 2 - width));
     return std::max(0.0F, std::clamp(offset, caret_x + 2 - width, caret_x));
@@ -76,14 +77,14 @@ void draw_text_field(Painter& painter, const Node& node, const FieldLook& look) 
     painter.pop_clip();
 }
 
-/// At a place between characters, at or before `byte`.
+/// The nearest place between characters at or before `byte`.
 std::size_t whole(std::string_view text, std::size_t byte) {
     if (byte >= text.size()) return text.size();
     while (byte > 0 && (static_cast<unsigned char>(text[byte]) & 0xc0) == 0x80) --byte;
     return byte;
 }
 
-/// What is shaped, with the caret in it; what is seen stays where it is when the window moves on.
+/// The part of the text that is shaped; the caret is in it. When it changes, the visible text stays at its place.
 std::string_view window_of(Ui& ui, Field& field, const TextStyle& style) {
     const std::string_view text = field.editing.edit.text();
     const std::size_t caret = field.editing.edit.caret(), old = std::min(field.start, text.size());
@@ -106,7 +107,7 @@ std::string_view window_of(Ui& ui, Field& field, const TextStyle& style) {
     return at(field.start);
 }
 
-/// A drag selects; beyond an edge it scrolls, at a speed by how far.
+/// A drag selects. Beyond an edge of the field it scrolls, faster if it is farther away.
 void drag(Ui& ui, Field& field, const Response& r, const Rect& part, const Run& run) {
     const bool moved = glm::distance(r.pointer, r.pressed_at) > 3 * ui.scale();
     if (!r.held || r.button != Button::left || r.pressed || !moved) {
@@ -165,7 +166,7 @@ void draw_clear(Painter& painter, const Node& node, const bool& hovered) {
     painter.icon(node.rect().inset(painter.em(0.5F)), Icon::cross, ink);
 }
 
-/// The cross: for the pointer alone, Esc does the same.
+/// The cross that clears the field. It is only for the pointer; the key for it is Esc.
 bool put_clear(Ui& ui) {
     Node& node = ui.leaf(Role::button, "Clear", Sense::hover | Sense::press);
     node.placed = true;
@@ -177,7 +178,7 @@ bool put_clear(Ui& ui) {
     return r.clicked;
 }
 
-/// The node is left open when `search`.
+/// If `search`, the node is left open.
 Edit put_field(Ui& ui, std::string_view label, std::string& text, const TextFieldOptions& options, bool search) {
     const Sense sense = Sense::hover | Sense::press | Sense::focus | Sense::typing | Sense::context;
     Node& node = search ? ui.open(Role::search_field, label, Axis::x, sense) : ui.leaf(Role::text_field, label, sense);

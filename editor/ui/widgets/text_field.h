@@ -24,11 +24,11 @@ struct TextFieldOptions {
     bool keys_outside = false;
 };
 
-/// `text` changes with every key; committed by Enter or when the keyboard goes elsewhere. Bytes that are no UTF-8 are
-/// kept. The semantic tree has its first 64 KiB.
+/// `text` changes with every key. The edit is committed by Enter or when another widget gets the keyboard. Bytes that
+/// are not UTF-8 are kept. The semantic tree has the first 64 KiB of the text.
 Edit text_field(Ui& ui, std::string_view label, std::string& text, const TextFieldOptions& options = {});
 
-/// With a glass at the left and a cross at the right that empties it, as does Esc.
+/// A text field with a magnifying glass at the left and a cross at the right. The cross empties it, and so does Esc.
 Edit search_field(Ui& ui, std::string_view label, std::string& text, const TextFieldOptions& options = {});
 
 }  // namespace lapfx::ui

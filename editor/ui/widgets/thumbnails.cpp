@@ -43,7 +43,7 @@ void draw_star(Painter& painter, const Node& node, const StarLook& look) {
     const Rect mark = node.rect().inset(painter.em(0.4F));
     const bool hovered = has(node.is, Is::hovered);
     if (!look.on && !hovered) return;
-    // over a picture of any colour, in any theme
+    // The star has to be visible over a picture of any colour, in any theme.
     painter.fill(mark.inset(-painter.em(0.15F)), star_ground, painter.em(t.radius));
     painter.icon(mark, look.on ? Icon::star_filled : Icon::star, look.on ? star_ink : rgb(0xffffff));
 }
@@ -77,7 +77,7 @@ Response put_star(Ui& ui, bool on) {
     return r;
 }
 
-/// Returns what happened to its star.
+/// Builds a cell. Returns what happened to its star.
 Response put_cell(Ui& ui, RowList& list, std::size_t index, const Thumbnail& item, const Metrics& m,
                   const ThumbnailOptions& options) {
     ui.push_seed(item.key == no_key ? index : item.key);
@@ -106,7 +106,8 @@ ThumbnailEvents thumbnails(Ui& ui, std::string_view label, Selection& selection,
         return own == no_key ? index : own;
     };
     const RowList::KeyOf key_of = key;
-    // Before there is a layout: as many as the window can hold. Once the width is known the frame is built again.
+    // Before the first layout there are as many as fit into the window. Once the width is known the frame is built
+    // again.
     const ScrollState& known = ui.memory<ScrollState>(ui.id_of(label));
     const Metrics m = metrics_of(ui, known.view.x > 0 ? known.view.x : ui.window().x, options);
     RowList list(ui, label, selection, key_of,
@@ -120,7 +121,7 @@ ThumbnailEvents thumbnails(Ui& ui, std::string_view label, Selection& selection,
         for (std::size_t c = 0; c < m.columns && index < list.last(); ++c, ++index) {
             const Response star = put_cell(ui, list, index, item(index), m, options);
             if (star.clicked) starred = index;
-            if (star.hovered) hovered = index;  // it is over the picture still
+            if (star.hovered) hovered = index;  // the pointer is still over the picture
             if (star.pressed) ui.set_focus(list.area().id());
         }
         ui.close();

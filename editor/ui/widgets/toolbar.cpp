@@ -11,8 +11,7 @@ namespace {
 
 constexpr std::string_view more = "More...";
 
-/// Whether `item` is in the row, given that all of a rank above `most`, and of that rank those from `last` on, are in
-/// the menu.
+/// Which tools are in the menu: all with a rank above `most`, and those with rank `most` from index `last` on.
 struct Cut {
     int most;
     std::size_t last;
@@ -28,7 +27,7 @@ float width_of(const Ui& ui, std::span<const ToolItem> items, const Cut& cut) {
     return width;
 }
 
-/// Takes one after the other out of the row until it fits.
+/// Moves one tool after the other from the row into the menu until the row fits.
 Cut cut_for(Ui& ui, std::span<const ToolItem> items, float room) {
     Cut cut{0, items.size()};
     for (const ToolItem& item : items) cut.most = std::max(cut.most, item.rank);
@@ -43,8 +42,8 @@ Cut cut_for(Ui& ui, std::span<const ToolItem> items, float room) {
     return cut;
 }
 
-/// Whether `node`, just built, is a button that was pressed: what is chosen from a menu closes it. What is set there
-/// stays open.
+/// Whether `node`, just built, is a button that was pressed. A button in the menu closes it; other widgets leave it
+/// open.
 bool chosen(Ui& ui, const Node& node) {
     if (node.role != Role::button) return false;
     bool pressed = false;
@@ -96,7 +95,7 @@ void toolbar(Ui& ui, std::string_view label, float room, std::span<const ToolIte
         done |= chosen(ui, ui.last());
     }
     ui.close_overlay_node();
-    if (done && ui.overlay_on_top(name)) ui.close_overlay(name);  // not what the button opened
+    if (done && ui.overlay_on_top(name)) ui.close_overlay(name);  // but not an overlay that the button opened
 }
 
 }  // namespace lapfx::ui

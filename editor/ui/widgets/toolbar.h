@@ -1,4 +1,4 @@
-// Tools side by side, all of them within reach whatever the room: those that do not fit go into a menu, "More...".
+// Tools side by side. All of them can always be reached: those that do not fit go into a menu, "More...".
 //
 //     const std::array<ui::ToolItem, 2> items = {{{.width = u.em(8)}, {.width = ui::tool_width(u, "Fit"), .rank = 1}}};
 //     ui::toolbar(u, "Tools", width, items, [&](std::size_t item) { item == 0 ? overlay_choice(u) : fit_button(u); });
@@ -9,13 +9,13 @@
 namespace lapfx::ui {
 
 struct ToolItem {
-    float width = 0;   ///< px, as it is built; 0: it is not there
+    float width = 0;   ///< px, as it is built; 0: it is left out
     int rank = 0;      ///< the highest go into the menu first; of equal ones the last
-    bool end = false;  ///< from here on they stand at the end of the row
+    bool end = false;  ///< this tool and those after it are at the end of the row
 };
 
-/// `room`: px for the row; 0: not known yet, all are built in it. `build(item)`: each that is there, in the row or,
-/// while that is open, in the menu, one below the other; ids inside differ between the two.
+/// `room` is the width of the row, px; 0: it is not known yet, and all tools are built in the row. `build(item)` builds
+/// a tool in the row, or in the menu while that is open, one below the other. Ids inside differ between the two.
 void toolbar(Ui& ui, std::string_view label, float room, std::span<const ToolItem> items,
              const FunctionRef<void(std::size_t)>& build);
 

@@ -1,4 +1,4 @@
-// A preset of its own, open in the whole editor, and what is asked about it.
+// A fixture with a preset of the test's own, open in the whole editor, and with the questions that are asked about it.
 #pragma once
 
 #include "app/files.h"
@@ -19,7 +19,7 @@ class EditorDocument : public EditorTest {
         ui().frame();
     }
     double speed() { return editor().document.preset().bleeding.speed; }
-    /// A preset of the test's own, open and saved.
+    /// Opens a preset of the test's own and saves it.
     std::filesystem::path own_preset(const std::string& name = "own.json") {
         const std::filesystem::path file = folder() / name;
         Preset preset;

@@ -1,5 +1,5 @@
-// Tests of the whole editor: its panels driven by the names of what is on the screen, its preview drawn with OpenGL, no
-// window.
+// Tests of the whole editor, without a window: they drive its panels by the names of the widgets on the screen, and its
+// preview is drawn with OpenGL.
 //
 //     TEST_F(PresetPanel, SpeedIsDragged) {
 //         open_sample();
@@ -9,7 +9,7 @@
 //         EXPECT_GT(differing(before, picture(6)), 100);
 //     }
 //
-// Files of the user lie in a folder of the test's own, which goes with it.
+// Files of the user are in a folder of the test's own, which is removed at its end.
 #pragma once
 
 #include <filesystem>
@@ -27,17 +27,17 @@ class EditorTest : public GpuTest {
     void SetUp() override;
     void TearDown() override;
 
-    /// A new one, as if the program had been started again: with the same folders of the user.
+    /// Makes a new editor with the same folders of the user, as if the program had been started again.
     void start(glm::ivec2 size = {1440, 900}, bool exact = true);
-    void open_sample();  ///< samples/lagb.scene.json, standing at 0 s
+    void open_sample();  ///< samples/lagb.scene.json, stopped at 0 s
     void open(const std::vector<std::string>& files);
     void layout(std::string_view name);
 
-    std::function<double()> clock;  ///< of the editor that start() makes: EditorOptions::clock
+    std::function<double()> clock;  ///< EditorOptions::clock of the editor that start() makes
 
     app::Editor& editor() { return *editor_; }
     ui::Harness& ui() { return *ui_; }
-    const std::filesystem::path& folder() const { return folder_; }  ///< of the test, empty at first
+    const std::filesystem::path& folder() const { return folder_; }  ///< the test's folder, empty at first
     /// The preview at `time` s, as the view panel shows it.
     Image picture(double time);
     /// Pixels that differ by more than `tolerance` code values in any channel; all if the sizes differ.

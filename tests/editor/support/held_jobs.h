@@ -1,9 +1,9 @@
-// Keeps the threads of the editor's jobs busy, so that jobs that are started meanwhile wait, for as long as a test
-// likes. It is not listed among them. Only for an editor that does not wait for jobs itself: start(size, false).
+// Keeps the threads of the editor's jobs busy as long as a test likes, so that jobs started meanwhile have to wait. The
+// list of jobs does not show it. It is only for an editor that does not wait for jobs itself: start(size, false).
 //
 //     HeldJobs held(editor().jobs);
-//     open_sample();  // its organ is on its way
-//     held.let_go();  // and comes
+//     open_sample();  // its organ waits to be loaded
+//     held.let_go();  // and is loaded now
 #pragma once
 
 #include <latch>
@@ -30,14 +30,14 @@ class HeldJobs {
                                          },
                                          {}));
         begun->wait();
-        for (const auto& job : holders) job->cancel();  // what is cancelled is not listed
+        for (const auto& job : holders) job->cancel();  // cancelled jobs are not listed
     }
     ~HeldJobs() { let_go(); }
     void let_go() {
         if (gate_) gate_->count_down();
         gate_.reset();
     }
-    /// Of those that wait all but these are given up.
+    /// Cancels all waiting jobs except those whose names begin so.
     static void keep_only(app::Jobs& jobs, std::string_view begins) {
         for (const auto& job : jobs.running())
             if (!job->name().starts_with(begins)) job->cancel();

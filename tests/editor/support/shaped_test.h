@@ -1,4 +1,4 @@
-// The sample scene beside its reference, in windows of several sizes and scales.
+// A fixture with the sample scene and its reference, in windows of several sizes and scales.
 #pragma once
 
 #include "app/reference.h"

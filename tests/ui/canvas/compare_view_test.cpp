@@ -17,13 +17,13 @@ struct Flat : PickSource {
 };
 const Flat one(10), two(30);
 
-/// 200 x 100 pixels in 400 x 300 px: fitted at 2, upper left at 0, 50.
+/// Pictures of 200 x 100 pixels in 400 x 300 px: when fitted, their scale is 2 and their upper left corner is at 0, 50.
 struct Compared {
     CompareState state;
     CompareOptions options{.width = px(400), .height = px(300)};
     CompareResult last;
     int began = 0, changed = 0, committed = 0, cancelled = 0;
-    int picks = 0, under = -1;  // by the eyedropper, and which it was
+    int picks = 0, under = -1;  // by the eyedropper, and the picture it was in
     bool disabled = false;
     Harness ui{[this](Ui& u) {
         u.push_disabled(disabled);
@@ -77,7 +77,7 @@ TEST(CompareView, EachKindHasItsMode) {
 TEST(CompareView, BesideEachOtherBothShowTheSamePart) {
     Compared c;
     c.state.kind = CompareKind::side_by_side;
-    c.options.height = px(900);  // upright: below each other is larger
+    c.options.height = px(900);  // in a tall view pictures are larger one above the other
     c.ui.size = {640, 960};
     c.ui.frame();
     std::vector<Rect> images;
@@ -220,7 +220,7 @@ TEST(CompareView, TheLineMovesByKeysTheWayTheArrowsPoint) {
     EXPECT_NEAR(c.state.position, 0.51, 1e-9);
     c.ui.key(Key::left, Mods::shift);
     EXPECT_NEAR(c.state.position, 0.509, 1e-9);
-    c.state.angle = glm::half_pi<double>();  // level, the first picture above
+    c.state.angle = glm::half_pi<double>();  // the line is horizontal, the first picture above it
     c.state.position = 0.5;
     c.ui.frame().key(Key::down);
     EXPECT_NEAR(c.state.position, 0.51, 1e-9);
@@ -237,7 +237,7 @@ TEST(CompareView, TheLineIsTurnedAboutItsHandle) {
     c.ui.drag("Takes/Wipe angle", {-75, -75});
     EXPECT_NEAR(c.state.angle, glm::half_pi<double>(), 1e-3);
     EXPECT_NEAR(c.ui.value("Takes/Wipe angle"), 90, 0.1);
-    // Level now, through the pivot, which is in the middle of the height.
+    // The line is horizontal now. It goes through the pivot, which is in the middle of the height.
     EXPECT_NEAR(c.state.position, 0.5, 0.01);
     EXPECT_EQ(c.committed, 1);
 }
@@ -345,7 +345,7 @@ TEST(CompareView, PageKeysSetGainAndMix) {
 
 TEST(CompareView, ZoomAndPanAreOfBoth) {
     Compared c;
-    c.ui.wheel("Takes", {0, 2});  // over the handle: the view below takes it
+    c.ui.wheel("Takes", {0, 2});  // over the handle; the view below it takes the event
     EXPECT_EQ(c.ui.value("Takes"), 4);
     EXPECT_FALSE(c.state.view.fitted);
     c.ui.focus("Takes").type("0");

@@ -27,7 +27,7 @@ class CurveEditorTest : public testing::Test {
                    cancelled += edit.cancelled ? 1 : 0;
                },
                {640, 400}};
-    // Of the graph: 42 px on the left, 13 on the right and above, 22 below (frame_of()).
+    // The margins around the graph are 42 px on the left, 13 on the right and above, 22 below (frame_of()).
     glm::vec2 graph() const { return {640 - 42 - 13, 300 - 13 - 22}; }
     glm::vec2 at(double x, double y) const {
         return {42 + static_cast<float>(x) * graph().x, 13 + static_cast<float>(1 - y) * graph().y};

@@ -7,7 +7,7 @@
 namespace lapfx::ui {
 namespace {
 
-/// A grip that runs along 0..200 px for 0..100.
+/// A grip that moves along 0..200 px for the values 0..100.
 struct Grip {
     double value = 50;
     bool disabled = false;

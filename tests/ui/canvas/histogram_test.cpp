@@ -32,7 +32,7 @@ struct Shown {
     HistogramOptions options{.reset = {.low = 20, .high = 230}, .width = px(562)};
     bool log = false, disabled = false;
     HistogramResult last;
-    Edit low, high;  ///< all there was
+    Edit low, high;  ///< everything that was reported for each handle
     int began = 0, changed = 0, committed = 0, cancelled = 0;
     Harness ui{[this](Ui& u) {
         options.log_counts = &log;
@@ -45,7 +45,7 @@ struct Shown {
     }};
     std::string text_after_move(glm::vec2 to) { return ui.move(to).text("Luma"); }
 };
-constexpr float plot_left = 26, plot_width = 510;  // room for a grip on both sides; 2 px a code value
+constexpr float plot_left = 26, plot_width = 510;  // px: a grip has room on both sides; a level is 2 px wide
 
 TEST(Histogram, HandlesStandAtTheirValues) {
     Shown s;

@@ -8,7 +8,7 @@
 namespace lapfx::ui {
 namespace {
 
-/// Red is the column, green the row, blue half a code, alpha full.
+/// Red is the column, green the row, blue half a level, alpha full.
 struct Ramp : PickSource {
     glm::vec4 pixel(glm::ivec2 at) const override { return {at.x, at.y, 0.5F, 255}; }
 };
@@ -24,7 +24,7 @@ TEST(MeanOf, AveragesWhatIsInside) {
     EXPECT_EQ(mean_of(ramp, size, {-50, 5}, 3), glm::vec4(0));
 }
 
-/// 200 x 100 pixels in 400 x 300 px: fitted at 2, upper left at 0, 50.
+/// A picture of 200 x 100 pixels in 400 x 300 px: when fitted, its scale is 2 and its upper left corner is at 0, 50.
 struct Viewed {
     ViewState state;
     Picture picture{.image = 7, .size = {200, 100}, .pixels = &ramp};

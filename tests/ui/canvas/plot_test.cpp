@@ -21,7 +21,7 @@ struct Scene {
     PlotOptions options{
         .x_name = "Time", .x_unit = "s", .y_unit = "mm", .height = {SizeKind::px, 300}, .tip = "What was measured"};
     PlotResult result;
-    PlotResult all;  // of any build
+    PlotResult all;  // results of all builds together
     bool disabled = false;
 
     Scene() {
@@ -43,7 +43,7 @@ class PlotTest : public testing::Test {
   protected:
     Scene scene;
     Harness ui{[this](Ui& u) { scene(u); }, {640, 400}};
-    // Of 640 px: 4 margin, 50 labels (3.6 em), 8 and 4 on the right; see frame_of().
+    // The 640 px have a margin of 4 px and 50 px for labels (3.6 em) on the left, 8 and 4 px on the right (frame_of()).
     static constexpr float left = 54, right = 628, top = 25, bottom = 278;
     static float x_px(double x, double low, double high) {
         return left + static_cast<float>((x - low) / (high - low)) * (right - left);
@@ -78,7 +78,7 @@ TEST_F(PlotTest, DragPansAndEscapeGivesBack) {
     EXPECT_FALSE(scene.state.fitted);
     EXPECT_TRUE(scene.all.moved);
     const Span before = scene.state.x;
-    ui.frame(0.5);  // else it were a double click
+    ui.frame(0.5);  // otherwise it would be a double click
     ui.send({.kind = EventKind::press, .at = middle()});
     ui.drag_by({80, 30});
     EXPECT_NE(scene.state.x, before);

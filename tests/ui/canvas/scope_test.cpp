@@ -119,7 +119,7 @@ TEST(ScopeImage, KeepsOneImageAndGivesItBack) {
     EXPECT_EQ(store.find(own_images), nullptr);
 }
 
-/// 512 px a side at 2 px a code value; the key's Cb and Cr are 0 unless set.
+/// A square of 512 px, 2 px for each level. The key's Cb and Cr are 0 unless set.
 struct Shown {
     KeyCircles key{.color = {128, 128, 128}, .chroma_low = 40, .chroma_high = 80, .reset_low = 10, .reset_high = 90};
     VectorscopeOptions options{.width = px(512), .height = px(512)};
@@ -236,7 +236,7 @@ TEST(Vectorscope, SteadyFramesAndDragsAllocateNothing) {
 
 TEST(Waveform, ReadsOutTheLumaUnderThePointer) {
     Harness ui([](Ui& u) { waveform(u, "Luma", 9, {.width = px(300), .height = px(270)}); });
-    // Half an em above and below: 256 px of 256 codes from 7 to 263.
+    // There is half an em above and below: the 256 levels are the 256 px from 7 to 263.
     ui.move({100, 7.5F});
     EXPECT_EQ(ui.text("Luma"), "Y 255");
     ui.move({100, 262.5F});

@@ -28,7 +28,7 @@ class TimelineTest : public testing::Test {
     TimelineOptions options{.length = 10, .rate = 25, .tip = "When what happens"};
     TimelineEdit last;
     int began = 0, committed = 0, cancelled = 0;
-    bool open = false, mistaken = false;  ///< a gesture; one within another, or that ended twice
+    bool open = false, mistaken = false;  ///< a gesture is open; one began within another or ended twice
     bool disabled = false;
     Harness ui{[this](Ui& u) {
                    u.push_disabled(disabled);
@@ -41,7 +41,7 @@ class TimelineTest : public testing::Test {
                    }
                },
                {643, 300}};
-    // Of 643 px 143 are names (10.2 em), so that a second is 50 px; the ruler is 25 px high, a lane 27.
+    // Names take 143 of the 643 px (10.2 em), so that a second is 50 px. The ruler is 25 px high, a lane 27 px.
     static constexpr float left = 143, second = 50;
     static glm::vec2 at(double t, float y = 10) { return {left + static_cast<float>(t) * second, y}; }
     Harness& press_at(glm::vec2 place, Mods mods = Mods::none, Button button = Button::left) {

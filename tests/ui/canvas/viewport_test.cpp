@@ -26,7 +26,7 @@ struct Shown {
         most_clicks = std::max<int>(most_clicks, last.clicks);
         if (last.dragging) button = last.button;
         for (const ViewportKey& key : last.keys) keys.push_back(key.key);
-        last.keys = {};  // of this frame's arena
+        last.keys = {};  // they are in this frame's arena
     }};
 };
 

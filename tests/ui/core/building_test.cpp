@@ -1,4 +1,4 @@
-// Ids from build to build: the same widget keeps its own, wherever it comes to stand.
+// Ids from build to build: a widget keeps its id when its place changes.
 #include "ui/core/building.h"
 
 #include <gmock/gmock.h>
@@ -9,15 +9,15 @@
 namespace lapfx::ui {
 namespace {
 
-/// A column of buttons, and where each of them was before it was shown so.
+/// A column of buttons, with the place that each had in the frame before.
 struct Buttons {
     std::vector<std::string> names;
     std::vector<Id> ids;
-    std::vector<float> before;  ///< y; -1: it was not there
+    std::vector<float> before;  ///< y; -1: it did not exist
     Harness ui{[this](Ui& u) {
         const Column column(u);
         ids.clear();
-        const bool first = before.empty();  // build of its frame
+        const bool first = before.empty();  // build of this frame
         for (const std::string& name : names) {
             button(u, name);
             ids.push_back(u.last().id);
@@ -59,7 +59,7 @@ TEST(Building, AWidgetKnowsWhereItWasThoughItStandsElsewhere) {
     EXPECT_THAT(b.before, testing::ElementsAre(c, -1, a));
     const float d = b.ui.rect("D").y;
     b.show({"D", "C"});
-    EXPECT_THAT(b.before, testing::ElementsAre(d, a));  // C stood where A had been
+    EXPECT_THAT(b.before, testing::ElementsAre(d, a));  // C was at the place that A had
     b.show({"A"});
     EXPECT_THAT(b.before, testing::ElementsAre(-1)) << "it was not in the build before";
 }
@@ -68,7 +68,7 @@ TEST(Building, TwoOfOneLabelHaveTwoIdsInEveryOrder) {
     Buttons b;
     b.show({"Other", "Same"});
     const Id same = b.id_of("Same");
-    b.show({"Same", "Same"});  // the second stands where the only one stood
+    b.show({"Same", "Same"});  // the second is at the place of the only one before
     EXPECT_EQ(b.ids[0], same);
     EXPECT_NE(b.ids[1], same);
     EXPECT_EQ(b.ui.ui().duplicates(), 1U);

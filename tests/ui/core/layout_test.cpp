@@ -116,7 +116,7 @@ TEST(Layout, APlacedChildTakesNoRoomFromTheOthers) {
     EXPECT_EQ(ui.rect("Handle"), (Rect{93, 46, 8, 8}));
 }
 
-/// Random trees: children not before their parents, neighbours that never overlap, everything on whole px.
+/// Random trees: children do not begin before their parents, neighbours never overlap, and everything is on whole px.
 class RandomTree {
   public:
     explicit RandomTree(unsigned seed) : seed_(seed) {}

@@ -63,7 +63,7 @@ TEST(Ui, HiddenPartsOfLabelsTellWidgetsApart) {
         right += button(u, "Fit##right") ? 1 : 0;
     });
     EXPECT_EQ(ui.ui().duplicates(), 0U);
-    EXPECT_THROW(ui.click("Fit"), std::invalid_argument);  // two of them: a test must say which
+    EXPECT_THROW(ui.click("Fit"), std::invalid_argument);  // there are two: a test must say which one
 }
 
 TEST(Ui, ALabelMayChangeBehindThreeMarks) {
@@ -247,7 +247,7 @@ TEST(Ui, AKeyThatMovesTheFocusDoesNotTypeThere) {
     EXPECT_EQ(ui.focused(), "Field");
     EXPECT_EQ(typed, U"");
     ui.type("a b");
-    ui.send({.kind = EventKind::text, .codepoint = U'\u00e9'});  // of an input method: no key before it
+    ui.send({.kind = EventKind::text, .codepoint = U'\u00e9'});  // from an input method: no key came before it
     EXPECT_EQ(typed, U"a b\u00e9");
 }
 

@@ -28,7 +28,7 @@ class RendererTest : public GlTest {
         canvas.emplace(size);
         renderer.emplace();
     }
-    /// Onto opaque black.
+    /// The picture after drawing onto opaque black.
     Picture drawn(const std::function<void(Painter&)>& draw) {
         painter.start(size);
         draw(painter);
@@ -55,7 +55,7 @@ class RendererTest : public GlTest {
 inline const std::vector<std::uint8_t> red_green_blue_white{255, 0, 0,   255, 0,   255, 0,   255,
                                                             0,   0, 255, 255, 255, 255, 255, 255};
 
-/// Around all that is not black.
+/// The rectangle around all pixels that are not black.
 inline Rect bounds_of(const Picture& picture) {
     glm::vec2 low(1e6F), high(0);
     for (int y = 0; y < picture.rows; ++y) {

@@ -84,7 +84,7 @@ TEST_F(RendererTest, AnImageThatWasRemovedIsBlackAndItsSuccessorIsItself) {
 
 class CompareTest : public RendererTest {
   protected:
-    /// 80 by 40, the first picture at full red 200, the second at 40 and green 100.
+    /// A comparison of 80 by 40 px. The first picture is red 200, the second red 40 and green 100.
     Picture compared(const CompareLook& look) {
         const ImageHandle first = images.add({1, 1}, std::vector<std::uint8_t>{200, 0, 0, 255});
         const ImageHandle second = images.add({1, 1}, std::vector<std::uint8_t>{40, 100, 0, 255});

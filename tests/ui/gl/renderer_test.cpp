@@ -9,7 +9,7 @@
 namespace lapfx::ui::test {
 namespace {
 
-/// Of the red channel, in whole pixels' worth.
+/// The sum of the red channel; a full pixel counts as 1.
 double red_sum(const Picture& picture) {
     return cv::sum(picture)[0] / 255;
 }
@@ -246,7 +246,7 @@ TEST_F(RendererTest, ClearsComeFirstInOrderFromTheTop) {
 
 // --- text ---
 
-/// Over white; what is there where the glyph's texel is fully inked is `full`.
+/// Expects each pixel of a glyph to have the value that `expected` gives for the ink of its texel, 0..1.
 void expect_glyph(const Picture& picture, const Instance& glyph, glm::ivec2 at_px, const Atlas& atlas,
                   const std::function<double(double)>& expected) {
     int inked = 0;
@@ -296,7 +296,7 @@ TEST_F(RendererTest, GlyphsThatComeLaterAreSentAndOnlyTheirRows) {
     const Picture late = drawn([&](Painter& p) { p.text({0, 0, 120, 20}, "xyz", p.text_style(), white); });
     EXPECT_LT(renderer->last().bytes, fonts.atlas().pixels.size() / 4);
     EXPECT_GT(red_sum(late), 20);
-    Renderer other;  // has the whole atlas to fetch, though nothing in it is new
+    Renderer other;  // it has to fetch the whole atlas, although nothing in it is new
     canvas->fill(black);
     other.draw(list, fonts, &images, canvas->framebuffer());
     EXPECT_EQ(cv::norm(canvas->read(), late, cv::NORM_INF), 0);
@@ -403,7 +403,7 @@ TEST_F(RendererTest, AShaderThatCompilesIsUsedAtOnce) {
     while (glGetError() != GL_NO_ERROR) {
     }
     EXPECT_EQ(at(drawn(draw), 70, 30), green);
-    while (glGetError() != GL_NO_ERROR) {  // uniforms that this shader does without
+    while (glGetError() != GL_NO_ERROR) {  // for uniforms that this shader does not have
     }
 }
 

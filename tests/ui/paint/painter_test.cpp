@@ -160,7 +160,7 @@ TEST_F(PainterTest, ClipsAreCutToTheOneAroundAndShareOneTable) {
     painter.push_clip({-10, 20, 50, 500});
     EXPECT_EQ(painter.clip(), Rect(0, 20, 40, 80));
     painter.fill({0, 20, 10, 10}, red);
-    painter.push_clip({0, 0, 1000, 1000});  // all of it
+    painter.push_clip({0, 0, 1000, 1000});  // larger than everything
     painter.fill({0, 30, 10, 10}, red);
     painter.pop_clip();
     painter.pop_clip();
@@ -394,7 +394,7 @@ TEST_F(PainterTest, EveryFieldOfEveryPartMakesAnotherPicture) {
     };
     turn_bits(&other.instances[0], sizeof(Instance));
     turn_bits(&other.instances[4], sizeof(Instance));
-    turn_bits(&other.clips[0], sizeof(float) - 1);  // the sign of a zero makes no other picture
+    turn_bits(&other.clips[0], sizeof(float) - 1);  // the sign of a zero does not change the picture
     turn_bits(&other.clears[0].color, sizeof(Color));
     turn_bits(&other.batches[0], sizeof(Batch));
     turn_bits(&other.size, sizeof(other.size));

@@ -1,4 +1,4 @@
-// A file dialog on folders that are nowhere, driven by the names of what is on the screen.
+// A file dialog on made-up folders, driven by the names of the widgets on the screen.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@ namespace lapfx::ui {
 
 struct MadeUpFiles : FileSystem {
     std::map<std::string, std::vector<FileEntry>> folders;
-    std::map<std::string, std::string> faults;  ///< of a folder; with "/+" behind it: of making one in it
+    std::map<std::string, std::string> faults;  ///< by folder; with "/+" at its end, the fault of making a folder in it
     std::vector<std::string> listed;
     std::string list(const std::string& folder, std::vector<FileEntry>& entries) override {
         listed.push_back(folder);

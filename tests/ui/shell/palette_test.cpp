@@ -108,7 +108,7 @@ TEST_F(PaletteItems, AreFoundByTheirWordsAndChosen) {
     EXPECT_THAT(chosen, ElementsAre(1U));
     EXPECT_FALSE(list.exists("Command palette"));
     open_palette(list.ui());
-    list.frame().frame().type("sa");  // letters of "Save"; no item has them
+    list.frame().frame().type("sa");  // letters of "Save" that no item has
     EXPECT_FALSE(list.exists("**/Haze: Suction"));
     list.key(Key::enter);
     EXPECT_THAT(ran, ElementsAre("save"));

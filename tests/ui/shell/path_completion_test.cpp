@@ -194,7 +194,7 @@ TEST_F(PathCompletionTest, TypingInTheShownFolderReadsNothing) {
     EXPECT_THAT(files.listed, ElementsAre("/", "/home", "/home/u/plates")) << "once, not with every letter";
 }
 
-/// Reads folders when it is told to.
+/// Folders are read only when the test says so.
 class SlowFolders : public PathCompletionTest {
   protected:
     SlowFolders() : PathCompletionTest([this](std::function<void()> work) { waiting.push_back(std::move(work)); }) {}

@@ -33,7 +33,7 @@ std::size_t allocated_bytes_so_far() {
 
 }  // namespace lapfx::test
 
-// The other forms (arrays, nothrow) are by the standard made of these.
+// By the standard, the other forms (arrays, nothrow) call these.
 void* operator new(std::size_t size) {
     return allocate(size, 1);
 }

@@ -12,7 +12,7 @@ EGLDisplay surfaceless_display() {
     return eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
 }
 
-/// Of a driver that is not Mesa.
+/// The display of a driver that is not Mesa.
 EGLDisplay device_display() {
     const auto query = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
     EGLDeviceEXT device = nullptr;
@@ -31,7 +31,7 @@ bool make_current(EGLDisplay display) {
     return context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE;
 }
 
-/// Never undone: the process ends with it.
+/// The context is never destroyed: it exists until the process ends.
 std::string make_context() {
     if (!make_current(surfaceless_display()) && !make_current(device_display())) {
         return "EGL gives no OpenGL 4.5 core context without a window";

@@ -1,5 +1,5 @@
-// Tests of the toolkit that need OpenGL: one context without a window for the whole process, made through EGL; without
-// one they skip and say why. Nothing of the effects core.
+// A fixture for tests of the toolkit that need OpenGL. EGL makes one context without a window for the whole process; if
+// it cannot, the tests are skipped and say why. It uses nothing of the effects core.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 
 namespace lapfx::ui::test {
 
-/// Empty when there is an OpenGL 4.5 core context, which then is current; else why there is none.
+/// Empty when there is an OpenGL 4.5 core context, which is then current; otherwise the reason why there is none.
 std::string missing_context();
 
 class GlTest : public testing::Test {

@@ -1,4 +1,4 @@
-// A framebuffer to draw into and its pixels as a picture that can be looked at, compared and written.
+// A framebuffer to draw into, and its pixels as a picture that tests read, compare and write.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,7 +8,7 @@
 
 namespace lapfx::ui::test {
 
-/// RGBA8, rows from the top as the UI counts them; read with at().
+/// RGBA8. Rows begin at the top, as in the UI. Read it with at().
 using Picture = cv::Mat4b;
 
 inline Color at(const Picture& picture, int x, int y) {
@@ -34,9 +34,9 @@ class Canvas {
     unsigned framebuffer_ = 0, texture_ = 0;
 };
 
-/// As PNG, overwriting; throws std::runtime_error when it cannot be written.
+/// Writes a PNG over any older file. Throws std::runtime_error when it cannot be written.
 void write_png(const Picture& picture, const std::string& path);
-/// RGBA; empty when there is none.
+/// Reads a PNG as RGBA; empty when there is no such file.
 Picture read_png(const std::string& path);
 
 }  // namespace lapfx::ui::test

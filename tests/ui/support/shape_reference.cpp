@@ -20,7 +20,7 @@ Color color_at(const Instance& instance, int at) {
             static_cast<std::uint8_t>(high & 255), static_cast<std::uint8_t>(high >> 8)};
 }
 
-/// Signed, px: from a point to the outline of a rectangle whose corners are rounded; negative inside.
+/// The signed distance, px, from a point to the outline of a rectangle with rounded corners; negative inside.
 double distance_to_box(glm::dvec2 p, const Instance& box, double radius) {
     const glm::dvec2 low(box.x + radius, box.y + radius), high(box.x + box.w - radius, box.y + box.h - radius);
     const glm::dvec2 nearest = glm::clamp(p, low, high);

@@ -1,4 +1,4 @@
-// What the renderer's shapes are to look like, worked out pixel by pixel in plain C++.
+// How the renderer's shapes have to look, computed pixel by pixel in plain C++.
 #pragma once
 
 #include "ui/draw/draw_list.h"
@@ -6,8 +6,8 @@
 
 namespace lapfx::ui::test {
 
-/// Clears, fills, frames, lines, gradients, checkers and shadows; nothing thinner than a pixel. Blended in 8 bits, one
-/// after the other.
+/// Draws clears, fills, frames, lines, gradients, checkers and shadows, none thinner than a pixel. They are blended in
+/// 8 bits, one after the other.
 Picture reference_picture(const DrawList& list);
 
 }  // namespace lapfx::ui::test

@@ -17,7 +17,7 @@ glm::vec2 middle(const Rect& r) {
     return r.at() + r.size() * 0.5F;
 }
 
-/// Whether nothing under it is seen.
+/// Whether it hides everything under it.
 bool covers(const Instance& i) {
     switch (i.kind) {
         case InstanceKind::fill:
@@ -32,7 +32,7 @@ bool covers(const Instance& i) {
     }
 }
 
-/// Ellipses of all sizes and weights that the toolkit draws.
+/// The glyphs of ellipses in all sizes and weights that the toolkit draws.
 class Ellipses {
   public:
     Ellipses(Fonts& fonts, float em) {
@@ -69,14 +69,14 @@ std::string place_of(std::span<const Node> tree, const TextSeen& text) {
            box_text(text.rect);
 }
 
-/// Whether one scrolls it, along `axis`.
+/// Whether the node is in a scroll area that scrolls along `axis`.
 bool scrolled(std::span<const Node> tree, std::uint32_t node, int axis) {
     for (; node != no_node; node = tree[node].parent)
         if (tree[node].scrolls[axis]) return true;
     return false;
 }
 
-/// A control that is called by what is written on it.
+/// Whether this is a control whose name is the text on it.
 bool is_label_of_control(Role role) {
     switch (role) {
         case Role::button:
@@ -93,7 +93,7 @@ bool is_label_of_control(Role role) {
     }
 }
 
-/// Panes that one pans: what is at their edges may be cut.
+/// Panes that a person pans: texts at their edges may be cut.
 bool is_panned(Role role) {
     return role == Role::timeline || role == Role::plot || role == Role::curve || role == Role::canvas ||
            role == Role::image || role == Role::text_field || role == Role::search_field;
@@ -125,7 +125,7 @@ std::vector<TextSeen> texts_seen(const DrawList& list, Fonts& letters, float em)
                 continue;
             }
             if (!rect.overlaps(clip) || i.color.a == 0) continue;
-            // A line goes on to the right, in one colour.
+            // A glyph belongs to the same line if it has the same colour and follows to the right.
             const bool on = last != nullptr && std::memcmp(&last->color, &i.color, sizeof i.color) == 0 &&
                             i.clip == last->clip && i.x > last->x - 0.1F * em && i.x < last->x + last->w + em &&
                             i.y < last->y + last->h + em && i.y + i.h > last->y - em;
@@ -151,7 +151,7 @@ std::uint32_t node_of(std::span<const Node> tree, const TextSeen& text) {
     std::uint32_t found = no_node;
     for (std::uint32_t i = 0; i < tree.size(); ++i) {
         const Node& node = tree[i];
-        // A splitter is drawn over what lies at its sides and has no text of its own.
+        // A splitter has no text of its own and is drawn over its neighbours.
         if (node.label.empty() || node.role == Role::splitter || !node.seen().contains(middle(text.rect))) continue;
         if (found == no_node || node.layer > tree[found].layer ||
             (node.layer == tree[found].layer && (node.role != Role::none || tree[found].role == Role::none)))
@@ -162,7 +162,7 @@ std::uint32_t node_of(std::span<const Node> tree, const TextSeen& text) {
 
 std::vector<std::string> texts_over_texts(std::span<const Node> tree, const std::vector<TextSeen>& texts, float em) {
     std::vector<std::string> found;
-    const float least = 0.12F * em;  // letters of one line come nearer, and so do those of lines that follow each other
+    const float least = 0.12F * em;  // letters of a line overlap by less, and so do successive lines
     for (std::size_t a = 0; a < texts.size(); ++a)
         for (std::size_t b = a + 1; b < texts.size(); ++b) {
             const Rect both = intersect(texts[a].rect, texts[b].rect);

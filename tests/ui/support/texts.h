@@ -1,8 +1,8 @@
-// What becomes of texts in a frame, read from its draw list: which of them lie over each other, which are cut.
+// Finds texts in a frame that are drawn over each other or cut. It reads them from the frame's draw list.
 //
 //     EXPECT_THAT(texts_over_texts(*ui.output().list), IsEmpty());
 //
-// A text that something opaque covers is not seen and does not count: what lies under a menu, a dialog or a tooltip.
+// A text that something opaque covers, such as a menu, a dialog or a tooltip, is not visible and does not count.
 #pragma once
 
 #include <string>
@@ -14,23 +14,25 @@
 
 namespace lapfx::ui {
 
-/// One line of text as it is seen.
+/// One visible line of text.
 struct TextSeen {
-    Rect rect;                 ///< px, of its glyphs as far as they are not clipped away
+    Rect rect;                 ///< px, around the visible parts of its glyphs
     std::vector<Rect> glyphs;  ///< px, not clipped
     Rect clip;
     bool elided = false;  ///< it ends in an ellipsis
 };
-/// `em`: px, by which the ellipsis of every size of text is known. `letters`: the fonts that the frame was drawn with.
+/// `em`, px, is used to recognise the ellipses of all sizes of text. `letters` are the fonts that the frame was drawn
+/// with.
 std::vector<TextSeen> texts_seen(const DrawList& list, Fonts& letters, float em);
 
-/// The path of the innermost node whose text is in the middle of `text`; of those, the one that was built last.
+/// The innermost node with a label at the middle of `text`; if there are several, the one that was built last.
 std::uint32_t node_of(std::span<const Node> tree, const TextSeen& text);
 
-/// Each a line: the paths of two texts that are drawn over each other, and where.
+/// A line for each pair of texts that are drawn over each other: their paths and places.
 std::vector<std::string> texts_over_texts(std::span<const Node> tree, const std::vector<TextSeen>& texts, float em);
-/// Each a line: controls whose label ends in an ellipsis, values of which it leaves at most a letter, and texts of
-/// which a clip takes a part of a letter at the side or a part of their height, other than where one scrolls there.
+/// A line for each text that is cut: labels of controls that end in an ellipsis, values of which the ellipsis leaves at
+/// most one letter, and texts of which a clip cuts off part of a letter at the side or part of their height. The last
+/// do not count where a person can scroll there.
 std::vector<std::string> cut_texts(std::span<const Node> tree, const std::vector<TextSeen>& texts, float em);
 
 }  // namespace lapfx::ui

@@ -1,4 +1,4 @@
-// The finder of overlapping texts is itself tried, on what it has to find.
+// Tests of the finder of overlapping texts, on texts that it has to find.
 #include "ui/support/texts.h"
 
 #include <gmock/gmock.h>

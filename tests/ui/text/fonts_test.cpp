@@ -14,7 +14,7 @@
 namespace lapfx::ui {
 namespace {
 
-const FontOptions fixed{.hinting = Hinting::slight};  // whatever the host has set
+const FontOptions fixed{.hinting = Hinting::slight};  // settings of the host are ignored
 
 class Text : public testing::Test {
   protected:
@@ -155,13 +155,13 @@ TEST_F(Text, ACombiningMarkSharesTheStopOfItsLetter) {
     EXPECT_EQ(run.width, width("a\xc3\xa9z")) << "and looks like the letter made in one";
     const ui::Run& lone = fonts.run("\xcc\x81", {});
     EXPECT_EQ(bytes_of_stops(lone), (std::vector<std::uint32_t>{0, 2}));
-    // Even where the mark comes from a font and the letter, U+10FFFE, from none.
+    // This holds even where a font has the mark, but none has the letter, U+10FFFE.
     const ui::Run& mixed = fonts.run("\xf4\x8f\xbf\xbe\xcc\x81z", {});
     EXPECT_EQ(bytes_of_stops(mixed), (std::vector<std::uint32_t>{0, 6, 7}));
 }
 
 TEST_F(Text, MarksStandAboveTheirLetter) {
-    const ui::Run& run = fonts.run("x\xcc\x84", {.size = 40});  // no letter made in one exists: x with macron
+    const ui::Run& run = fonts.run("x\xcc\x84", {.size = 40});  // x with macron, which does not exist as one code point
     ASSERT_EQ(run.glyphs.size(), 2U);
     const Instance &letter = run.glyphs[0], &mark = run.glyphs[1];
     EXPECT_LT(mark.y + mark.h, letter.y);
@@ -169,7 +169,7 @@ TEST_F(Text, MarksStandAboveTheirLetter) {
 }
 
 TEST_F(Text, EveryInvalidByteIsAStopAndAReplacement) {
-    // A byte that starts nothing, a sequence cut short, an overlong slash, a surrogate.
+    // A byte that cannot start a character, a sequence cut short, an overlong slash, a surrogate.
     const std::string_view text =
         "a\xff\xe2\x82"
         "b\xc0\xaf\xed\xa0\x80";
@@ -203,7 +203,7 @@ TEST_F(Text, WhatNoFontHasIsABoxWithItsNumber) {
     const std::string_view first = "\xf4\x8f\xbf\xbe", second = "\xf4\x8f\xbf\xbd";  // U+10FFFE and U+10FFFD
     const ui::Run& run = fonts.run(first, {});
     ASSERT_EQ(run.glyphs.size(), 1U);
-    EXPECT_EQ(run.glyphs[0].w, 15);  // three digits of 3 px, a px between all, a px of frame
+    EXPECT_EQ(run.glyphs[0].w, 15);  // three digits of 3 px, 1 px around each, 1 px of frame
     EXPECT_EQ(run.glyphs[0].h, 15);
     EXPECT_EQ(bytes_of_stops(run), (std::vector<std::uint32_t>{0, 4}));
     EXPECT_GE(run.width, 17);
@@ -224,7 +224,7 @@ TEST_F(Text, MetricsAreWholePixels) {
         EXPECT_EQ(m.ascent, std::round(m.ascent));
         EXPECT_EQ(m.descent, std::round(m.descent));
         EXPECT_GE(m.height, m.ascent + m.descent);
-        EXPECT_NEAR(m.ascent, size * 0.96875F, 0.51F);  // Inter's 1984 of 2048
+        EXPECT_NEAR(m.ascent, size * 0.96875F, 0.51F);  // 1984 of 2048 units in Inter
     }
 }
 
@@ -267,7 +267,7 @@ TEST_F(Text, SmallLettersAreEvenlySpaced) {
     }
     ASSERT_EQ(centers.size(), 12U);
     for (std::size_t i = 0; i < centers.size(); ++i) {
-        EXPECT_NEAR(centers[i] - centers[0], run.stops[i].x, 0.26) << i;  // two halves of a quarter px
+        EXPECT_NEAR(centers[i] - centers[0], run.stops[i].x, 0.26) << i;  // twice the rounding to quarters of a px
     }
 }
 
@@ -352,7 +352,7 @@ TEST_F(Text, TheAtlasTellsWhatHasChanged) {
     EXPECT_EQ(atlas.resets, 0U);
 }
 
-/// Large letters, each of its own size: more than the atlas can hold.
+/// Makes large letters, each in another size: more than fit into the atlas.
 void fill_atlas(Fonts& fonts, int glyphs) {
     for (int i = 0; i < glyphs; ++i) {
         const char letter[] = {static_cast<char>('A' + i % 26), 0};
@@ -417,7 +417,7 @@ TEST_F(Text, AMegabyteIsCutToWhatARunHolds) {
     EXPECT_EQ(run.x_of(999'999), run.width);
 
     std::string wide = "ab";
-    while (wide.size() < 1'000'000) wide += "\xe2\x82\xac";  // euro signs: the limit falls into one
+    while (wide.size() < 1'000'000) wide += "\xe2\x82\xac";  // euro signs; the limit is inside one of them
     EXPECT_EQ(fonts.run(wide, {}).stops.back().byte, 2 + (max_run_bytes - 2) / 3 * 3);
 }
 

@@ -9,7 +9,8 @@ namespace lapfx::ui {
 namespace {
 
 TEST(IndexTable, AgreesWithAMapWhateverIsPutInAndTakenOut) {
-    // Few different hashes, many of them neighbours around the end of the table: chains that wrap and shift.
+    // There are few different hashes, many of them neighbours around the end of the table, so that chains wrap and
+    // shift.
     IndexTable table(16);
     std::map<std::uint64_t, std::uint32_t> expected;
     std::mt19937 random(7);

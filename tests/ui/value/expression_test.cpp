@@ -276,7 +276,7 @@ TEST(Expression, AnyBytesGiveANumberOrAFaultWithinThem) {
     }
 }
 
-/// A sum of products in plain C++, written out with spaces by chance: the parser has to agree.
+/// Computes a sum of products in plain C++ and writes it out with random spaces. The parser has to find the same value.
 TEST(Expression, RandomSumsAgreeWithTheirValue) {
     std::mt19937 random(3);
     for (int i = 0; i < 100000; ++i) {

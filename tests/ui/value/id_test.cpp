@@ -27,7 +27,7 @@ TEST(HashBytes, DiffersForEveryByteAndLength) {
 TEST(HashBytes, SpreadsNumbersOverTheLowBits) {
     std::set<std::uint64_t> slots;
     for (int i = 0; i < 1000; ++i) slots.insert(hash_bytes(14, std::to_string(i) + ".25") & 0xffff);
-    EXPECT_GT(slots.size(), 970U);  // 992 expected of an even spread
+    EXPECT_GT(slots.size(), 970U);  // an even spread gives about 992
 }
 
 }  // namespace

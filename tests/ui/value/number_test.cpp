@@ -29,7 +29,7 @@ std::string time(double seconds, int decimals) {
     return std::string(format_time(buffer, seconds, decimals));
 }
 
-/// Of all sizes, both signs.
+/// A random number of any size, with either sign.
 double any_number(std::mt19937_64& random) {
     std::uniform_real_distribution<double> exponent(-12, 14), sign(-1, 1);
     return std::copysign(std::pow(10.0, exponent(random)), sign(random));
@@ -104,7 +104,7 @@ TEST(FormatNumber, ShortNumbersAreThoseOfToChars) {
     for (int i = 0; i < 200000; ++i) {
         const int decimals = static_cast<int>(random() % 8);
         double value = mantissa(random) * std::pow(10.0, exponent(random));
-        if (i % 3 == 0) value = std::round(value * 8) / 8;  // halves that have to go to the even digit
+        if (i % 3 == 0) value = std::round(value * 8) / 8;  // halves, which have to be rounded to the even digit
         const auto end = std::to_chars(theirs, theirs + sizeof theirs, value, std::chars_format::fixed, decimals).ptr;
         std::string expected(theirs, end);
         if (expected.find_first_of("123456789") == expected.npos && expected.starts_with('-')) expected.erase(0, 1);
@@ -145,7 +145,7 @@ TEST(FormatTime, ReadsAsAClock) {
     EXPECT_EQ(time(not_a_number, 1), "nan");
 }
 
-/// Ranges as parameters have them, and stranger ones.
+/// A random range, such as parameters have, or a stranger one.
 ValueRange any_range(std::mt19937_64& random) {
     const auto uniform = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
@@ -279,7 +279,7 @@ TEST(Roundest, PrefersFewDigitsThenHalves) {
     EXPECT_EQ(roundest(1.234567, 1.234567), 1.234567);
 }
 
-/// Digits after which a decimal number has only zeros: what people take for roundness.
+/// The number of digits before a decimal number has only zeros. People call a number round if there are few.
 std::size_t digits_of(double value) {
     std::array<char, 32> buffer;
     const auto end =
@@ -304,7 +304,8 @@ TEST(Roundest, IsWithinAndHasTheFewestDigits) {
             ASSERT_EQ(round, 0);
             continue;
         }
-        for (int k = 0; k < 4 && i % 5 != 0 && high - low > 1e-14 * std::abs(high); ++k) {  // else digits end
+        // In a narrower range a double has too few digits for other numbers.
+        for (int k = 0; k < 4 && i % 5 != 0 && high - low > 1e-14 * std::abs(high); ++k) {
             const double other = std::strtod(
                 number(std::uniform_real_distribution<double>(low, high)(random), static_cast<int>(random() % 9))
                     .c_str(),

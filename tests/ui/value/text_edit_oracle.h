@@ -1,5 +1,5 @@
-// What TextEdit should do, said again over characters: a vector of them, each with its code points, and a history of
-// whole snapshots. Slow and plain.
+// A second, slow and simple version of TextEdit: a vector of characters, each with its code points, and a history of
+// whole snapshots.
 #pragma once
 
 #include <algorithm>
@@ -109,13 +109,13 @@ class TextEditOracle {
         for (const char32_t c : text) append(out, c);
         return out;
     }
-    /// Only for the code points that the tests use.
+    /// Whether a character begins at `at`. Handles only the code points that the tests use.
     static bool boundary(const std::u32string& text, std::size_t at) {
         if (at == 0 || at >= text.size() || text[at - 1] == '\t') return true;
         const char32_t c = text[at];
         if (c == 0x301 || c == 0xFE0F || c == 0x200D) return false;
         if (text[at - 1] != 0x200D || c != 0x1F469) return true;
-        std::size_t tied = at - 1;  // a picture, marks that stand on it, a joiner, a picture: one character
+        std::size_t tied = at - 1;  // a picture with marks, a joiner and a picture are one character
         while (tied > 0 && (text[tied - 1] == 0x301 || text[tied - 1] == 0xFE0F)) --tied;
         return tied == 0 || text[tied - 1] != 0x1F469;
     }

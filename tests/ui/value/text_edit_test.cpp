@@ -303,8 +303,8 @@ TEST(TextEdit, UndoGoesBackToTheStartAndRedoToTheEnd) {
     }
 }
 
-// Where a flag begins depends on all the flags before it in the row: a step back counts them, so a word must not take
-// one for each.
+// The place where a flag begins depends on all flags before it in the row. A step back counts them, so moving by a word
+// must not make one step for each flag.
 TEST(TextEdit, ARowOfFlagsIsOneWordHoweverLong) {
     std::string flags;
     while (flags.size() < (1U << 20)) flags += "\xF0\x9F\x87\xA9\xF0\x9F\x87\xAA";

@@ -15,7 +15,7 @@ std::string encoded(std::u32string_view text) {
     return out;
 }
 
-/// Where characters begin, and the end: walked forwards.
+/// The places where characters begin, and the end, found by walking forwards.
 std::vector<std::size_t> places_forward(std::string_view text) {
     std::vector<std::size_t> places{0};
     while (places.back() < text.size()) places.push_back(places.back() + next_character(text, places.back()));
@@ -99,7 +99,7 @@ TEST(Utf8, CharactersEndWhereTheTextDoes) {
     EXPECT_EQ(previous_character("", 0), 0u);
 }
 
-/// The characters of a text, each as it is.
+/// The characters of a text.
 std::vector<std::u32string> characters(std::u32string_view text) {
     const std::string bytes = encoded(text);
     std::vector<std::u32string> found;
@@ -173,7 +173,7 @@ TEST(Utf8, AnyBytesHaveTheSamePlacesForwardsAndBackwards) {
         for (auto left = random() % 12; left > 0; --left) text += pieces[random() % std::size(pieces)];
         ASSERT_EQ(places_forward(text), places_backward(text)) << testing::PrintToString(text);
         const auto places = places_forward(text);
-        for (std::size_t byte = 1; byte <= text.size(); ++byte) {  // from inside a character, too: the place before
+        for (std::size_t byte = 1; byte <= text.size(); ++byte) {  // from inside a character, too, to its beginning
             const auto at_or_after = std::lower_bound(places.begin(), places.end(), byte);
             ASSERT_EQ(byte - previous_character(text, byte), *std::prev(at_or_after))
                 << testing::PrintToString(text) << byte;

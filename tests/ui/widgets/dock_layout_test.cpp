@@ -22,7 +22,7 @@ std::vector<std::string> tabs_with(const DockLayout& layout, std::string_view pa
     return layout.nodes[static_cast<std::size_t>(layout.find(panel))].tabs;
 }
 
-/// Every panel once, all nodes reached once, no leaf empty.
+/// Expects that the layout has every panel once, that each node has one parent, and that no leaf is empty.
 void expect_sound(const DockLayout& layout) {
     std::multiset<std::string> panels(layout.closed.begin(), layout.closed.end());
     std::vector<int> reached(layout.nodes.size());
@@ -86,7 +86,7 @@ TEST(DockLayout, SplitsAGroupOffItself) {
 
 TEST(DockLayout, ReordersWithinAGroup) {
     DockLayout layout = dock_tabs({"View", "Parameters", "Scopes", "Presets", "Log"});
-    layout.move("View", 0, DockSide::center, 2);  // between Parameters and Scopes, as seen with View still there
+    layout.move("View", 0, DockSide::center, 2);  // between Parameters and Scopes; the index counts View
     EXPECT_THAT(layout.nodes[0].tabs, ElementsAre("Parameters", "View", "Scopes", "Presets", "Log"));
     layout.move("Log", 0, DockSide::center, 0);
     EXPECT_THAT(layout.nodes[0].tabs, ElementsAre("Log", "Parameters", "View", "Scopes", "Presets"));

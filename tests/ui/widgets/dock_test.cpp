@@ -14,7 +14,7 @@ using testing::ElementsAre;
 
 constexpr std::string_view all[] = {"View", "Parameters", "Scopes", "Log"};
 
-/// View at the left, at the right Parameters and Scopes above Log. 1004 px: 1000 and the edge's 4.
+/// View is on the left; on the right, Parameters and Scopes are above Log. The 1004 px are 1000 and 4 for the edge.
 struct Workspace {
     static DockLayout standard() {
         return dock_split(Axis::x, 0.6F, dock_tabs({"View"}),
@@ -33,7 +33,7 @@ struct Workspace {
         const int at = layout.find(panel);
         return at < 0 ? std::vector<std::string>{} : layout.nodes[static_cast<std::size_t>(at)].tabs;
     }
-    /// Drags the tab of a panel to a place of another one's rectangle.
+    /// Drags the tab of a panel to a place in the rectangle of another one.
     void drag(const std::string& panel, const std::string& onto, glm::vec2 at) {
         ui.press("Desk/tabs/" + panel, {0.3F, 0.5F});
         const Rect to = ui.rect("Desk/" + onto);

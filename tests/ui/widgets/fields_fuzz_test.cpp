@@ -1,4 +1,4 @@
-// Random people at all fields at once: nothing breaks, and every edit that began comes to an end.
+// Random input to all fields: nothing breaks, and every edit that began also ends.
 #include <random>
 
 #include "ui/support/harness.h"
@@ -14,7 +14,7 @@ struct Gestures {
     const char* name;
     bool open = false;
     void take(const Edit& edit) {
-        // In one build an edit may end and the next begin, or one begin and end.
+        // In one build, an edit may end and the next one begin, or an edit may begin and end.
         const bool ends = edit.committed || edit.cancelled;
         if (edit.began) {
             EXPECT_TRUE(!open || ends) << name << ": began twice";

@@ -9,7 +9,7 @@
 namespace lapfx::ui {
 namespace {
 
-/// A bar with two menus, one of them with a submenu; and a context menu on a field.
+/// A bar with two menus, one of which has a submenu, and a field with a context menu.
 class MenuTest : public testing::Test {
   protected:
     std::string chosen;

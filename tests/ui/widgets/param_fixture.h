@@ -1,4 +1,4 @@
-// A param of 1 mm/s a px with another below it, for the tests of params.
+// A param that changes by 1 mm/s for each px, with another one below it, for the tests of params.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@
 
 namespace lapfx::ui {
 
-/// All that came of the edits of a param.
+/// Counts what the edits of a param reported.
 struct Edits {
     int began = 0, changed = 0, committed = 0, cancelled = 0;
     void add(const Edit& e) {
@@ -28,7 +28,7 @@ struct Chords : Shortcuts {
     }
 };
 
-/// "Speed", 1 mm/s a px, and "Size" below it.
+/// "Speed", 1 mm/s for each px, and "Size" below it.
 class Param : public testing::Test {
   protected:
     Param() { ui.frame(); }
@@ -47,7 +47,7 @@ class Param : public testing::Test {
     double speed = 100, size = 20;
     bool disabled = false;
     ParamOptions options{.minimum = 0,
-                         .maximum = 352,  // px of the field
+                         .maximum = 352,  // the width of the field in px
                          .hard_minimum = -1000,
                          .hard_maximum = 1000,
                          .step = 5,

@@ -11,7 +11,7 @@
 namespace lapfx::ui {
 namespace {
 
-/// "Luma", one unit a px.
+/// "Luma", which changes by one unit for each px.
 class RangeParam : public testing::Test {
   protected:
     RangeParam() { ui.frame(); }

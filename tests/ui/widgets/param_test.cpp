@@ -57,7 +57,7 @@ TEST_F(Param, ThePointerIsHiddenAndGoesBeyondTheWindow) {
     ui.press("Speed").drag_by({100, 0});
     EXPECT_TRUE(ui.output().pointer_locked);
     EXPECT_EQ(ui.output().cursor, Cursor::resize_x);
-    options.maximum = 3520;  // ten times as much a px from here on
+    options.maximum = 3520;  // from here on, each px is ten times as much
     ui.drag_by({200, 0});
     EXPECT_EQ(speed, 1000) << "the hard maximum, 2197 without";
     options.hard_maximum = 1e6;
@@ -119,7 +119,7 @@ TEST_F(Param, ADoubleClickOpensTheFieldForTyping) {
 TEST_F(Param, TwoQuickDragsAreNoDoubleClick) {
     ui.press("Speed").drag_by({13, 0});
     ui.send({.kind = EventKind::release, .at = ui.rect("Speed").center() + glm::vec2(13, 0)});
-    ui.move(ui.rect("Speed").center());  // where the pointer is put back to
+    ui.move(ui.rect("Speed").center());  // the pointer returns to this place
     ui.send({.kind = EventKind::press, .at = ui.rect("Speed").center()});
     ui.send({.kind = EventKind::release, .at = ui.rect("Speed").center()});
     EXPECT_EQ(ui.text("Speed"), "110 mm/s");
@@ -223,7 +223,7 @@ TEST_F(Param, NothingTypedIsNoEdit) {
     speed = 1.0 / 3;
     ui.focus("Speed").key(Key::enter).key(Key::enter);
     EXPECT_EQ(speed, 1.0 / 3);
-    speed = 5000;  // by the program, beyond the hard range
+    speed = 5000;  // set by the program, beyond the hard range
     ui.key(Key::enter).key(Key::enter);
     EXPECT_EQ(speed, 5000);
     EXPECT_EQ(edits.began, 0);

@@ -85,7 +85,7 @@ TEST(ScrollArea, AnInnerAreaAtItsEndHandsTheWheelToTheOneAround) {
 
 TEST(ScrollArea, TheThumbIsDraggedAndEscapePutsItBack) {
     Forty t;
-    // 250 of 1000 px are seen: the thumb is 62 px long and has 188 px to go for 750
+    // 250 of 1000 px are visible: the thumb is 62 px long, and its 188 px of way scroll by 750 px.
     t.ui.press("List/vertical scroll bar", {0.5F, 0.05F}).drag_by({0, 45});
     EXPECT_NEAR(t.offset(), 180, 1);
     EXPECT_NEAR(t.ui.value("List/vertical scroll bar"), 180, 1);
@@ -243,7 +243,7 @@ TEST(ScrollArea, APictureAsHighAsItsWidthWantsDoesNotMakeTheBarComeAndGo) {
             if (tall)
                 picture.height_for_width = [](Ui&, const Node&, float width) { return std::round(width * 0.75F); };
         },
-        {640, 476});  // 480 px high over all the width, 471 beside the bar
+        {640, 476});  // the picture is 480 px high without the bar, 471 with it
     for (int i = 0; i < 4; ++i) {
         ui.frame();
         EXPECT_LT(ui.rect("List/Picture").w, 640) << "the room of the bar stays";

@@ -9,7 +9,7 @@
 namespace lapfx::ui {
 namespace {
 
-/// Panes named First and Second in 604 px: 600 and the handle's 4.
+/// Panes named First and Second in 604 px: 600 px and 4 for the handle.
 struct Two {
     explicit Two(Axis along = Axis::x) : axis(along), ui([this](Ui& u) { build(u); }, {604, 604}) {}
     void build(Ui& u) {
@@ -85,7 +85,7 @@ TEST(Splitter, LeavesEachPaneItsLeast) {
     EXPECT_EQ(t.ui.rect("Split/First").w, 70);
     t.ui.drag("Split/handle", {1000, 0});
     EXPECT_EQ(t.ui.rect("Split/Second").w, 140);
-    t.ui.size = {109, 100};  // 105 for both: shared as 5 to 10
+    t.ui.size = {109, 100};  // 105 px for both, shared as 5 to 10
     t.ui.frame();
     EXPECT_EQ(t.ui.rect("Split/First").w, 35);
     EXPECT_EQ(t.ui.rect("Split/Second").w, 70);

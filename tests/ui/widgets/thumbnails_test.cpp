@@ -10,7 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Three in a line: 388 px beside the bar hold three cells of 120 (8 em and pads of 4 px), which get 129 px each.
+/// Three cells fit in a line: each needs 120 px (8 em and pads of 4 px), and of the 388 px next to the bar it gets 129.
 struct Presets {
     explicit Presets(std::size_t n) : count(n), ui([this](Ui& u) { build(u); }, {400, 300}) {}
     void build(Ui& u) {

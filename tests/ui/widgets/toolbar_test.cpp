@@ -8,7 +8,7 @@
 namespace lapfx::ui {
 namespace {
 
-/// A button and a toggle; so narrow that both are in the menu.
+/// A toolbar with a button and a toggle, so narrow that both are in the menu.
 struct Tools {
     int runs = 0;
     bool loops = false;
