@@ -64,33 +64,33 @@ Smoke::Smoke(std::uint32_t seed, const StreamingOptions& options, std::shared_pt
       gpu_(options.resolution, options.gpu_timings) {}
 
 void Smoke::set_preset(const Preset& preset, std::span<const std::filesystem::path> search_path) {
-    SmokeParameters wanted = preset.smoke;
-    prepare(wanted, [&](std::size_t i) { return clips_.known_alpha(wanted.clips[i], preset.folder, search_path); });
-    clips_.set(wanted.clips, preset.folder, search_path);
-    take(std::move(wanted));
+    wanted_ = preset.smoke;
+    prepare(wanted_, [&](std::size_t i) { return clips_.known_alpha(wanted_.clips[i], preset.folder, search_path); });
+    clips_.set(wanted_.clips, preset.folder, search_path);
+    take_wanted();
 }
 
 void Smoke::set_parameters(const SmokeParameters& parameters) {
-    SmokeParameters wanted = parameters;
-    wanted.clips = parameters_.clips;
-    std::vector<SmokeClip> left = parameters.clips;
-    for (SmokeClip& clip : wanted.clips) {
-        const auto same =
-            std::find_if(left.begin(), left.end(), [&](const SmokeClip& c) { return c.file == clip.file; });
-        if (same == left.end()) continue;
-        const SmokeClip playing = std::exchange(clip, *same);
-        clip.in = playing.in;
-        clip.out = playing.out;
-        clip.crossfade = playing.crossfade;
-        left.erase(same);
+    wanted_ = parameters;
+    wanted_.clips = parameters_.clips;
+    used_.assign(parameters.clips.size(), false);
+    for (SmokeClip& clip : wanted_.clips) {
+        for (std::size_t i = 0; i < parameters.clips.size(); ++i) {
+            if (used_[i] || parameters.clips[i].file != clip.file) continue;
+            const double in = clip.in, out = clip.out, crossfade = clip.crossfade;
+            clip = parameters.clips[i];
+            clip.in = in, clip.out = out, clip.crossfade = crossfade;  // of the loop that plays
+            used_[i] = true;
+            break;
+        }
     }
-    prepare(wanted, [&](std::size_t i) { return clips_.info(i).alpha; });
-    take(std::move(wanted));
+    prepare(wanted_, [&](std::size_t i) { return clips_.info(i).alpha; });
+    take_wanted();
 }
 
 /// Nothing here throws Error.
-void Smoke::take(SmokeParameters wanted) {
-    parameters_ = std::move(wanted);
+void Smoke::take_wanted() {
+    std::swap(parameters_, wanted_);
     int pixels[2] = {0, 0};
     for (std::size_t i = 0; i < parameters_.clips.size(); ++i) {
         const glm::ivec2 size = clips_.info(i).size;

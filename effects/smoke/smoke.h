@@ -65,7 +65,7 @@ class Smoke {
         double fade = 0.0;
     };
     void prepare(const SmokeParameters& wanted, const std::function<std::optional<bool>(std::size_t)>& alpha);
-    void take(SmokeParameters wanted);
+    void take_wanted();
     Shown show(std::size_t clip, double time, media::Policy policy) noexcept;
     Layer layer(std::size_t clip, double time) const noexcept;
     void add_plumes(std::size_t clip, const View& view, const SmokeScene& scene, media::Policy policy) noexcept;
@@ -75,7 +75,10 @@ class Smoke {
     std::uint32_t seed_;
     StreamingOptions options_;
     SmokeParameters parameters_;
-    media::ClipSet clips_;  // parallel to parameters_.clips
+    // Kept, so that setting values while they are dragged allocates nothing.
+    SmokeParameters wanted_;
+    std::vector<bool> used_;  // for each clip that is set: one that plays has taken its values
+    media::ClipSet clips_;    // parallel to parameters_.clips
     std::array<Particle, most_particles> particles_;
     SmokeGpu gpu_;
     ParticlesGpu particles_gpu_;
