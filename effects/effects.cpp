@@ -40,6 +40,7 @@ struct Effects::State {
     Curves curves;
     std::size_t uploaded = 0;
     Overlay overlay = Overlay::none;
+    Preset taken;                 ///< kept from call to call: values that are dragged allocate nothing for it
     glm::vec3 organ_color{1.0f};  // linear
 
     std::unique_ptr<Body> body;
@@ -47,9 +48,10 @@ struct Effects::State {
     smoke::Smoke smoke;
 
     /// With the clips that play.
-    void take(Preset preset) {
-        preset.smoke = smoke.parameters();
-        simulation.set_preset(preset);
+    void take(const Preset& preset) {
+        taken = preset;
+        taken.smoke = smoke.parameters();
+        simulation.set_preset(taken);
         body->take(simulation);
     }
     /// The tool touches the organ in its present shape; contacts refer to the rest shape.
@@ -223,7 +225,7 @@ std::span<const WoundStatus> Effects::wounds() const noexcept {
     return state_->simulation.bleed().wounds();
 }
 
-std::vector<ClipStatus> Effects::clips() const {
+std::span<const ClipStatus> Effects::clips() const {
     return state_->smoke.clips().status();
 }
 

@@ -176,7 +176,7 @@ const Organ& Preview::organ() const {
 Amounts Preview::amounts() const {
     return state_->effects.amounts();
 }
-std::vector<ClipStatus> Preview::clips() const {
+std::span<const ClipStatus> Preview::clips() const {
     return state_->effects.clips();
 }
 StreamingTimes Preview::streaming_times() const {

@@ -184,7 +184,8 @@ void ClipShelf::update(double now) {
     if (work_ && work_->cancelled()) work_.reset();
     if (const bool changed = stale(); changed || now - asked_ > between_asking) {
         asked_ = changed ? now - between_asking : now;  // what a change does is seen once the preview has drawn it
-        playing_ = preview_.ready() ? preview_.preview()->clips() : std::vector<ClipStatus>{};
+        const auto playing = preview_.ready() ? preview_.preview()->clips() : std::span<const ClipStatus>{};
+        playing_.assign(playing.begin(), playing.end());
     }
     follow();
     if (!exact_ || !jobs_.busy()) return;

@@ -90,6 +90,7 @@ struct ClipSet::State {
     ClipStream::Work gone;  // times of players that have been removed
     std::uint64_t cycle = 0;
     bool missed = false, late = false;  // in this cycle, in the one before
+    std::vector<ClipStatus> status;     // as last asked for
 
     std::shared_ptr<ClipFile> opened(const std::filesystem::path& path, const FileStamp& stamp) const;
     Decoder open(const std::filesystem::path& path, const FileStamp& stamp) const;
@@ -323,23 +324,26 @@ std::size_t ClipSet::memory() const noexcept {
     return bytes;
 }
 
-std::vector<ClipStatus> ClipSet::status() const {
-    std::vector<ClipStatus> all;
-    for (const State::Clip& clip : state_->clips) {
+std::span<const ClipStatus> ClipSet::status() const {
+    std::vector<ClipStatus>& all = state_->status;
+    all.resize(state_->clips.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const State::Clip& clip = state_->clips[i];
         const ClipFile& file = *clip.player->file();
         const bool resident = clip.player->scheme() == Scheme::resident;
-        const bool counted =
-            std::any_of(all.begin(), all.end(), [&](const ClipStatus& s) { return s.file == file.path; });
-        ClipStatus status{.file = file.path.string(),
-                          .size = file.info.size,
-                          .frames = file.info.frame_count(),
-                          .duration = file.info.duration,
-                          .alpha = file.info.alpha,
-                          .resident = resident ? file.store.count() : 0,
-                          .memory = clip.player->memory() + (resident && !counted ? file.store.memory() : 0),
-                          .broken = clip.player->work().broken,
-                          .misses = clip.player->misses(),
-                          .warning = file.info.warning};
+        const bool counted = std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i),
+                                         [&](const ClipStatus& before) { return before.file == file.path.native(); });
+        ClipStatus& status = all[i];
+        status.file = file.path.native();
+        status.size = file.info.size;
+        status.frames = file.info.frame_count();
+        status.duration = file.info.duration;
+        status.alpha = file.info.alpha;
+        status.resident = resident ? file.store.count() : 0;
+        status.memory = clip.player->memory() + (resident && !counted ? file.store.memory() : 0);
+        status.broken = clip.player->work().broken;
+        status.misses = clip.player->misses();
+        status.warning = file.info.warning;
         if (status.warning.empty() && status.broken > 0)
             status.warning = std::to_string(status.broken) + " of its " + std::to_string(status.frames) +
                              " frames cannot be decoded; the frame before is shown in their place";
@@ -347,7 +351,6 @@ std::vector<ClipStatus> ClipSet::status() const {
             status.warning = "does not fit into the memory for clips together with those before it (it needs " +
                              mebibytes(store_memory(file, played_frames(file.info, clip.settings))) + " of " +
                              mebibytes(state_->options.memory) + "); it is decoded while it plays";
-        all.push_back(std::move(status));
     }
     return all;
 }

@@ -46,7 +46,8 @@ class ClipSet {
     bool late() const noexcept;
     std::size_t memory() const noexcept;  ///< bytes, of main memory and the GPU
 
-    std::vector<ClipStatus> status() const;
+    /// Valid until the next call. The memory is kept: asking again allocates nothing.
+    std::span<const ClipStatus> status() const;
     StreamingTimes times() const noexcept;
 
   private:

@@ -119,34 +119,46 @@ std::optional<Value> read_value(const Parameter& row, std::string_view text) {
     return {};
 }
 
-void check_table(const Table& table, void* owner, const std::string& pointer, std::vector<Fault>& faults) {
+/// Where a value stands in a document. It becomes text only where there is a fault: a value is checked in every frame
+/// in which it is dragged.
+struct JsonPointer {
+    const JsonPointer* parent = nullptr;
+    std::string_view key = {};
+    std::size_t index = 0;  ///< of an element of a list; only where `key` is empty
+
+    std::string text() const {
+        if (parent == nullptr) return "";
+        return join_pointer(parent->text(), key.empty() ? std::to_string(index) : std::string(key));
+    }
+};
+
+void check_table(const Table& table, void* owner, const JsonPointer& place, std::vector<Fault>& faults) {
+    const auto add = [&](const JsonPointer& at, std::string reason) {
+        if (!reason.empty()) faults.push_back({"", at.text(), std::move(reason)});
+    };
     const std::size_t before = faults.size();
-    for (const Parameter& row : table.rows)
-        if (std::string reason = row.check(row.get(owner)); !reason.empty())
-            faults.push_back({"", join_pointer(pointer, row.key), std::move(reason)});
+    for (const Parameter& row : table.rows) add({&place, row.key}, row.check_in(owner));
     if (faults.size() == before)  // a rule says nothing useful about values that are not allowed
-        for (const Rule& rule : table.rules)
-            if (std::string reason = rule.check(owner); !reason.empty())
-                faults.push_back({"", join_pointer(pointer, rule.key), std::move(reason)});
+        for (const Rule& rule : table.rules) add({&place, rule.key}, rule.check(owner));
     for (const Table& child : table.tables) {
         if (child.present && !*child.present(owner)) continue;
-        const std::string inner = join_pointer(pointer, child.key);
+        const JsonPointer inner{&place, child.key};
         void* member = child.member(owner);
         if (!child.list) {
             check_table(child, member, inner, faults);
             continue;
         }
         const std::size_t size = child.list->size(member);
-        if (size > child.list->maximum) faults.push_back({"", inner, preset::too_many(size, child.list->maximum)});
+        if (size > child.list->maximum) add(inner, preset::too_many(size, child.list->maximum));
         const std::size_t looked_at = std::min(size, child.list->maximum), before_list = faults.size();
         for (std::size_t i = 0; i < looked_at; ++i)
-            check_table(child, child.list->at(member, i), join_pointer(inner, std::to_string(i)), faults);
+            check_table(child, child.list->at(member, i), {.parent = &inner, .index = i}, faults);
         if (child.order == nullptr || faults.size() != before_list) continue;
-        for (std::size_t i = 1; i < looked_at; ++i)
-            if (std::string reason = child.order->check(child.list->at(member, i - 1), child.list->at(member, i));
-                !reason.empty())
-                faults.push_back(
-                    {"", join_pointer(join_pointer(inner, std::to_string(i)), child.order->key), std::move(reason)});
+        for (std::size_t i = 1; i < looked_at; ++i) {
+            const JsonPointer element{.parent = &inner, .index = i};
+            add({&element, child.order->key},
+                child.order->check(child.list->at(member, i - 1), child.list->at(member, i)));
+        }
     }
 }
 
@@ -185,7 +197,7 @@ void set_parameter(const Table& root, void* document, std::string_view key, std:
 
 std::vector<Fault> check(const Table& root, const void* document) {
     std::vector<Fault> faults;
-    check_table(root, const_cast<void*>(document), "", faults);  // only addresses are taken
+    check_table(root, const_cast<void*>(document), {}, faults);  // only addresses are taken
     return faults;
 }
 

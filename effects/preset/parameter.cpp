@@ -59,17 +59,17 @@ std::string check_text(const std::string& value, const Parameter& row) {
 std::string check_path(const std::string& value, const Parameter& row) {
     if (value.empty()) return row.required ? "empty; expected " + row.expected() : "";
     if (std::string reason = check_text(value, row); !reason.empty()) return reason;
-    const std::string allowed = "; expected " + row.expected();
+    const auto fault = [&](const char* what) { return in_quotes(value) + what + "; expected " + row.expected(); };
     const std::string_view first = std::string_view(value).substr(0, value.find('/'));
     if (first.find(':') != std::string_view::npos || value.starts_with("subfile,") ||
         (row.contained && value.find(':') != std::string::npos))
-        return in_quotes(value) + " is a URL or a protocol" + allowed;
+        return fault(" is a URL or a protocol");
     if (value.find('\\') != std::string::npos) return in_quotes(value) + " contains a backslash; folders end in '/'";
-    if (value.back() == '/') return in_quotes(value) + " is a folder" + allowed;
+    if (value.back() == '/') return fault(" is a folder");
     if (!row.contained) return {};
-    if (value.front() == '/') return in_quotes(value) + " is an absolute path" + allowed;
-    if (('/' + value + '/').find("/../") != std::string::npos)
-        return in_quotes(value) + " is outside the folder" + allowed;
+    if (value.front() == '/') return fault(" is an absolute path");
+    if (value == ".." || value.starts_with("../") || value.ends_with("/..") || value.find("/../") != std::string::npos)
+        return fault(" is outside the folder");
     return {};
 }
 
@@ -129,6 +129,12 @@ std::string Parameter::check(const Value& value) const {
             return expect_type<std::string>(value, *this, check_path);
     }
     return {};
+}
+
+std::string Parameter::check_in(const void* owner) const {
+    if (kind != Kind::text && kind != Kind::path) return check(get(owner));
+    const void* value = member(const_cast<void*>(owner));  // only the address is taken
+    return (kind == Kind::text ? check_text : check_path)(*static_cast<const std::string*>(value), *this);
 }
 
 Value Parameter::get(const void* owner) const {

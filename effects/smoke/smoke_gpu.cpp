@@ -143,7 +143,7 @@ void SmokeGpu::begin(const Medium& plume, const Medium& haze, double softness) n
     glGetFloati_v(GL_VIEWPORT, 0, &viewport_.x);
 }
 
-void SmokeGpu::add(ClipRole which, const Layer& layer, LayerBlock block) noexcept {
+void SmokeGpu::add(ClipRole which, const Layer& layer, const LayerBlock& block) noexcept {
     const media::PictureFormat& format = layer.frame.format;
     const unsigned variant = variant_of(format.layout, format.alpha, layer.angle != 0.0f,
                                         layer.clip != nullptr && has_window(*layer.clip), *layer.keying);

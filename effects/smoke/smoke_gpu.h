@@ -94,7 +94,7 @@ class SmokeGpu {
                                const KeyingParameters& keying);
     void compile(ClipRole role, int count, unsigned variant);
     const gl::Program* program(ClipRole role, int count, unsigned variant) noexcept;
-    void add(ClipRole role, const Layer& layer, LayerBlock block) noexcept;
+    void add(ClipRole role, const Layer& layer, const LayerBlock& block) noexcept;
     bool draws_together(ClipRole role) const noexcept;
     void make_batches(ClipRole role) noexcept;
     void upload(Role& role) noexcept;

@@ -165,7 +165,8 @@ class Effects {
     /// Valid until the next call that is not const.
     std::span<const WoundStatus> wounds() const noexcept;
     /// The smoke clips of the preset, in its order, and what playing them has cost so far (streaming.h).
-    std::vector<ClipStatus> clips() const;
+    /// Valid until the next call of this function or of one that is not const.
+    std::span<const ClipStatus> clips() const;
     StreamingTimes streaming_times() const noexcept;
     /// Whether the last draw_smoke() showed an older frame of a clip than the one that was due, so that drawing the
     /// same time again gives a better picture. Never true with wait_for_clips.

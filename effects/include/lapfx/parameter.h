@@ -77,6 +77,8 @@ struct Parameter {
     /// Empty when `value` is allowed; otherwise the reason: "-3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)".
     /// NaN and infinity are never allowed.
     std::string check(const Value& value) const;
+    /// The same for the value that `owner` holds. Allocates nothing when the value is allowed.
+    std::string check_in(const void* owner) const;
     /// What is allowed, as a noun: "a number from 0 to 60 mm/s".
     std::string expected() const;
 };

@@ -62,7 +62,7 @@ class Preview {
     const SceneCamera& camera() const;
     const Organ& organ() const;  ///< like PreparedOrgan::organ(): its images have sizes but no pixels
     Amounts amounts() const;
-    std::vector<ClipStatus> clips() const;
+    std::span<const ClipStatus> clips() const;  ///< as Effects::clips
     StreamingTimes streaming_times() const;
     bool late() const;  ///< as Effects::late
     /// Memory of the Effects, of the targets that are drawn into, of the instrument, and of the organ's data, which may
