@@ -13,7 +13,7 @@ struct LapfxSmokeLayer {
     vec4 tile;          // xy: start, zw: extent of the noise, coordinates of u_noise
     vec4 chroma_scale;  // xy: chroma coordinates per clip coordinate; z: share of a plume's clip below its source
     vec4 corners[4];    // corners of a plume, camera space, mm: top left, top right, bottom left, bottom right
-    vec4 color;         // linear colour, and extinction of the transmission, for layers directly over the frame
+    vec4 color;         // rgb: linear colour; a: extinction of the transmission, for layers directly over the frame
     vec4 extinction;    // the frame
     vec4 window;        // xy: upper left, zw: lower right corner of the cropped frame, clip pixels
     vec4 fades;         // left, top, right, bottom: over how many clip pixels smoke fades inside it

@@ -4,7 +4,7 @@ layout(std140, binding = 0) uniform LapfxView {
     mat4 u_projection;
     vec4 u_eye;         // xyz: camera in organ space
     vec4 u_axis;        // xyz: unit viewing direction in organ space
-    vec4 u_light;       // rgb: colour * intensity; a: focus distance, where facing white is 1
+    vec4 u_light;       // rgb: colour * intensity; a: distance at which a white surface facing the lamp is lit to 1
     vec4 u_beam;        // x: cosine at which the lamp has half its strength; y: ambient share; zw: unused
 };
 

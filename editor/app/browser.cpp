@@ -9,6 +9,7 @@
 #include "app/screen.h"
 #include "app/settings.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/formats.h"
 #include "ui/value/id.h"
 #include "ui/widgets/combo.h"
 
@@ -126,7 +127,7 @@ Browser::Found Browser::look(const std::vector<fs::path>& folders) {
         std::size_t count = 0;
         for (fs::directory_iterator it(folder, error), end; !error && it != end && count < most_files;
              it.increment(error)) {
-            if (it->path().extension() != ".json" || !it->is_regular_file(error)) continue;
+            if (!is_named_as(Content::document, it->path()) || !it->is_regular_file(error)) continue;
             paths.push_back(fs::absolute(it->path()).lexically_normal());
             ++count;
         }

@@ -193,10 +193,10 @@ void ClipShelf::update(double now) {
     follow();
 }
 
-/// Whether the clips, the folder that they may be in, or the reports about them have changed.
+/// Whether the clips, their crop and keying, the folder that they may be in, or the reports about them have changed.
 bool ClipShelf::stale() const {
-    return (document_.preset_changes_since(followed_) & redo::clips) != 0 || grown_ != followed_grown_ ||
-           document_.preset_file().native() != followed_file_;
+    return (document_.preset_changes_since(followed_) & (redo::clips | redo::keyed_frame)) != 0 ||
+           grown_ != followed_grown_ || document_.preset_file().native() != followed_file_;
 }
 
 void ClipShelf::follow() {

@@ -15,6 +15,7 @@
 #include "app/screen.h"
 #include "app/settings.h"
 #include "app/timeline.h"
+#include "lapfx/authoring/formats.h"
 #include "lapfx/authoring/prepared_scene.h"
 #include "output/files.h"
 
@@ -190,7 +191,7 @@ void Exports::check_preset_file(std::vector<Fault>& faults) const {
     for (const Fault& found : document.preset_faults()) faults.push_back(fault("preset", found.text()));
     const fs::path file = form.file();
     if (form.what() == OutputKind::preset) {
-        if (file.extension() != ".json") return faults.push_back(fault("-o", "a preset is a .json file"));
+        if (!is_named_as(Content::document, file)) return faults.push_back(fault("-o", "a preset is a .json file"));
         std::vector<Fault> clips;
         output::preset_in(fs::absolute(file).parent_path(), document.preset(), clip_folders_, clips);
         for (const Fault& clip : clips) faults.push_back(fault("clips", clip.place + ": " + clip.reason));

@@ -37,7 +37,7 @@ FilePreviews::Kept& FilePreviews::kept_for(const std::string& path, const ui::Fi
     const double time = time_in_scene();
     const auto same = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& each) { return each.path == path; });
     if (same != kept_.end()) {
-        const bool on_same = !path.ends_with(".json") || (same->scene == scene && same->time == time);
+        const bool on_same = !is_named_as(Content::document, path) || (same->scene == scene && same->time == time);
         if (on_same && same->bytes == file.size && same->changed == file.changed) return *same;
         if (same->image != 0) images_.remove(same->image);
         kept_.erase(same);

@@ -11,6 +11,7 @@
 #include "app/settings.h"
 #include "app/snapshots.h"
 #include "document/words.h"
+#include "lapfx/authoring/formats.h"
 
 namespace lapfx::app {
 
@@ -254,7 +255,7 @@ void Files::save_as(Kind kind, Then then) {
          .title = scene ? "Save scene as" : "Save preset as",
          .folder = ours ? document::folder_of(now).string() : "",  // else the user's own
          .name = std::move(name),
-         .filters = {{scene ? "Scenes" : "Presets", {".json"}}}},
+         .filters = {{scene ? "Scenes" : "Presets", extensions(Content::document)}}},
         [this, kind, then](const std::vector<std::string>& chosen) { save_to(kind, chosen.front(), then); });
 }
 

@@ -1,11 +1,11 @@
 // Method: CPU time of the calling thread, the best of five runs of each, in turns.
 //
 // Samples: on the organ of the sample scene, with its preset but without clips. The history is one stroke of 0.6 s each
-// second, cautery, cuts and suction in turns, whose blood has reached its extent. Then a tool is held and moved slowly
-// 60 mm away for 2 s, with 1000 samples and 60 frames a second, and nothing is drawn. A cut
-// is also measured after strokes with clips instead of suction. The ratio is that of the tool with the largest one.
-// Suction is also measured 20 mm away, where it removes the blood of the history, so that each of those wounds costs
-// time. Scene: AmountsModel with the organ prepared, from setting preset and events to the last of 1800 amounts.
+// second, cautery, cuts and suction in turns, whose blood has reached its extent. Then a tool is held for 2 s
+// 60 mm beside the strokes, with 1000 samples and 60 frames a second, and nothing is drawn. A cut is also measured
+// after strokes with clips instead of suction. The ratio is that of the tool with the largest one. Suction is also
+// measured 20 mm away, where it removes the blood of the history, so that each of those wounds costs time. Scene:
+// AmountsModel with the organ prepared, from setting preset and events to the last of 1800 amounts.
 #include "commands/bench_simulation.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ std::vector<ToolContact> strokes(const Effects& effects, const glm::dvec3& centr
 
 struct Cost {
     double us = std::numeric_limits<double>::infinity();  // of CPU for each sample
-    Amounts before;                                       // bytes that the history uses
+    Amounts before;                                       // blood and burns that the history left
 };
 
 struct Held {

@@ -53,7 +53,7 @@ void add_table(std::vector<HelpSection>& sections, const Table& table, const std
             child.list->resize(member, 1);  // a new element has the defaults
             member = child.list->at(member, 0);
         }
-        add_table(sections, child, joined(key, child.key), member);
+        add_table(sections, child, joined(table.list != nullptr ? key + ".0" : key, child.key), member);
     }
 }
 

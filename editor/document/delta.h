@@ -5,6 +5,9 @@
 //     delta.redo(preset);  // as after
 //     delta.undo(preset);  // as before
 //
+// Elements of a list are compared place by place from its front, and what is equal at its end counts as kept: moving an
+// element to another place changes all those between.
+//
 // Both directions give back every letter and every bit, also values that no row allows and those of parts that are
 // switched off.
 #pragma once

@@ -392,8 +392,30 @@ void Document::rename(Named what, const std::string& name) {
     std::string& now = what == Named::scene ? content_.scene.name : content_.preset.name;
     const std::string before = std::exchange(now, name);
     for (Step& step : steps_) (what == Named::scene ? step.scene : step.preset).replace("/name", before, name);
+    describe_again("/name");
     touched();
     settle();
+}
+
+/// The words of all steps that change what is at this JSON pointer, as undoing and redoing them now would do.
+void Document::describe_again(std::string_view place) {
+    const auto changes = [&](const Step& step) { return step.scene.changes(place) || step.preset.changes(place); };
+    Content after = content_;
+    for (std::size_t i = done_; i-- > 0;) {
+        Content before = after;
+        steps_[i].scene.undo(before.scene);
+        steps_[i].preset.undo(before.preset);
+        if (changes(steps_[i])) steps_[i].change = change_of(steps_[i].name, before, after);
+        after = std::move(before);
+    }
+    Content before = content_;
+    for (std::size_t i = done_; i < steps_.size(); ++i) {
+        after = before;
+        steps_[i].scene.redo(after.scene);
+        steps_[i].preset.redo(after.preset);
+        if (changes(steps_[i])) steps_[i].change = change_of(steps_[i].name, before, after);
+        before = std::move(after);
+    }
 }
 
 /// Writing a file renames other files in the present content only (`change`). This function adapts the steps before and

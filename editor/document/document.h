@@ -216,6 +216,7 @@ class Document {
     void take_back();
     template <typename Apply>
     void step(Apply apply);
+    void describe_again(std::string_view place);
     template <typename Part, typename Change>
     void sew(Part Content::*part, Delta Step::*delta, const Table& table, Change change);
     void forget_oldest();
@@ -237,7 +238,7 @@ class Document {
     OnDisk scene_disk_, preset_disk_;
     std::shared_ptr<const Scene> saved_scene_;
     std::shared_ptr<const Preset> saved_preset_;
-    mutable std::uint64_t compared_ = 0;  ///< the version for which scene_differs_ and preset_differs_ are true
+    mutable std::uint64_t compared_ = 0;  ///< the version for which scene_differs_ and preset_differs_ were found
     mutable std::shared_ptr<const Scene> compared_scene_;  ///< the documents that it was compared with
     mutable std::shared_ptr<const Preset> compared_preset_;
     mutable bool scene_differs_ = true, preset_differs_ = true;

@@ -78,7 +78,7 @@ class VideoFrames : public FrameFiles {
 }  // namespace
 
 bool is_sequence_name(const fs::path& path) {
-    static const std::regex pattern(R"([^%]*%0?\d{0,2}d[^%]*\.png)", std::regex::icase);
+    static const std::regex pattern(R"([^%]*%0?\d{0,2}d[^%]*\.[pP][nN][gG])");
     return std::regex_match(path.filename().string(), pattern);
 }
 

@@ -87,7 +87,6 @@ struct UiFrame {
 };
 
 /// The program that runs in the window. Its functions are called in the window's thread, with its context current.
-/// The program that runs in the window. Its functions are called in the window's thread, with its context current.
 struct UiProgram {
     std::function<void(ui::Ui&)> build;
     /// Does the work of one frame and calls UiFrame::build in the course of it. Returns whether pictures of the program

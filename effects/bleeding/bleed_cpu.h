@@ -84,7 +84,7 @@ class BleedField {
              falls = false;  // whether the last look at it changed anything, and whether it lowered a value
         bool is_settled = false;
         std::size_t rings = 0;  // of the front, as written
-        Box box{};              // greatest value ever written
+        Box box{};              // around every place ever written
         std::size_t boxed = 0;  // rings
     };
     void replace_wounds(std::span<const Wound> wounds);

@@ -87,7 +87,7 @@ class Cautery {
     Track track_;
     Radial radial_;
     std::unique_ptr<Bioheat> bioheat_;  // while the model is bioheat
-    std::uint64_t versions_ = 0;        // the marks of the previous model
+    std::uint64_t versions_ = 0;        // added to the model's own, so that versions grow when the model changes
     ClipList clips_;
     std::vector<Wound> sealed_;         // if there are clips: the wounds after their effect
     std::uint64_t sealed_version_ = 0;  // version of the wounds that it was made from

@@ -1,5 +1,5 @@
-// Finds things in space by place, with a hash of cubic cells. Things are numbers that only grow; the newest can be
-// removed again. One thread at a time.
+// Finds things in space by place, with a hash of cubic cells. Things are numbers; each can be removed and put in again.
+// One thread at a time.
 #pragma once
 
 #include <algorithm>
@@ -17,11 +17,10 @@ class Grid {
     explicit Grid(double cell) : cell_(cell) {}
 
     void clear() { cells_.clear(); }
-    /// `thing` is not less than any thing before.
     void insert(std::uint32_t thing, const glm::dvec3& low, const glm::dvec3& high) {
         each_cell(low, high, [&](std::uint64_t key) { cells_[key].push_back(thing); });
     }
-    /// Removes the newest thing from the cells that it was put into.
+    /// Removes a thing from the cells that it was put into: the same box as in insert().
     void remove(std::uint32_t thing, const glm::dvec3& low, const glm::dvec3& high) {
         each_cell(low, high, [&](std::uint64_t key) {
             const auto found = cells_.find(key);

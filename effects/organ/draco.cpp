@@ -1,6 +1,7 @@
 #include "organ/draco.h"
 
-#include <draco/compression/decode.h>
+#include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
+#include <draco/compression/mesh/mesh_sequential_decoder.h>
 #include <draco/core/varint_decoding.h>
 #include <draco/metadata/metadata_decoder.h>
 
@@ -21,6 +22,8 @@ namespace {
 /// more.
 constexpr std::size_t most_per_byte = 2000;
 
+constexpr std::size_t method_byte = 8;  // of the header
+
 /// Reads the header before anything is allocated for the data.
 struct Claim {
     std::uint32_t triangles = 0, points = 0;
@@ -31,7 +34,7 @@ Claim claim_of(std::span<const std::uint8_t> bytes, const GltfDocument& document
     constexpr std::uint16_t metadata = 0x8000;
     const auto damaged = [&] { refuse(document.file, place, "its compressed data is damaged"); };
     if (bytes.size() < header || std::memcmp(bytes.data(), "DRACO", 5) != 0) damaged();
-    const int major = bytes[5], minor = bytes[6], geometry = bytes[7], method = bytes[8];
+    const int major = bytes[5], minor = bytes[6], geometry = bytes[7], method = bytes[method_byte];
     if (major != 2 || minor != 2)
         refuse(document.file, place,
                "is of Draco's format " + std::to_string(major) + '.' + std::to_string(minor) + ", only 2.2 is read");
@@ -65,16 +68,51 @@ int whole_number(const tinygltf::Value& object, const char* key, const std::stri
     return value.GetNumberAsInt();
 }
 
-std::unique_ptr<draco::Mesh> decode(std::span<const std::uint8_t> bytes) {
+/// A decoder of Draco that stops before it unpacks more than `room` bytes of attributes: it unpacks all that the data
+/// has, also those that no primitive names.
+template <class Decoder>
+class Bounded : public Decoder {
+  public:
+    explicit Bounded(std::size_t room) : room_(room) {}
+    std::size_t wanted() const { return wanted_; }  ///< bytes
+
+  protected:
+    bool DecodeAllAttributes() override {
+        const draco::PointCloud& cloud = *this->point_cloud();
+        for (int i = 0; i < cloud.num_attributes(); ++i)
+            wanted_ += std::size_t{cloud.num_points()} * static_cast<std::size_t>(cloud.attribute(i)->byte_stride());
+        return wanted_ <= room_ && Decoder::DecodeAllAttributes();
+    }
+
+  private:
+    std::size_t room_, wanted_ = 0;
+};
+
+struct Decoded {
+    std::unique_ptr<draco::Mesh> mesh;  ///< null: damaged, or too large
+    std::size_t bytes = 0;              ///< of all attributes, once they are known
+};
+
+template <class Decoder>
+Decoded decode_with(std::span<const std::uint8_t> bytes, std::size_t room) {
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    Bounded<Decoder> decoder(room);
+    auto mesh = std::make_unique<draco::Mesh>();
+    bool ok = false;
     try {
-        auto mesh = draco::Decoder().DecodeMeshFromBuffer(&buffer);
-        if (mesh.ok()) return std::move(mesh).value();
+        ok = decoder.Decode(draco::DecoderOptions(), &buffer, mesh.get()).ok();
     } catch (const std::bad_alloc&) {  // what a damaged file may ask for
     } catch (const std::length_error&) {
     }
-    return nullptr;
+    return {ok ? std::move(mesh) : nullptr, decoder.wanted()};
+}
+
+/// `room`: bytes that the attributes may have.
+Decoded decode(std::span<const std::uint8_t> bytes, std::size_t room) {
+    return bytes[method_byte] == draco::MESH_EDGEBREAKER_ENCODING
+               ? decode_with<draco::MeshEdgebreakerDecoder>(bytes, room)
+               : decode_with<draco::MeshSequentialDecoder>(bytes, room);
 }
 
 /// The bytes that an accessor would have without compression; `T` is its componentType. Empty: a value does not fit
@@ -131,6 +169,13 @@ struct Named {
     int unique_id = 0;
 };
 
+void require_room(const GltfDocument& document, std::size_t bytes, const std::string& place) {
+    if (bytes > maximum_file_size)
+        refuse(document.file, place,
+               "unpacks to " + std::to_string(bytes) + " bytes with what was unpacked before, more than the limit of " +
+                   std::to_string(maximum_file_size));
+}
+
 /// Refuses what would take more memory than the largest file: a few bytes may stand for as many equal points as the
 /// format can count, and any number of primitives for the same bytes.
 void require_room(const GltfDocument& document, std::size_t points, std::size_t triangles,
@@ -143,10 +188,7 @@ void require_room(const GltfDocument& document, std::size_t points, std::size_t 
                          tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
         bytes += points * static_cast<std::size_t>(std::max(size, 0));
     }
-    if (bytes > maximum_file_size)
-        refuse(document.file, place,
-               "unpacks to " + std::to_string(bytes) + " bytes with what was unpacked before, more than the limit of " +
-                   std::to_string(maximum_file_size));
+    require_room(document, bytes, place);
 }
 
 /// A new accessor like `accessor`, with its own bytes.
@@ -221,7 +263,9 @@ void decode_draco(GltfDocument& document, tinygltf::Primitive& primitive, const 
     if (!ids.Has("POSITION")) refuse(document.file, at, "attributes has no POSITION");
     require_room(document, claim.points, claim.triangles, attributes, at);
 
-    const std::unique_ptr<draco::Mesh> mesh = decode(bytes);
+    const Decoded decoded = decode(bytes, maximum_file_size - document.unpacked);
+    require_room(document, document.unpacked + decoded.bytes, at);
+    const draco::Mesh* const mesh = decoded.mesh.get();
     if (mesh == nullptr) refuse(document.file, at, "its compressed data is damaged");
     require_room(document, mesh->num_points(), mesh->num_faces(), attributes, at);  // seams add points
     for (const Named& attribute : attributes)

@@ -22,7 +22,7 @@ unsigned all_of(const Table& table, unsigned above) {
 }
 
 /// Whether two lists of this size are the same byte by byte: then they are equal. Long lists of plain numbers, such as
-/// a scene's events, are told so many times faster than row by row.
+/// a scene's events, are compared many times faster so than row by row.
 bool same_bytes(const Table& list, const void* a, const void* b, std::size_t size) {
     if (size < 2) return false;
     const auto* const first = static_cast<const char*>(element(list, a, 0));

@@ -24,7 +24,7 @@ inline double emission(const ToolContact& contact, double fat, const PlumeParame
 }
 
 /// `parts`: of all burns. The plume stands on the tip while the tool burns; when it stops, the smoke rises along `up`
-/// (unit), grows and fades. After a touch shorter than `fade_in`, the smoke keeps the density that it had reached.
+/// (unit), grows and fades. After a touch shorter than `fade_in`, it never gets denser than at the end of the touch.
 /// Power and fat count as their mean over the last `fade_in`: smoke follows them that slowly, so it does not flicker
 /// where one contact continues another. `factor`: on the smoke over time.
 PlumeState plume_state(const Burn& burn, std::span<const BurnPart> parts, const PlumeParameters& plume, glm::dvec3 up,

@@ -46,12 +46,12 @@ def commands_and_parts(lapfx):
                 yield command, part
 
 
-def keys_of(schema, place=""):
-    """(place, key, row) of all values that a JSON Schema describes."""
+def keys_of(schema, place="", first=""):
+    """(place, key, row) of all values that a JSON Schema describes. `first`: ".0" where the place is a list."""
     for key, row in schema["properties"].items():
         inner = row.get("items", row)
         if "properties" in inner:
-            yield from keys_of(inner, f"{place}.{key}".lstrip("."))
+            yield from keys_of(inner, f"{place}{first}.{key}".lstrip("."), ".0" if "items" in row else "")
         elif key not in ("format", "version"):
             yield place, key, row
 

@@ -142,6 +142,21 @@ TEST_F(ClipsPanel, AMissingFileIsToldInPlaceWithTheWayOut) {
     EXPECT_FALSE(ui().exists(panel + "Selected clip/Choose file..."));
 }
 
+TEST_F(ClipsPanel, ACropThatLeavesNothingIsToldUntilItIsMended) {
+    const auto crop = [&](double right) {
+        editor().document.change("Crop", [&](document::Content& c) {
+            c.preset.smoke.clips[1].crop.left = 0.6;
+            c.preset.smoke.clips[1].crop.right = right;
+        });
+        ui().frame().frame();
+    };
+    crop(0.6);
+    ASSERT_EQ(editor().clips().faults(1).size(), 1U);
+    EXPECT_TRUE(editor().clips().faults(0).empty());
+    crop(0.1);
+    EXPECT_TRUE(editor().clips().faults(1).empty());
+}
+
 TEST_F(ClipsPanel, SavingCopiesTheClipsThatLieElsewhereWhenAskedTo) {
     const fs::path home = folder() / "preset", elsewhere = folder() / "videos";
     for (const fs::path& made : {home, elsewhere}) fs::create_directory(made);

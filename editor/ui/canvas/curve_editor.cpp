@@ -188,7 +188,8 @@ class Editing {
             x_high = std::min(x_high, std::min(o_.x.high, right ? points[i + 1].x - apart : o_.x.high) - p.x);
             y_low = std::max(y_low, o_.y.low - p.y), y_high = std::min(y_high, o_.y.high - p.y);
         }
-        dx = x_low <= x_high ? std::clamp(dx, x_low, x_high) : 0;  // it is outside already, or between two close points
+        dx = x_low <= x_high ? std::clamp(dx, x_low, x_high)
+                             : 0;  // 0: it is outside already, or between two close points
         dy = y_low <= y_high ? std::clamp(dy, y_low, y_high) : 0;
         for (std::size_t i = 0; i < points.size(); ++i) {
             if (acted_on(i, focused)) m_.scratch[i].x += dx, m_.scratch[i].y += dy;

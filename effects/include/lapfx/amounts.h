@@ -30,7 +30,7 @@ struct Amounts {
     int wounds = 0;             ///< wounds that have opened by now
     int bleeding_wounds =
         0;  ///< wounds whose blood still spreads, or fills again what was cleared (WoundStatus::bleeds). A wound whose
-            ///< blood has reached max_extent does not count: its blood_area stays constant
+            ///< blood has reached max_extent does not count: it adds no more blood
     int left_out_wounds = 0;  ///< wounds that did not open because there were 4096 already
     std::uint64_t lost_samples =
         0;                  ///< samples of the tool queue that found no room or could not be used (tool_queue.h)

@@ -123,7 +123,12 @@ TEST(DocumentHistory, RenamingIsNoStepAndLastsThroughUndo) {
     EXPECT_EQ(document.preset().name, "") << "as it was before one was typed";
     document.redo();
     EXPECT_EQ(document.preset().name, "saved as this");
+    EXPECT_NE(document.steps()[1].change.find("saved as this"), std::string::npos) << document.steps()[1].change;
+    EXPECT_EQ(document.steps()[1].change.find("typed"), std::string::npos) << document.steps()[1].change;
     document.go_to(1);
+    document.rename(Document::Named::preset, "before it");
+    EXPECT_NE(document.steps()[1].change.find("before it to saved as this"), std::string::npos)
+        << document.steps()[1].change;
     document.rename(Document::Named::scene, "Renamed");
     document.undo();
     EXPECT_EQ(document.scene().name, "Renamed");

@@ -253,5 +253,33 @@ TEST_F(DracoGltf, NoMoreIsUnpackedThanTheLargestFileHas) {
                                std::to_string(std::uintmax_t{2} << 30));
 }
 
+/// Draco unpacks all attributes of its data, also those that no primitive names.
+TEST_F(DracoGltf, AttributesThatNobodyReadsCountToo) {
+    // As many points as Draco takes for its triangles, whose corners are all point 0; 30 attributes of 255 numbers.
+    constexpr int triangles = 30'000, points = 3 * triangles, unread = 30, numbers = 255;
+    const auto byte = [](int value) { return std::string(1, static_cast<char>(value)); };
+    const auto varint = [&](int value) {
+        return byte((value & 127) | 128) + byte(((value >> 7) & 127) | 128) + byte(value >> 14);
+    };
+    const std::string raw_indices = byte(1) + std::string(points, 0);
+    std::string attributes = byte(1) + byte(1 + unread), decoders;  // one decoder of attributes, then their number
+    for (int i = 0; i <= unread; ++i) {
+        const int type = i == 0 ? draco::GeometryAttribute::POSITION : draco::GeometryAttribute::GENERIC;
+        attributes += byte(type) + byte(draco::DT_FLOAT32) + byte(i == 0 ? 3 : numbers) + byte(0) + byte(i);
+        decoders += byte(0);
+    }
+    Packed packed = packed_sheet(draco::MESH_SEQUENTIAL_ENCODING);
+    packed.bytes =
+        packed.bytes.substr(0, 11) + varint(triangles) + varint(points) + raw_indices + attributes + decoders;
+    packed.triangles = triangles, packed.points = points, packed.position = 0;
+    Triangle file = gltf_of(packed);
+    file.primitive()["attributes"] = {{"POSITION", 0}};
+    extension(file)["attributes"] = {{"POSITION", 0}};
+    const std::uintmax_t bytes = std::uintmax_t{points} * (12 + 4 * numbers * unread);
+    EXPECT_EQ(fault(file), at + "unpacks to " + std::to_string(bytes) +
+                               " bytes with what was unpacked before, more than the limit of " +
+                               std::to_string(std::uintmax_t{2} << 30));
+}
+
 }  // namespace
 }  // namespace lapfx::test

@@ -41,7 +41,7 @@ TEST(FormOf, ByTheName) {
     EXPECT_EQ(kind_named("OUT.PNG"), OutputKind::picture);
     EXPECT_EQ(kind_named("Out_%04d.Png"), OutputKind::sequence);
     EXPECT_EQ(kind_named("OUT.MP4"), OutputKind::video);
-    for (const char* name : {"out.jpg", "out", "", "out_%s.png", "%d_%d.png"})
+    for (const char* name : {"out.jpg", "out", "", "out_%s.png", "%d_%d.png", "out_%04D.png"})
         EXPECT_EQ(kind_named(name), std::nullopt) << name;
     EXPECT_EQ(kind_named(std::string(1'000'000, 'a') + "%04d.png"), std::nullopt) << "no file is called so";
 }

@@ -22,7 +22,7 @@ struct TissueReport {
     double alike = 1.0;  ///< share of the surface where every cut bleeds equally, 0..1: no colour, or no vessels found
     double vessels = 0.0;        ///< share that is vessel, 0..1
     double fat = 0.0;            ///< share that is fat, 0..1
-    double texels_per_mm = 0.0;  ///< mm per pixel of the finest texture; 0: vertex colours, or none
+    double texels_per_mm = 0.0;  ///< pixels of the finest texture for each mm; 0: vertex colours, or none
 };
 
 /// Histograms of the values that the band passes of vessels and fat look at, over the texels (or coloured vertices) of
