@@ -31,6 +31,7 @@ class Body {
     void set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
     void set_overlay(Overlay overlay, const Simulation& simulation);
     void set_color(glm::vec3 linear) { organ_gpu_.set_color(linear); }
+    void set_projector(const glm::mat4& projector) { organ_gpu_.set_projector(projector); }  ///< as OrganGpu
 
     /// Sends what has changed in the simulation since the last call, and returns the bytes sent.
     std::size_t send(Simulation& simulation) noexcept;

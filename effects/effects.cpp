@@ -40,13 +40,19 @@ struct Effects::State {
     Curves curves;
     std::size_t uploaded = 0;
     Overlay overlay = Overlay::none;
-    Preset taken;                 ///< kept from call to call: values that are dragged allocate nothing for it
-    glm::vec3 organ_color{1.0f};  // linear
+    Preset taken;                        ///< kept from call to call: values that are dragged allocate nothing for it
+    glm::vec3 organ_color{1.0f};         // linear
+    std::optional<glm::mat4> projector;  // the organ is a plate
 
     std::unique_ptr<Body> body;
     render::ViewBlock view_block;
     smoke::Smoke smoke;
 
+    void bind(const View& view) const noexcept { view_block.bind(view, projector.has_value()); }
+    void show_plate(const glm::mat4& thrown) {
+        projector = thrown;
+        body->set_projector(thrown);
+    }
     /// With the clips that play.
     void take(const Preset& preset) {
         taken = preset;
@@ -75,6 +81,7 @@ Effects::Effects(const Organ& organ, const Preset& preset, const EffectsOptions&
 Effects::Effects(std::shared_ptr<const PreparedOrgan> organ, const Preset& preset, const EffectsOptions& options) {
     require_valid(preset);
     state_ = std::make_unique<State>(organ->organ(), organ->state().foundation, options);
+    if (const auto& plate = organ->state().foundation->plate) state_->show_plate(glm::mat4(plate->projector()));
     set_preset(preset);
 }
 Effects::Effects(Effects&&) noexcept = default;
@@ -145,6 +152,7 @@ void Effects::set_topology(const Organ& organ, std::span<const std::uint32_t> or
     const auto foundation = foundation_of(fine, s.simulation.preset().vessels, std::move(pixels));
     auto body = std::make_unique<Body>(fine.organ(), foundation, s.simulation.down(), s.options.seed);
     body->set_color(s.organ_color);
+    if (s.projector) body->set_projector(*s.projector);
     s.simulation.set_surface(foundation, origin);
     s.body = std::move(body);
     s.body->take(s.simulation);
@@ -180,19 +188,19 @@ void Effects::seek(double time) noexcept {
 
 void Effects::draw_organ(const View& view) noexcept {
     const gl::StateGuard guard;
-    state_->view_block.bind(view);
+    state_->bind(view);
     state_->body->draw();
 }
 
 void Effects::draw_metal_clips(const View& view) noexcept {
     const gl::StateGuard guard;
-    state_->view_block.bind(view);
+    state_->bind(view);
     state_->body->draw_metal_clips();
 }
 
 void Effects::draw_smoke(const View& view, unsigned scene_depth) noexcept {
     const gl::StateGuard guard;
-    state_->view_block.bind(view);
+    state_->bind(view);
     const EffectsOptions& options = state_->options;
     const Simulation& simulation = state_->simulation;
     state_->smoke.draw(view,

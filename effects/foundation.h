@@ -6,6 +6,7 @@
 
 #include "bleeding/tissue_density.h"
 #include "lapfx/authoring/prepared_scene.h"
+#include "organ/plate.h"
 #include "organ/refine.h"
 #include "organ/surface.h"
 #include "work/stages.h"
@@ -30,6 +31,7 @@ struct Foundation {
     std::size_t surface_memory() const { return surface.memory() + unsplit.memory(); }
 
     organ::Unsplit unsplit;
+    std::optional<organ::Plate> plate;  ///< the organ is one; its picture is the only image
     Surface surface;
     organ::PixelList pixels;         ///< for each image; null where nobody needs the pixels
     bleeding::TissueDensity tissue;  ///< refers to `surface`; whoever changes it copies it first
@@ -41,12 +43,10 @@ struct PreparedOrgan::State {
 
     Organ organ;
     std::shared_ptr<const Foundation> foundation;
-    // For prepare_organ(scene): the scene's organ that it was made from.
+    // For prepare_organ(scene): the scene that it was made from.
     std::optional<Organ> tool;
     organ::PixelList tool_pixels;  // the pixels of its images, which have none themselves
-    SceneOrgan organ_source;
-    SceneTool tool_source;
-    std::filesystem::path folder;
+    Scene source;                  // without events and curves
 };
 
 /// Gives the core access to the state of a PreparedOrgan.

@@ -1,8 +1,15 @@
 #include "lapfx/prepared_organ.h"
 
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <mutex>
+
 #include "foundation.h"
+#include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/tissue_report.h"
+#include "media/plate_picture.h"
 #include "organ/load.h"
 #include "organ/refine.h"
 
@@ -12,7 +19,8 @@ namespace {
 
 // Shares of the whole time, for a textured organ.
 constexpr double loaded = 0.3, refined = 0.35, tool_loaded = 0.4;
-constexpr double split = 0.1;  // share of that for an organ that is already loaded
+constexpr std::size_t most_kept_bytes = std::size_t{64} << 20;  // of a plate's picture
+constexpr double split = 0.1;                                   // share of that for an organ that is already loaded
 
 template <typename T>
 std::size_t bytes_of(const std::vector<T>& data) {
@@ -29,9 +37,144 @@ std::filesystem::path path_of(const Scene& scene, const std::string& file, const
     return named_path(scene.folder, file, Reach::anywhere, "", place);
 }
 
+/// Whether both names lead to the same file.
+bool same_file(const Scene& a, const std::string& in_a, const Scene& b, const std::string& in_b) {
+    if (in_a.empty() || in_b.empty()) return in_a == in_b;
+    if (in_a == in_b && a.folder == b.folder) return true;
+    return std::filesystem::absolute(a.folder / in_a).lexically_normal() ==
+           std::filesystem::absolute(b.folder / in_b).lexically_normal();
+}
+
+bool same_plate(const Scene& a, const Scene& b) {
+    const SceneCamera &from = a.camera, &to = b.camera;
+    return same_file(a, a.reference.file, b, b.reference.file) && a.reference.aspect == b.reference.aspect &&
+           equal(*scene_table().find("plate"), &a.plate, &b.plate) && from.eye == to.eye && from.target == to.target &&
+           from.up == to.up && from.field_of_view == to.field_of_view;
+}
+
 organ::SplitOrgan split_of(Organ organ, const work::Stages& stages) {
     const organ::RefinePlan plan = organ::plan_refine(organ, stages.part(0.0, 0.0));
     return organ::refine(std::move(organ), plan, stages);
+}
+
+std::string seconds(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g s", value);
+    return text;
+}
+
+/// Decodes it on a thread of its own, so that `stages` are asked while a long video is opened or searched.
+media::PlatePicture decoded(const std::filesystem::path& video, const ScenePlate& plate, const work::Stages& stages) {
+    using namespace std::chrono_literals;
+    stages.reach(0.0);
+    std::atomic<bool> stop = false;
+    std::atomic<double> share = 0.0;
+    const Progress told = [&](double reached) {
+        share = reached;
+        return !stop;
+    };
+    std::future<media::PlatePicture> picture = std::async(std::launch::async, [&] {
+        VideoReader reader(video, &stop);
+        return media::plate_picture(reader, plate, work::Stages(told).part(0.1, 1.0), &stop);
+    });  // waited for before what it refers to goes
+    try {
+        while (picture.wait_for(20ms) != std::future_status::ready) stages.reach(share);
+    } catch (const work::Stopped&) {
+        stop = true;
+        throw;
+    }
+    return picture.get();
+}
+
+/// What the picture of a plate is decoded from.
+struct PlateSource {
+    std::filesystem::path video;
+    std::filesystem::file_time_type written;
+    std::uintmax_t bytes = 0;
+    PlateFrame frame{};
+    double time = 0.0;
+    int frames = 0;
+    double span = 0.0;
+    friend bool operator==(const PlateSource&, const PlateSource&) = default;
+};
+
+/// None for what is no single file: numbered images.
+std::optional<PlateSource> plate_source(const std::filesystem::path& video, const ScenePlate& plate) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(video, error)) return std::nullopt;
+    PlateSource source{.video = std::filesystem::absolute(video, error).lexically_normal(),
+                       .written = std::filesystem::last_write_time(video, error),
+                       .bytes = std::filesystem::file_size(video, error),
+                       .frame = plate.frame,
+                       .time = plate.frame == PlateFrame::chosen ? plate.time : 0.0,
+                       .frames = plate.frames,
+                       .span = plate.span};
+    return error ? std::nullopt : std::optional(std::move(source));
+}
+
+/// The last one that was decoded: a plate is made again for every other camera and depth, its picture is not.
+class LastPlatePicture {
+  public:
+    std::shared_ptr<const media::PlatePicture> of(const PlateSource& source) {
+        const std::lock_guard lock(mutex_);
+        return source_ == source ? picture_ : nullptr;
+    }
+    void keep(const PlateSource& source, std::shared_ptr<const media::PlatePicture> picture) {
+        const std::lock_guard lock(mutex_);
+        source_ = source;
+        picture_ = std::move(picture);
+    }
+
+  private:
+    std::mutex mutex_;
+    std::optional<PlateSource> source_;
+    std::shared_ptr<const media::PlatePicture> picture_;
+};
+
+media::PlatePicture plate_picture(const std::filesystem::path& video, const ScenePlate& plate,
+                                  const work::Stages& stages) {
+    static LastPlatePicture last;
+    const std::optional<PlateSource> source = plate_source(video, plate);
+    if (source) {
+        if (const auto known = last.of(*source)) {
+            stages.reach(0.0);
+            return *known;
+        }
+    }
+    const auto made = std::make_shared<const media::PlatePicture>(decoded(video, plate, stages));
+    if (source && made->image.pixels.size() <= most_kept_bytes) last.keep(*source, made);
+    return *made;
+}
+
+/// How a plate came about, for people.
+std::string plate_name(const media::PlatePicture& picture, const std::filesystem::path& video) {
+    std::string text = "frame at " + seconds(picture.time) + " of " + video.filename().string();
+    if (picture.blended > 1) text += ", " + std::to_string(picture.blended) + " frames blended";
+    return text;
+}
+
+/// The plate of the scene, in place of its organ.
+Organ plate_organ(const Scene& scene, std::optional<organ::Plate>& plate, const work::Stages& stages) {
+    if (scene.reference.file.empty())
+        throw Error(Failure::bad_input, Fault{.file = "",
+                                              .place = "/plate/use",
+                                              .reason = "the scene has no reference video to take the plate from"});
+    const std::filesystem::path video = path_of(scene, scene.reference.file, "/reference/file");
+    media::PlatePicture picture = plate_picture(video, scene.plate, stages);
+    glm::dvec2 size(picture.image.width, picture.image.height), center(0.5);
+    glm::dvec2 radius = glm::length(size) / 2.0 / size;  // without a round view, its rim is in the corners
+    if (picture.view.disc) center = picture.view.disc->center / size, radius = picture.view.disc->radius / size;
+    if (scene.reference.aspect > 0.0) size.x = size.y * scene.reference.aspect;
+    plate = organ::plate_of(scene, size, center, radius);
+    picture.image.name = video.filename().string();
+    Organ organ = organ::plate_organ(*plate, std::move(picture.image));
+    organ.name = plate_name(picture, video);
+    if (std::error_code error; std::filesystem::is_regular_file(video, error)) organ.files = {video};
+    if (picture.left_out > 0)
+        organ.warnings.push_back("plate: " + std::to_string(picture.left_out) + " of " +
+                                 std::to_string(picture.blended + picture.left_out) + " frames do not fit the one at " +
+                                 seconds(picture.time) + " and are left out");
+    return organ;
 }
 
 /// Runs a task that Stopped may end.
@@ -79,19 +222,15 @@ std::vector<std::filesystem::path> tool_files_of(const PreparedOrgan& organ) {
     return tool ? tool->files : std::vector<std::filesystem::path>();
 }
 
+bool same_organ(const Scene& a, const Scene& b) {
+    if (!same_file(a, a.tool.file, b, b.tool.file) || a.tool.scale != b.tool.scale) return false;
+    if (a.plate.use || b.plate.use) return a.plate.use == b.plate.use && same_plate(a, b);
+    return same_file(a, a.organ.file, b, b.organ.file) && a.organ.scale == b.organ.scale &&
+           a.organ.rotation == b.organ.rotation;
+}
+
 bool made_for(const PreparedOrgan& prepared, const Scene& scene) {
-    const PreparedOrganAccess::State& known = PreparedOrganAccess::state(prepared);
-    const SceneOrgan& organ = known.organ_source;
-    const SceneTool& tool = known.tool_source;
-    // Whether both paths lead to the same file.
-    const auto same_file = [&](const std::string& made, const std::string& wanted) {
-        if (made.empty() || wanted.empty()) return made == wanted;
-        return std::filesystem::absolute(known.folder / made).lexically_normal() ==
-               std::filesystem::absolute(scene.folder / wanted).lexically_normal();
-    };
-    return same_file(organ.file, scene.organ.file) && organ.scale == scene.organ.scale &&
-           organ.rotation == scene.organ.rotation && same_file(tool.file, scene.tool.file) &&
-           tool.scale == scene.tool.scale;
+    return same_organ(PreparedOrganAccess::state(prepared).source, scene);
 }
 
 std::size_t PreparedOrgan::State::own_memory() const {
@@ -109,14 +248,17 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const Ves
     return unless_stopped([&] {
         const work::Stages stages(progress);
         auto made = std::make_unique<PreparedOrganAccess::State>();
-        made->organ_source = scene.organ;
-        made->tool_source = scene.tool;
-        made->folder = scene.folder;
+        made->source = scene;
+        made->source.events.clear();
+        made->source.curves = {};
         std::vector<organ::Encoded> encoded;
-        organ::SplitOrgan fine = split_of(organ::load(path_of(scene, scene.organ.file, "/organ/file"),
-                                                      {.scale = scene.organ.scale, .rotation = scene.organ.rotation},
-                                                      stages.part(0.0, loaded), &encoded),
-                                          stages.part(loaded, refined));
+        std::optional<organ::Plate> plate;
+        organ::SplitOrgan fine =
+            split_of(scene.plate.use ? plate_organ(scene, plate, stages.part(0.0, loaded))
+                                     : organ::load(path_of(scene, scene.organ.file, "/organ/file"),
+                                                   {.scale = scene.organ.scale, .rotation = scene.organ.rotation},
+                                                   stages.part(0.0, loaded), &encoded),
+                     stages.part(loaded, refined));
         made->organ = std::move(fine.organ);
         organ::PixelList pixels = organ::take_pixels(made->organ, encoded);
         if (!scene.tool.file.empty()) {
@@ -126,8 +268,10 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const Ves
                             stages.part(refined, tool_loaded), &tool_encoded);
             made->tool_pixels = organ::take_pixels(*made->tool, tool_encoded);
         }
-        made->foundation = std::make_shared<const Foundation>(made->organ, vessels, stages.part(tool_loaded, 1.0),
-                                                              std::move(fine.from), std::move(pixels));
+        auto foundation = std::make_shared<Foundation>(made->organ, vessels, stages.part(tool_loaded, 1.0),
+                                                       std::move(fine.from), std::move(pixels));
+        foundation->plate = plate;
+        made->foundation = std::move(foundation);
         return made;
     });
 }

@@ -30,39 +30,81 @@ std::shared_ptr<const PreparedOrgan> require_same(const Scene& scene, std::share
                 Fault{.file = "",
                       .place = "/organ/file",
                       .reason = "\"" + scene.organ.file + "\" is not the organ that was prepared: \"" +
-                                PreparedOrganAccess::state(*organ).organ_source.file + "\""});
+                                PreparedOrganAccess::state(*organ).source.organ.file + "\""});
 }
 
 }  // namespace
 
 struct Preview::State {
-    State(const Scene& wanted, const Preset& preset, std::shared_ptr<const PreparedOrgan> made,
+    State(const Scene& wanted, const Preset& wanted_preset, std::shared_ptr<const PreparedOrgan> made,
           const PreviewOptions& options)
         : scene(wanted),
+          preset(wanted_preset),
           prepared(require_same(wanted, std::move(made))),
-          effects(prepared, preset, effects_options(wanted, options)) {
+          effects(prepared, wanted_preset, effects_options(wanted, options)) {
         const PreparedOrganAccess::State& known = PreparedOrganAccess::state(*prepared);
         if (known.tool) tool.emplace(*known.tool, nullptr, known.tool_pixels);
         organ::let_go(known.tool_pixels);  // they have been sent to the GPU
         effects.set_curves(scene.curves);
         effects.set_contacts(scene.events);
         effects.set_overlay(options.overlay);
-        effects.set_organ_color(scene.organ.color);
+        set_organ_color();
+        if (plate()) send_picture(*known.foundation->pixels.front()->get());
+    }
+
+    /// A plate shows the reference as it is.
+    void set_organ_color() { effects.set_organ_color(plate() ? glm::dvec3(1.0) : scene.organ.color); }
+    void send_picture(const Image& image) {
+        plate_picture = gl::Texture({.size = {image.width, image.height}, .format = GL_RGBA8});
+        plate_picture.upload(GL_RGBA, image.pixels.data());
     }
 
     Scene scene;
+    Preset preset;
     std::shared_ptr<const PreparedOrgan> prepared;
     Effects effects;
     std::optional<render::OrganGpu> tool;
     render::ViewBlock view_block;
     render::Frame frame;
+    gl::Texture plate_picture;  // for the frame, if there is a plate
 
+    const std::optional<organ::Plate>& plate() const { return PreparedOrganAccess::state(*prepared).foundation->plate; }
+
+    /// Whether a plate is seen through its own camera: as its picture, and not from elsewhere, as a surface.
+    bool through_plate() const {
+        const SceneCamera& camera = scene.camera;
+        return plate() && camera.eye == plate()->camera.eye && camera.target == plate()->camera.target &&
+               camera.up == plate()->camera.up && camera.field_of_view == plate()->camera.field_of_view;
+    }
+    /// The whole picture of a plate is shown in a frame of any aspect.
+    SceneCamera camera(glm::ivec2 size) const {
+        return through_plate() ? render::fitted(scene.camera, plate()->aspect, size) : scene.camera;
+    }
+    /// With a plate the picture of the video already has its vignette.
+    void finish(unsigned framebuffer, const SceneCamera& seen, glm::ivec2 size) const noexcept {
+        const auto exposure = static_cast<float>(seen.exposure);
+        if (!through_plate())
+            return frame.finish(framebuffer, exposure, static_cast<float>(seen.vignette),
+                                {.there = plate().has_value()});
+        const double height = std::tan(glm::radians(seen.field_of_view) / 2.0);
+        const glm::vec2 extent(plate()->half_extent() / glm::dvec2(height * size.x / size.y, height));
+        frame.finish(framebuffer, exposure, 0.0f, {.there = true, .picture = plate_picture.name(), .extent = extent});
+    }
+
+    /// Draws organ and tool at `time` into the frame, without smoke; resolved and bound.
+    void draw_tissue(const View& view, double time) noexcept {
+        effects.seek(time);
+        frame.begin_scene();
+        effects.draw_organ(view);
+        draw_tool(view, time);
+        frame.begin_smoke();
+    }
     void draw_tool(const View& view, double time) noexcept {
         if (!tool) return;
         const auto pose = render::tool_pose(effects.contacts(), scene.tool.port, time);
         if (!pose) return;
         const gl::StateGuard guard;
-        view_block.bind(view);
+        view_block.bind(view, plate().has_value());
         tool->draw(*pose);
     }
 };
@@ -79,15 +121,11 @@ Preview::~Preview() = default;
 void Preview::draw(double time, glm::ivec2 size, unsigned framebuffer) {
     State& s = *state_;
     s.frame.resize(size);
-    const View view = render::view_of(s.scene.camera, s.scene.light, size);
-    s.effects.seek(time);
-    s.frame.begin_scene();
-    s.effects.draw_organ(view);
-    s.draw_tool(view, time);
-    s.frame.begin_smoke();
+    const SceneCamera camera = s.camera(size);
+    const View view = render::view_of(camera, s.scene.light, size);
+    s.draw_tissue(view, time);
     s.effects.draw_smoke(view, s.frame.scene_depth());
-    s.frame.finish(framebuffer, static_cast<float>(s.scene.camera.exposure),
-                   static_cast<float>(s.scene.camera.vignette));
+    s.finish(framebuffer, camera, size);
 }
 
 Image Preview::image(double time, glm::ivec2 size) {
@@ -110,10 +148,71 @@ Image Preview::image(double time, glm::ivec2 size) {
     return image;
 }
 
+namespace {
+
+/// The bound framebuffer in linear light, three values a pixel, rows from the top.
+std::vector<float> read_linear(glm::ivec2 size) {
+    const std::size_t row = static_cast<std::size_t>(size.x) * 3;
+    std::vector<float> upward(row * static_cast<std::size_t>(size.y)), image(upward.size());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, size.x, size.y, GL_RGB, GL_FLOAT, upward.data());
+    for (std::size_t y = 0; y < static_cast<std::size_t>(size.y); ++y)
+        std::copy_n(upward.end() - static_cast<std::ptrdiff_t>((y + 1) * row), row,
+                    image.begin() + static_cast<std::ptrdiff_t>(y * row));
+    return image;
+}
+
+constexpr float visible_change = 0.1F;  // share of the tissue's light
+
+bool changed(const float* tissue, const float* bloody) {
+    const float light = std::max({tissue[0], tissue[1], tissue[2], 1e-4F});
+    float most = 0.0F;
+    for (int k = 0; k < 3; ++k) most = std::max(most, std::abs(bloody[k] - tissue[k]));
+    return most > visible_change * light;
+}
+
+}  // namespace
+
+Layers Preview::layers(double time, glm::ivec2 size) {
+    State& s = *state_;
+    s.frame.resize(size);
+    const View view = render::view_of(s.camera(size), s.scene.light, size);
+    const auto over = [&](float light) {  // what smoke makes of a background of this light
+        s.draw_tissue(view, time);        // its depth, and the smoke of that time
+        glClearColor(light, light, light, 1.0F);
+        glClear(GL_COLOR_BUFFER_BIT);
+        s.effects.draw_smoke(view, s.frame.scene_depth());
+        return read_linear(size);
+    };
+    const std::vector<float> black = over(0.0F), white = over(1.0F);
+    s.draw_tissue(view, time);
+    const std::vector<float> bloody = read_linear(size);
+    const Preset whole = s.preset;
+    Preset dry = whole;
+    dry.bleeding.max_extent = 0.0;
+    dry.bleeding.threshold = 10.0;
+    set_parameters(dry);
+    s.draw_tissue(view, time);
+    const std::vector<float> tissue = read_linear(size);
+    set_parameters(whole);
+
+    const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    Layers layers{.blood = std::vector<std::uint8_t>(pixels), .veil = std::vector<float>(pixels)};
+    for (std::size_t i = 0; i < pixels; ++i) {
+        float through = 0.0F;
+        for (std::size_t k = 0; k < 3; ++k) through += (white[3 * i + k] - black[3 * i + k]) / 3.0F;
+        layers.veil[i] = std::clamp(1.0F - through, 0.0F, 1.0F);
+        layers.blood[i] = changed(&tissue[3 * i], &bloody[3 * i]) ? 255 : 0;
+    }
+    return layers;
+}
+
 void Preview::set_preset(const Preset& preset) {
+    state_->preset = preset;
     state_->effects.set_preset(preset);
 }
 void Preview::set_parameters(const Preset& preset) {
+    state_->preset = preset;
     state_->effects.set_parameters(preset);
 }
 
@@ -133,8 +232,8 @@ void Preview::set_scene(const Scene& scene) {
     if (scene.seed != s.scene.seed) s.effects.set_seed(static_cast<std::uint32_t>(scene.seed));
     s.effects.set_curves(scene.curves);
     s.effects.set_contacts(scene.events);
-    s.effects.set_organ_color(scene.organ.color);
     s.scene = scene;
+    s.set_organ_color();
 }
 
 void Preview::reload_shaders(const std::filesystem::path& folder) {
@@ -192,6 +291,7 @@ MemoryUse Preview::memory_use() const {
         PreparedOrganAccess::state(*s.prepared).own_memory();  // the data of the organ is already counted in it
     use.pixels += PreparedOrganAccess::state(*s.prepared).tool_pixel_memory();
     use.targets += s.frame.memory();
+    if (s.plate()) use.textures += 4 * static_cast<std::size_t>(s.plate_picture.size().x * s.plate_picture.size().y);
     if (!s.tool) return use;
     use.geometry += s.tool->geometry_memory();
     use.textures += s.tool->texture_memory();
@@ -202,7 +302,7 @@ TissueSample Preview::tissue(const glm::dvec3& position) const {
 }
 
 std::optional<OrganHit> Preview::pick(glm::dvec2 pixel, glm::ivec2 size) const {
-    return state_->effects.pick(state_->scene.camera.eye, render::ray_through(state_->scene.camera, pixel, size));
+    return state_->effects.pick(state_->scene.camera.eye, render::ray_through(state_->camera(size), pixel, size));
 }
 
 }  // namespace lapfx

@@ -65,10 +65,21 @@ void Simulation::update_log() {
     if (recorder_.changed()) log_.update(recorder_.contacts(), recorder_.take_same());
 }
 
+std::span<const ToolContact> Simulation::placed(std::span<const ToolContact> contacts) {
+    const std::optional<organ::Plate>& plate = tissue_->foundation->plate;
+    if (!plate) return contacts;
+    placed_.assign(contacts.begin(), contacts.end());
+    for (ToolContact& contact : placed_) {
+        contact.position = plate->below(contact.position);
+        contact.to = plate->below(contact.to);
+    }
+    return placed_;
+}
+
 void Simulation::set(const Preset& preset, std::span<const ToolContact> contacts, const Curves& curves) {
     put(preset);
     put(curves);
-    recorder_.set(contacts);
+    recorder_.set(placed(contacts));
     update_log();
     take_pieces();
     take_wounds();
@@ -97,7 +108,7 @@ void Simulation::set_down(const glm::dvec3& down) {
 }
 
 void Simulation::set_contacts(std::span<const ToolContact> contacts) {
-    recorder_.set(contacts);
+    recorder_.set(placed(contacts));
     take_samples();
 }
 

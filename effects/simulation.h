@@ -42,7 +42,7 @@ class Simulation {
     void set_preset(const Preset& preset);
     void set_curves(const Curves& curves);
     void set_down(const glm::dvec3& down);
-    /// Replaces all contacts.
+    /// Replaces all contacts. On a plate they are where the camera sees them: an organ's own are not at its depth.
     void set_contacts(std::span<const ToolContact> contacts);
     /// Adds a sample at a place of the rest shape. Its effect shows after take_samples().
     void add(const ToolSample& sample) { recorder_.add(sample); }
@@ -83,6 +83,7 @@ class Simulation {
         smoke::BurnList burns;
         std::uint64_t wounds_version = 0;
     };
+    std::span<const ToolContact> placed(std::span<const ToolContact> contacts);
     void put(const Preset& preset);
     void put(const Curves& curves);
     void update_log();
@@ -91,6 +92,7 @@ class Simulation {
 
     glm::dvec3 down_;
     Preset preset_;
+    std::vector<ToolContact> placed_;
     tool::Recorder recorder_;
     tool::Log log_;
     FactorCurve bleeding_factor_, emission_factor_;

@@ -38,5 +38,5 @@ void main() {
     float shine = 0.45 * lobe(normal, view, light, 0.24) + 0.3 * lobe(normal, view, light, 0.5);
     float open = smoothstep(-0.1, 0.6, v_height);  // the gap and the foot are in the shade
     vec3 mirrored = surroundings(reflect(-view, normal), up) * mix(0.2, 1.0, open);
-    o_color = vec4(fresnel * lamp * (mirrored + pi * shine * mix(0.25, 1.0, open)), 1.0);
+    o_color = vec4(lapfx_drawn_light(fresnel * lamp * (mirrored + pi * shine * mix(0.25, 1.0, open))), 1.0);
 }

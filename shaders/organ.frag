@@ -4,5 +4,6 @@
 
 void main() {
     vec3 geometric = facing_normal();
-    o_color = vec4(overlaid(shade(bare_tissue(geometric), geometric)), 1.0);
+    vec3 shaded = u_plate == 1 ? plate_light() : lapfx_drawn_light(shade(bare_tissue(geometric), geometric));
+    o_color = vec4(overlaid(shaded), 1.0);
 }

@@ -34,5 +34,5 @@ void main() {
     float facing = sqrt(max(1.0 - share * share, 0.0));
     vec3 lit = u_color * (0.35 + 0.65 * facing) * min(lapfx_lamp(v_center), 1.6);
     vec3 gleam = vec3(0.5 * pow(facing, 16.0)) * min(lapfx_lamp(v_center), 1.6);  // molten fat is wet
-    o_color = vec4((lit + gleam + 1.5 * v_look.y * glow_color) * alpha, alpha);
+    o_color = vec4(lapfx_drawn_light(lit + gleam + 1.5 * v_look.y * glow_color) * alpha, alpha);
 }

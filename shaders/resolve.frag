@@ -65,6 +65,6 @@ void main() {
     vec3 color = u_color * u_light.rgb;
 #endif
     vec3 transmission = exp(-sum.a * reach * u_extinction);
-    o_light = vec4(color * sum.rgb / max(sum.a, 1e-6) * (1.0 - transmission), 0.0);
+    o_light = vec4(lapfx_drawn_light(color * sum.rgb / max(sum.a, 1e-6)) * (1.0 - transmission), 0.0);
     o_transmission = vec4(transmission, 1.0);
 }

@@ -162,7 +162,8 @@ float bounded(float thickness) { return min(thickness, 500.0); }
 void put(vec4 sum) {
 #ifdef LAPFX_DIRECT
     vec3 transmission = exp(-sum.a * u_layers[0].extinction.rgb);
-    o_light = vec4(u_layers[0].color.rgb * sum.rgb / max(sum.a, 1e-6) * (1.0 - transmission), 0.0);
+    vec3 light = lapfx_drawn_light(u_layers[0].color.rgb * sum.rgb / max(sum.a, 1e-6));
+    o_light = vec4(light * (1.0 - transmission), 0.0);
     o_transmission = vec4(transmission, 1.0);
 #else
     o_sum = sum;

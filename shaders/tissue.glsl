@@ -22,8 +22,13 @@ uniform vec4 u_base_factor;
 uniform float u_roughness;
 uniform float u_normal_scale;
 uniform int u_tissue;  // 1: an organ, wet and translucent; 0: an instrument
+uniform int u_plate;   // 1: the base colour is a picture of tissue in its light, thrown by u_projector
+uniform mat4 u_projector;  // organ space to places of that picture, homogeneous
 
 layout(location = 0) out vec4 o_color;
+
+// Where no lamp shines, a plate is lit by this, so that a colour can make its picture.
+const float least_plate_light = 0.02;
 
 struct Tissue {
     vec3 albedo;
@@ -52,7 +57,42 @@ vec3 film_normal(vec3 geometric, vec3 normal) {
     return normalize(film);
 }
 
+// The fibres of the lamp are around the lens. The light is a little above it, so that highlights are not exactly in the
+// centre.
+vec3 light_direction() {
+    return normalize(u_eye.xyz - v_position + 4.0 * vec3(u_view[0][1], u_view[1][1], u_view[2][1]));
+}
+
+// The lamp, with tissue that scatters light under its surface, red farthest: the shadow side stays reddish.
+vec3 body_light(vec3 normal) {
+    vec3 view = normalize(u_eye.xyz - v_position);
+    vec3 wrap = u_tissue == 1 ? vec3(0.32, 0.12, 0.10) : vec3(0.0);
+    vec3 diffuse = max((vec3(dot(normal, light_direction())) + wrap) / ((1.0 + wrap) * (1.0 + wrap)), 0.0);
+    vec3 ambient = u_beam.y * vec3(1.0, 0.62, 0.55) * (0.6 + 0.4 * dot(normal, view));
+    return lapfx_lamp(v_position) * diffuse + u_light.rgb * ambient;
+}
+
+// The light of the plate's picture, before the exposure: the picture comes out as it is.
+vec3 plate_light() {
+    vec4 thrown = u_projector * vec4(v_rest, 1.0);
+    vec2 half_texel = 0.5 / vec2(textureSize(u_base_color, 0));
+    vec2 place = clamp(thrown.xy / thrown.w, half_texel, 1.0 - half_texel);  // the texture repeats
+    return texture(u_base_color, place).rgb / u_beam.z;
+}
+
+// A plate has the colour that the lamp shows as its picture, so that blood and char over it are lit like any. It has no
+// gloss of its own: that is in the picture.
+Tissue plate_tissue(vec3 geometric) {
+    Tissue tissue;
+    tissue.albedo = plate_light() / max(body_light(geometric), least_plate_light);
+    tissue.normal = tissue.film_normal = geometric;
+    tissue.roughness = u_roughness;
+    tissue.wetness = tissue.sheen = 0.0;
+    return tissue;
+}
+
 Tissue bare_tissue(vec3 geometric) {
+    if (u_plate == 1) return plate_tissue(geometric);
     vec4 base = texture(u_base_color, v_uv) * u_base_factor * v_color;
     float spread;
     Tissue tissue;
@@ -80,16 +120,10 @@ float specular(vec3 n, vec3 v, vec3 l, float roughness) {
 
 vec3 shade(Tissue tissue, vec3 geometric) {
     vec3 view = normalize(u_eye.xyz - v_position);
-    // The fibres of the lamp are around the lens. The light is a little above it, so that highlights are not exactly in
-    // the centre.
-    vec3 light = normalize(u_eye.xyz - v_position + 4.0 * vec3(u_view[0][1], u_view[1][1], u_view[2][1]));
+    vec3 light = light_direction();
     vec3 lamp = lapfx_lamp(v_position);
-    // Tissue scatters light under its surface, and red farthest, so the shadow side stays reddish.
-    vec3 wrap = u_tissue == 1 ? vec3(0.32, 0.12, 0.10) : vec3(0.0);
-    float nl = dot(tissue.normal, light);
-    vec3 diffuse = max((vec3(nl) + wrap) / ((1.0 + wrap) * (1.0 + wrap)), 0.0);
-    vec3 ambient = u_beam.y * vec3(1.0, 0.62, 0.55) * (0.6 + 0.4 * dot(tissue.normal, view));
-    vec3 color = tissue.albedo * (lamp * diffuse + u_light.rgb * ambient);
+    vec3 body = body_light(tissue.normal);
+    vec3 color = tissue.albedo * (u_plate == 1 ? max(body, least_plate_light) : body);
     // The film's light is white: dielectric. A broad, weak lobe below it is the sheen of the tissue.
     float film = specular(tissue.film_normal, view, light, tissue.roughness);
     float sheen = specular(tissue.normal, view, light, min(tissue.roughness + 0.32, 0.9));

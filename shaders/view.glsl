@@ -1,3 +1,5 @@
+#include "color.glsl"
+
 // The camera and the lamp beside it; filled from render/view_block.h. Lengths mm, colours linear.
 layout(std140, binding = 0) uniform LapfxView {
     mat4 u_view;        // organ space to camera space
@@ -5,7 +7,7 @@ layout(std140, binding = 0) uniform LapfxView {
     vec4 u_eye;         // xyz: camera in organ space
     vec4 u_axis;        // xyz: unit viewing direction in organ space
     vec4 u_light;       // rgb: colour * intensity; a: distance at which a white surface facing the lamp is lit to 1
-    vec4 u_beam;        // x: cosine at which the lamp has half its strength; y: ambient share; zw: unused
+    vec4 u_beam;        // x: cosine at half of the lamp's strength; y: ambient share; z: exposure over a plate, else 0
 };
 
 // Light that arrives at a point from the lamp: the inverse square of the distance, and the beam's fall-off.
@@ -24,3 +26,10 @@ float lapfx_view_depth(float depth) { return u_projection[3][2] / (2.0 * depth -
 
 // Farther tissue has more haze before it: 1 at the focus distance.
 float lapfx_haze_reach(float scene) { return clamp(scene / u_light.a, 0.4, 1.8); }
+
+// Light as it is drawn. The picture of a plate has been through a camera's shoulder already, so everything over it goes
+// through it by itself; other frames do as a whole (post.frag).
+vec3 lapfx_drawn_light(vec3 light) {
+    float exposure = u_beam.z;
+    return exposure > 0.0 ? lapfx_shoulder(light * exposure) / exposure : light;
+}

@@ -42,7 +42,7 @@ void add_char(inout Tissue tissue, vec3 geometric, vec4 coarse, vec4 fine) {
     float heat = v_marks.x > 0.0 ? clamp(v_marks.x + near * (0.30 * coarse.x + 0.16 * fine.x), 0.0, 1.0) : 0.0;
     float cooked = smoothstep(0.04, 0.28, heat), burnt = smoothstep(0.36, 0.62, heat);
     // Coagulated protein is pale and opaque, browner the hotter it got.
-    float value = dot(tissue.albedo, vec3(0.4, 0.4, 0.2));
+    float value = min(dot(tissue.albedo, vec3(0.4, 0.4, 0.2)), 1.0);  // highlights of a plate are brighter
     vec3 pale = mix(vec3(0.50, 0.40, 0.29), vec3(0.30, 0.15, 0.06), smoothstep(0.2, 0.45, heat)) * (0.55 + value);
     tissue.albedo = mix(tissue.albedo, pale, 0.75 * cooked);
     // Cracks run where the coarse noise changes its sign.
@@ -56,7 +56,8 @@ void add_char(inout Tissue tissue, vec3 geometric, vec4 coarse, vec4 fine) {
     tissue.roughness = mix(tissue.roughness, 0.42, burnt);
 }
 
-void add_blood(inout Tissue tissue, vec3 geometric) {
+// Gives how much of the pixel is blood.
+float add_blood(inout Tissue tissue, vec3 geometric) {
     LapfxBlood blood = lapfx_blood(v_blood, surface_gradient(v_blood.x, geometric), v_rest, geometric);
     tissue.albedo = mix(tissue.albedo, blood.color, blood.coverage * blood.opacity);
     // A deeper layer of fluid levels the bumps, and light scatters through it, so its body is shaded smoothly.
@@ -67,6 +68,7 @@ void add_blood(inout Tissue tissue, vec3 geometric) {
     tissue.wetness = mix(tissue.wetness, mix(0.02, 1.0, smoothstep(0.15, 0.85, blood.gloss)), blood.coverage);
     // Under blood the tissue loses its sheen, which would veil the blood.
     tissue.sheen *= 1.0 - 0.85 * blood.coverage * blood.opacity.g;
+    return blood.coverage;
 }
 
 void main() {
@@ -77,6 +79,9 @@ void main() {
     vec4 fine = lapfx_fractal_noise(v_rest / 0.7, marked ? 2 : 0, 78u);
     add_cut(tissue, geometric, fine);
     add_char(tissue, geometric, coarse, fine);
-    add_blood(tissue, geometric);
-    o_color = vec4(overlaid(shade(tissue, geometric)), 1.0);
+    float covered = add_blood(tissue, geometric);
+    vec3 shaded = shade(tissue, geometric);
+    // Where nothing has happened, a plate stays as it is.
+    float changed = u_plate == 1 ? max(covered, min(4.0 * max(v_marks.x, v_marks.y), 1.0)) : 1.0;
+    o_color = vec4(overlaid(mix(shaded, lapfx_drawn_light(shaded), changed)), 1.0);
 }

@@ -178,9 +178,26 @@ const ClipStatus* ClipShelf::playing(std::size_t clip) const {
     return clip < playing_.size() && playing_[clip].file == of(clip).path ? &playing_[clip] : nullptr;
 }
 
+void ClipShelf::play_alone(std::optional<std::size_t> clip) {
+    const auto& clips = document_.preset().smoke.clips;
+    alone_ = clip && *clip < clips.size() ? clip : std::nullopt;
+    alone_file_ = alone_ ? clips[*alone_].file : "";
+}
+
+void ClipShelf::follow_alone() {
+    if (!alone_) return;
+    const auto& clips = document_.preset().smoke.clips;
+    if (*alone_ < clips.size() && clips[*alone_].file == alone_file_) return;
+    const auto moved =
+        std::find_if(clips.begin(), clips.end(), [&](const SmokeClip& clip) { return clip.file == alone_file_; });
+    if (moved == clips.end()) return play_alone({});
+    alone_ = static_cast<std::size_t>(moved - clips.begin());
+}
+
 void ClipShelf::update(double now) {
     const std::size_t count = document_.preset().smoke.clips.size();
     if (count > 0 && selected >= count) selected = count - 1;  // one that is gone gives way to the last
+    follow_alone();
     if (work_ && work_->cancelled()) work_.reset();
     if (const bool changed = stale(); changed || now - asked_ > between_asking) {
         asked_ = changed ? now - between_asking : now;  // what a change does is seen once the preview has drawn it

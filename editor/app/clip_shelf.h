@@ -61,6 +61,11 @@ class ClipShelf {
     /// Once before each frame. `now`: s.
     void update(double now);
 
+    /// The clip that smokes alone in the preview, to be looked at; none: all do. It is no part of the document; it
+    /// stays with its file when the list changes, and ends when that is gone.
+    const std::optional<std::size_t>& alone() const { return alone_; }
+    void play_alone(std::optional<std::size_t> clip);
+
     /// The facts about the preset's clip with this number; empty facts if there is no such clip.
     const ClipFacts& of(std::size_t clip) const;
     /// How the clip plays in the preview, updated a few times a second; null: the preview does not have it.
@@ -107,6 +112,7 @@ class ClipShelf {
     bool is_outside(const ClipFacts& facts) const;
     bool stale() const;
     void follow();
+    void follow_alone();
 
     document::Document& document_;
     const PreviewHost& preview_;
@@ -125,6 +131,8 @@ class ClipShelf {
     std::vector<Fault> refused_;
     std::vector<ClipStatus> playing_;
     double asked_ = -1;  ///< s, when the preview was asked for it
+    std::optional<std::size_t> alone_;
+    std::string alone_file_;
 };
 
 /// The middle of an image, cut to 16:9 and reduced to `size`, as RGBA.

@@ -18,11 +18,14 @@
 #include "app/hot_reload.h"
 #include "app/keying_bench.h"
 #include "app/layouts.h"
+#include "app/measure_bench.h"
+#include "app/measuring.h"
 #include "app/meter.h"
 #include "app/organ_choice.h"
 #include "app/reference.h"
 #include "app/saved.h"
 #include "app/settings.h"
+#include "app/snapshot_previews.h"
 #include "app/snapshots.h"
 #include "app/tuning.h"
 
@@ -53,7 +56,13 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options)
       keying_(std::make_unique<KeyingBench>(*clips_, document, preview, timeline, pace_, jobs, images, toasts,
                                             options_.exact)),
       organ_choice_(std::make_unique<OrganChoice>(document, jobs, *settings_, looking, selected)),
-      reference_(std::make_unique<Reference>(document, timeline, preview, jobs, *settings_, images, screen_, options_)),
+      snapshot_previews_(std::make_unique<SnapshotPreviews>(document, *snapshots_, preview, timeline, jobs, images,
+                                                            screen_, options_)),
+      reference_(std::make_unique<Reference>(document, timeline, preview, *snapshot_previews_, jobs, *settings_, images,
+                                             screen_, options_)),
+      measuring_(std::make_unique<Measuring>(document, *reference_, jobs, toasts)),
+      measure_bench_(
+          std::make_unique<MeasureBench>(document, *reference_, *measuring_, jobs, images, toasts, options_.exact)),
       files_(std::make_unique<Files>(*this)),
       exports_(std::make_unique<Exports>(document, timeline, looking, preview, jobs, *settings_, *chooser_, toasts,
                                          screen_, options_.clip_folders,
@@ -78,6 +87,7 @@ void Editor::forget_document(bool scene_too) {
     hold.cancel();
     eyedropper = {};
     clips_->selected = 0;
+    clips_->play_alone({});
     clips_->cancel_work();
     clips_->forget_refused();
     keying_->cancel_suggesting();
@@ -86,9 +96,10 @@ void Editor::forget_document(bool scene_too) {
     snapshots_->forget_before();
     if (!scene_too) return;
     reference_->give_up_choosing();
+    measuring_->forget();
     selected.clear();
     looking.camera = document.scene().camera;
-    timeline.has_range = false;
+    timeline.follow();
     timeline.seek(timeline.time);
 }
 
@@ -133,6 +144,7 @@ bool Editor::frame(double now, const std::function<void()>& build, const FrameOp
     if (options_.exact) jobs.finish();
     jobs.take();
     // Time goes on, then the tool, which works until that time, and may end there with an undo step.
+    timeline.follow();
     timeline.advance(passed, preview.tool_on());
     use_tool();
     // After the tool: its step must not be left open, and has selected its events.
@@ -146,7 +158,11 @@ bool Editor::frame(double now, const std::function<void()>& build, const FrameOp
     // The bench shows one of the clips, so they come first; it and the reference go by the time of above.
     clips_->update(now);
     keying_->update(now);
+    snapshot_previews_->update();
     reference_->update(now);
+    // What is measured in the frame that the reference shows.
+    measuring_->update();
+    measure_bench_->update();
     // An export draws pictures; the parts that are quick are done by now. Nothing depends on previews of files.
     exports_->update(now);
     file_previews_->update();
@@ -188,7 +204,7 @@ void Editor::check_driver(double now) {
 }
 
 bool Editor::draw_pictures() {
-    const bool compared = reference_->draw(scene_scale());
+    const bool compared = snapshot_previews_->draw() | reference_->draw(scene_scale());
     // The view is not drawn while it is hidden and the comparison is drawn: amounts follow the picture drawn last.
     if (reference_->compares() && !layouts_->seen("View")) return compared;
     return preview.draw(shot()) || compared;
@@ -202,8 +218,10 @@ void Editor::follow() {
                           preview.organ_faults().size());
     };
     const auto before = told();
+    preview.play_alone(clips_->alone());
     preview.follow(document);
     if (told() != before) screen_.wake("the preview");
+    snapshot_previews_->follow();  // it shares the organ
 }
 
 double Editor::clock() const {
@@ -235,7 +253,8 @@ bool Editor::draw_in_turn() {
 }
 
 bool Editor::wants_frame() const {
-    return timeline.playing() || preview.tool_on() || preview.late() || exports_->running();
+    return timeline.playing() || preview.tool_on() || preview.late() || snapshot_previews_->late() ||
+           exports_->running();
 }
 
 }  // namespace lapfx::app

@@ -42,11 +42,14 @@ class Files;
 class HotReload;
 class KeyingBench;
 class Layouts;
+class MeasureBench;
+class Measuring;
 class Meter;
 class OrganChoice;
 class Reference;
 class Saved;
 class Settings;
+class SnapshotPreviews;
 class Snapshots;
 class Tuning;
 
@@ -82,11 +85,12 @@ class Editor {
     ToolHold hold;  ///< while the tool works on the organ
     ui::ImageStore& images;
 
-    Settings& settings() { return *settings_; }       ///< what the user chose: theme, recent files, keys
-    FileChooser& chooser() { return *chooser_; }      ///< asks for files
-    Saved& saved() { return *saved_; }                ///< the document as it was opened or saved
-    Tuning& tuning() { return *tuning_; }             ///< locks, favourites, randomise, copied groups
-    Snapshots& snapshots() { return *snapshots_; }    ///< A to D
+    Settings& settings() { return *settings_; }     ///< what the user chose: theme, recent files, keys
+    FileChooser& chooser() { return *chooser_; }    ///< asks for files
+    Saved& saved() { return *saved_; }              ///< the document as it was opened or saved
+    Tuning& tuning() { return *tuning_; }           ///< locks, favourites, randomise, copied groups
+    Snapshots& snapshots() { return *snapshots_; }  ///< A to D
+    SnapshotPreviews& snapshot_previews() { return *snapshot_previews_; }
     AmountsOverTime& amounts() { return *amounts_; }  ///< of the whole scene
     Autosave& autosave() { return *autosave_; }
     Layouts& layouts() { return *layouts_; }
@@ -94,7 +98,9 @@ class Editor {
     ClipShelf& clips() { return *clips_; }    ///< of the preset, as files; and which one panels show
     KeyingBench& keying() { return *keying_; }
     Reference& reference() { return *reference_; }
-    OrganChoice& organ_choice() { return *organ_choice_; }  ///< of the organ dialog
+    Measuring& measuring() { return *measuring_; }             ///< of the whole reference
+    MeasureBench& measure_bench() { return *measure_bench_; }  ///< of the frame of it that is shown
+    OrganChoice& organ_choice() { return *organ_choice_; }     ///< of the organ dialog
     Exports& exports() { return *exports_; }
     Meter& meter() { return *meter_; }                         ///< what a frame costs
     FilePreviews& file_previews() { return *file_previews_; }  ///< of the file dialog
@@ -128,7 +134,7 @@ class Editor {
     void check_driver(double now);
     void follow();
     bool draw_pictures();
-    double scene_scale() const { return options_.exact ? 1 : pace_.scale(now_); }  ///< Shot::scale
+    double scene_scale() const { return options_.exact ? options_.exact_scale : pace_.scale(now_); }  ///< Shot::scale
     bool draw_in_turn();
     double clock() const;
     void tidy_gesture();
@@ -150,7 +156,10 @@ class Editor {
     std::unique_ptr<ClipShelf> clips_;
     std::unique_ptr<KeyingBench> keying_;
     std::unique_ptr<OrganChoice> organ_choice_;
+    std::unique_ptr<SnapshotPreviews> snapshot_previews_;
     std::unique_ptr<Reference> reference_;
+    std::unique_ptr<Measuring> measuring_;
+    std::unique_ptr<MeasureBench> measure_bench_;
     std::unique_ptr<Files> files_;
     std::unique_ptr<Exports> exports_;
     std::unique_ptr<FilePreviews> file_previews_;

@@ -23,6 +23,7 @@ struct EditorOptions {
     document::Folders folders;                        ///< of the user: settings, state, cache
     /// For pictures and tests: clips and references are decoded exactly, jobs waited for, nothing is autosaved.
     bool exact = false;
+    double exact_scale = 1.0;                    ///< with `exact`: factor on width and height of the scene's pictures
     std::string renderer;                        ///< GL_RENDERER, for the status bar
     bool software = false;                       ///< no GPU
     std::function<double()> clock{};             ///< s, for what pictures cost; empty: this computer's

@@ -29,6 +29,7 @@ void Files::make_new() {
         fresh.content.scene.name = new_name(true);
         fresh.content.scene.preset.clear();
         fresh.content.scene.reference = {};
+        fresh.content.scene.plate.use = false;
         fresh.content.scene.events.clear();
         fresh.content.preset.name = new_name(false);
         become(std::move(fresh), {}, {.scene = true});

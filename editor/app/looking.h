@@ -12,6 +12,8 @@ struct Looking {
     bool endoscope = true;
     SceneCamera camera;
     Overlay overlay = Overlay::none;
+    bool underlay = false;        ///< the reference lies in the view, translucent, to place the camera by
+    double underlay_share = 0.5;  ///< of the reference in that
 
     /// The camera that the view shows the scene through.
     SceneCamera through(const SceneCamera& of_scene) const;

@@ -101,6 +101,8 @@ std::string_view meaning_of_zero(const Parameter& row) {
     if (row.unit == "mm per unit of the file") return "automatic";
     if (row.key == "aspect") return "as stored";
     if (row.key == "out") return "the clip's end";
+    if (row.key == "baseline") return "suggested";
+    if (row.key == "to" && row.kind == Kind::number) return "the end";
     return {};
 }
 

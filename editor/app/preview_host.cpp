@@ -24,27 +24,17 @@ bool same_camera(const SceneCamera& a, const SceneCamera& b) {
            a.exposure == b.exposure && a.vignette == b.vignette;
 }
 
-/// Whether both show the same organ and tool, however their files are named and from wherever.
-bool same_organ(const Scene& a, const Scene& b) {
-    const auto differ = [](const Scene& left, const Scene& right) {
-        const Table &organ = *scene_table().find("organ"), &tool = *scene_table().find("tool");
-        return ((difference(organ, &left.organ, &right.organ) | difference(tool, &left.tool, &right.tool)) &
-                redo::organ) != 0;
-    };
-    if (a.folder == b.folder && !differ(a, b)) return true;
-    const auto whole = [](const Scene& scene) {
-        Scene found;
-        found.organ = scene.organ;
-        found.tool = scene.tool;
-        for (std::string* file : {&found.organ.file, &found.tool.file})
-            if (!file->empty()) *file = std::filesystem::absolute(scene.folder / *file).lexically_normal().string();
-        return found;
-    };
-    return !differ(whole(a), whole(b));
+/// Of what its organ is loaded from.
+std::string organ_name(const Scene& scene) {
+    return std::filesystem::path(scene.plate.use ? scene.reference.file : scene.organ.file).filename().string();
 }
 
-std::string name_of(const std::string& file) {
-    return std::filesystem::path(file).filename().string();
+/// Leaves out what the other clips show. Without a haze clip the haze would be even: a plume alone has none.
+void leave_alone(SmokeParameters& smoke, const std::optional<std::size_t>& clip) {
+    if (!clip || *clip >= smoke.clips.size()) return;
+    for (std::size_t i = 0; i < smoke.clips.size(); ++i)
+        if (i != *clip) smoke.clips[i].weight = 0;
+    if (smoke.clips[*clip].role != ClipRole::haze) smoke.haze.accumulation = 0;
 }
 
 }  // namespace
@@ -102,11 +92,13 @@ glm::ivec2 PreviewHost::size() const {
 void PreviewHost::follow(const document::Document& document) {
     if (tool_on_) return;
     if ((organ_job_ && organ_job_->cancelled()) || (clips_job_ && clips_job_->cancelled())) cancel_loading();
-    if (document.version() != followed_) {
+    if (document.version() != followed_ || wanted_alone_ != alone_) {
         if (document.scene_changes_since(followed_) != 0) wanted_.scene = document.scene();
-        if (document.preset_changes_since(followed_) != 0) {
+        if (document.preset_changes_since(followed_) != 0 || wanted_alone_ != alone_) {
             wanted_.preset = document.preset();
             wanted_faults_ = document.preset_faults();
+            leave_alone(wanted_.preset.smoke, alone_);
+            wanted_alone_ = alone_;
         }
         followed_ = document.version();
         stale_ = true;
@@ -154,7 +146,7 @@ void PreviewHost::load_organ() {
         scene_fault_ = false;
         ++organ_version_;
     };
-    organ_job_ = jobs_.start("Loading " + name_of(wanted_.scene.organ.file), work, failed);
+    organ_job_ = jobs_.start("Loading " + organ_name(wanted_.scene), work, failed);
 }
 
 /// The organ that was waited for. What is wrong with the preset or with its clips keeps no organ from being shown.
@@ -281,15 +273,14 @@ void PreviewHost::follow_scene() {
 std::optional<Loading> PreviewHost::loading() const {
     const std::shared_ptr<Job>& job = organ_job_ ? organ_job_ : clips_job_;
     if (!job) return std::nullopt;
-    return Loading{.name = organ_job_ ? name_of(wanted_.scene.organ.file) : "clips",
-                   .progress = job->progress(),
-                   .job = job.get()};
+    return Loading{
+        .name = organ_job_ ? organ_name(wanted_.scene) : "clips", .progress = job->progress(), .job = job.get()};
 }
 
 void PreviewHost::cancel_loading() {
     if (organ_job_) {
         std::exchange(organ_job_, nullptr)->cancel();
-        organ_faults_ = {{.file = wanted_.scene.organ.file,
+        organ_faults_ = {{.file = organ_name(wanted_.scene),
                           .place = "",
                           .reason = "loading was cancelled; Reload from disk loads it again"}};
         ++organ_version_;

@@ -74,6 +74,10 @@ class PreviewHost {
     /// this waits for them. Parts that cannot be shown (values that contradict each other, a clip or an organ that is
     /// missing) stay as they were before. All else is shown, and the faults below say what is wrong.
     void follow(const document::Document& document);
+    /// From the next follow() on only this clip of the preset smokes, by its number; none: all do. The document does
+    /// not know of it.
+    void play_alone(std::optional<std::size_t> clip) { alone_ = clip; }
+    const std::optional<std::size_t>& alone() const { return alone_; }
     /// Pictures have this size from now on, px; picture() is another texture then. Call it before the list that shows
     /// the picture is drawn.
     void resize(glm::ivec2 size);
@@ -164,6 +168,7 @@ class PreviewHost {
     std::uint64_t followed_ = 0;                        ///< version of the document
     document::Content wanted_;                          ///< of that
     std::vector<Fault> wanted_faults_;                  ///< of its preset
+    std::optional<std::size_t> alone_, wanted_alone_;   ///< the clip that smokes alone; as it is in wanted_
     bool stale_ = false;                                ///< it has to be examined again
     std::shared_ptr<const PreparedOrgan> ready_organ_;  ///< to be shown
     std::optional<Scene> shown_scene_;                  ///< none: it has to be examined again

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 #include <set>
 #include <utility>
 
@@ -11,7 +12,9 @@
 #include "app/screen.h"
 #include "app/settings.h"
 #include "app/timeline.h"
+#include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/formats.h"
+#include "match/look.h"
 
 namespace lapfx::app {
 
@@ -19,7 +22,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr double look_height = 256;  // px of the pictures that a look is proposed from
 constexpr const char* sample = "samples/reference/operation.mp4";
+/// s: a sum of time and offset may fall just short of a frame's own time.
+constexpr double frame_slack = 5e-4;
+constexpr std::string_view decoding_note = "The frame is still being decoded: the look follows when it is there.";
 
 /// The name of a file in a scene in `folder`: relative if it is in that folder or below.
 std::string named_in(const fs::path& folder, const fs::path& file) {
@@ -30,6 +37,19 @@ std::string named_in(const fs::path& folder, const fs::path& file) {
     const fs::path relative = whole.lexically_relative(fs::weakly_canonical(fs::absolute(folder), error));
     const bool below = !error && !relative.empty() && *relative.begin() != "..";
     return below ? relative.generic_string() : whole.string();
+}
+
+/// The picture as wide for its height as `shape` is; the side that is squeezed gets shorter.
+Image in_shape(const Image& image, glm::dvec2 shape) {
+    const double scale = std::min(image.width / shape.x, image.height / shape.y);
+    const glm::ivec2 size = glm::max(glm::ivec2(glm::round(shape * scale)), glm::ivec2(1));
+    if (glm::ivec2(image.width, image.height) == size) return image;
+    Image made{.width = size.x, .height = size.y, .pixels = {}, .name = image.name};
+    made.pixels.resize(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    const cv::Mat from(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.pixels.data()));
+    cv::Mat to(size.y, size.x, CV_8UC4, made.pixels.data());
+    cv::resize(from, to, to.size(), 0, 0, cv::INTER_AREA);
+    return made;
 }
 
 }  // namespace
@@ -47,25 +67,6 @@ class Reference::ReferencePixels : public ui::PickSource {
 
   private:
     const Image& image_;
-};
-
-/// Read back from the GPU when a pixel is asked for, once per picture; sampled as if it had as many pixels as the
-/// reference.
-class Reference::PreviewPixels : public ui::PickSource {
-  public:
-    explicit PreviewPixels(const Target& target) : target_(target) {}
-    glm::ivec2 size{1};
-    void forget() { known_ = false; }
-    glm::vec4 pixel(glm::ivec2 at) const override {
-        if (!std::exchange(known_, true)) image_ = target_.read();
-        const glm::dvec2 scale = glm::dvec2(image_.width, image_.height) / glm::dvec2(size);
-        return pixel_of(image_, glm::ivec2((glm::dvec2(at) + 0.5) * scale));
-    }
-
-  private:
-    const Target& target_;
-    mutable Image image_;
-    mutable bool known_ = false;
 };
 
 fs::path whole_sequence(const fs::path& file) {
@@ -87,11 +88,13 @@ fs::path whole_sequence(const fs::path& file) {
     return file.parent_path() / (before + "%0" + std::to_string(digits) + "d" + extension);
 }
 
-Reference::Reference(document::Document& document, const Timeline& timeline, PreviewHost& preview, Jobs& jobs,
-                     Settings& settings, ui::ImageStore& images, Screen& screen, const EditorOptions& options)
+Reference::Reference(document::Document& document, const Timeline& timeline, PreviewHost& preview,
+                     SnapshotPreviews& snapshots, Jobs& jobs, Settings& settings, ui::ImageStore& images,
+                     Screen& screen, const EditorOptions& options)
     : document_(document),
       timeline_(timeline),
       preview_(preview),
+      snapshots_(snapshots),
       jobs_(jobs),
       settings_(settings),
       images_(images),
@@ -100,7 +103,7 @@ Reference::Reference(document::Document& document, const Timeline& timeline, Pre
       feed_(options.exact),
       pixels_(std::make_unique<ReferencePixels>(feed_.image())),
       compared_pixels_(std::make_unique<ReferencePixels>(feed_.image())),
-      preview_pixels_(std::make_unique<PreviewPixels>(copy_.target)) {
+      scopes_{PictureScopes(images), PictureScopes(images)} {
     compare.kind = ui::CompareKind::side_by_side;
 }
 
@@ -123,7 +126,7 @@ void Reference::choose(const fs::path& file) {
             auto reader = std::make_shared<VideoReader>(whole, &job.stop());
             return [this, file, whole, reader] {
                 choosing_.reset();
-                put(whole, reader);
+                take(whole, reader);
                 settings_.note_recent(file.string());
             };
         },
@@ -134,9 +137,13 @@ void Reference::choose(const fs::path& file) {
         });
 }
 
-void Reference::put(const fs::path& file, std::shared_ptr<VideoReader> reader) {
+void Reference::take(const fs::path& file, std::shared_ptr<VideoReader> reader) {
     const std::string name = named_in(document_.scene().folder, file);
-    document_.change("Reference video", [&](document::Content& c) { c.scene.reference = {.file = name}; });
+    document_.change("Reference video", [&](document::Content& c) {
+        c.scene.reference = {.file = name};
+        c.scene.plate.frame = PlateFrame::clearest;  // the chosen one is of the former video
+        c.scene.plate.time = 0;
+    });
     follow_scene(std::move(reader));
 }
 
@@ -146,7 +153,10 @@ void Reference::choose_sample() {
 
 void Reference::remove() {
     give_up_choosing();
-    document_.change("Remove reference", [](document::Content& c) { c.scene.reference = {}; });
+    document_.change("Remove reference", [](document::Content& c) {
+        c.scene.reference = {};
+        c.scene.plate.use = false;
+    });
     follow_scene();
 }
 
@@ -157,8 +167,7 @@ double Reference::time() const {
 
 int Reference::frame() const {
     if (video() == nullptr) return -1;
-    // Half a thousandth more: a sum of time and offset may fall just short of a frame's own time.
-    return held_ ? std::min(*held_, video()->info().frames - 1) : video()->frame_at(time() + 5e-4);
+    return held_ ? std::min(*held_, video()->info().frames - 1) : video()->frame_at(time() + frame_slack);
 }
 
 void Reference::hold(int frame) {
@@ -172,6 +181,27 @@ void Reference::align() {
         c.scene.reference.offset = std::round(offset * 1e4) / 1e4;  // far below a frame, and short in the file
     });
     held_.reset();
+}
+
+const Table& Reference::mark_table() {
+    static const Table& marks = *scene_table().find("reference")->find("marks");
+    return marks;
+}
+
+void Reference::mark(const Parameter& row) {
+    if (video() == nullptr || time() < 0 || time() > video()->info().duration) return;
+    const double now = std::round(time() * 1e4) / 1e4;
+    document_.change("Mark: " + std::string(row.name),
+                     [&](document::Content& c) { row.set(&c.scene.reference.marks, now); });
+}
+
+void Reference::clear_marks() {
+    document_.change("Clear marks", [](document::Content& c) { c.scene.reference.marks = {}; });
+}
+
+bool Reference::any_mark() const {
+    const ReferenceMarks &marks = document_.scene().reference.marks, none;
+    return !equal(mark_table(), &marks, &none);
 }
 
 std::optional<ui::Span> Reference::span() const {
@@ -188,8 +218,23 @@ void Reference::follow_scene(std::shared_ptr<VideoReader> reader) {
     file_ = file;
     refused_.clear();
     held_.reset();
+    look_notes_.clear();
+    proposes_ = false;
     compare.view = {};
     feed_.open(file_, std::move(reader));
+    follow_video();
+}
+
+/// What was counted of the regions belongs to frames of the video before.
+void Reference::follow_video() {
+    if (!regions_video_.owner_before(opened()) && !opened().owner_before(regions_video_)) return;
+    regions_video_ = opened();
+    for (std::size_t side = 0; side < regions_of_.size(); ++side) forget_regions(side);
+}
+
+void Reference::forget_regions(std::size_t side) {
+    regions_.forget(side);
+    regions_of_[side] = {};
 }
 
 void Reference::show_newest() {
@@ -200,13 +245,16 @@ void Reference::show_newest() {
         image_ = images_.add(size, image.pixels);
     else
         images_.update(image_, size, image.pixels);
+    ++shown_;
 }
 
 void Reference::update(double) {
     if (choosing_ && choosing_->cancelled()) choosing_.reset();  // by the list of jobs
     follow_scene();
     if (feed_.take()) show_newest();
-    compares_ = false;
+    follow_video();  // also one that has changed on disk
+    compares_ = counts_ = false;
+    compares_snapshot_.fill(false);
 }
 
 void Reference::follow() {
@@ -216,6 +264,7 @@ void Reference::follow() {
     const int before = feed_.frame();
     feed_.want(wanted);
     if (feed_.frame() != before) show_newest();  // with `exact` the frame is there at once
+    follow_video();
 }
 
 ui::Picture Reference::picture() const {
@@ -226,6 +275,7 @@ ui::Picture Reference::picture() const {
 
 /// In the aspect that the scene gives it; the side that is stretched grows, so that no pixel is lost.
 glm::ivec2 Reference::shown_size() const {
+    if (feed_.image().width < 1) return largest_compared;  // without a video: that of `lapfx render`
     const glm::dvec2 stored = glm::max(glm::dvec2(feed_.image().width, feed_.image().height), glm::dvec2(1));
     const double aspect = document_.scene().reference.aspect;
     if (!(aspect > 0)) return glm::ivec2(stored);
@@ -251,18 +301,48 @@ bool Reference::show_at(double zoom) {
     return drawn_size() != before;
 }
 
+void Reference::put(std::size_t side, CompareSide what) {
+    if (sides[1 - side] == what) sides[1 - side] = sides[side];
+    sides[side] = what;
+}
+
+bool Reference::compares_video() const {
+    return std::ranges::find(sides, CompareSide::reference) != sides.end();
+}
+
+std::size_t Reference::empty_side() const {
+    for (const CompareSide side : sides)
+        if (const std::size_t slot = slot_of(side); slot < Snapshots::count && !snapshots_.kept(slot)) return slot;
+    return Snapshots::count;
+}
+
+std::size_t Reference::first_kept() const {
+    std::size_t slot = 0;
+    while (slot < Snapshots::count && !snapshots_.kept(slot)) ++slot;
+    return slot;
+}
+
+/// Its size may be known only now; it is drawn after this build, before the window shows it.
+ui::Picture Reference::drawn(DrawnPicture& picture, const PreviewHost* preview) {
+    picture.resize(drawn_size());
+    picture.counted = compared_size();
+    if (preview == nullptr || (!preview->ready() && !preview->organ_faults().empty()))
+        return {.image = 0, .size = compared_size()};
+    return {.image = picture.texture(), .size = compared_size(), .pixels = picture.drawn() ? &picture : nullptr};
+}
+
+ui::Picture Reference::compared(CompareSide side) {
+    if (side == CompareSide::preview) return compared_preview();
+    if (side == CompareSide::reference) return compared_reference();
+    const std::size_t slot = slot_of(side);
+    snapshots_.want(slot);
+    compares_snapshot_[slot] = true;
+    return drawn(drawn_snapshots_[slot], snapshots_.at(slot));
+}
+
 ui::Picture Reference::compared_preview() {
-    // Its size may be known only now; it is drawn after this build, before the window shows it.
     compares_ = true;
-    if (copy_.target.size() != drawn_size()) {
-        copy_.target.resize(drawn_size());
-        copy_.revision = 0;
-    }
-    if (!preview_.ready() && !preview_.organ_faults().empty()) return {.image = 0, .size = compared_size()};
-    preview_pixels_->size = compared_size();
-    return {.image = copy_.target.texture(),
-            .size = compared_size(),
-            .pixels = copy_.revision == 0 ? nullptr : preview_pixels_.get()};
+    return drawn(drawn_, &preview_);
 }
 
 ui::Picture Reference::compared_reference() const {
@@ -270,15 +350,146 @@ ui::Picture Reference::compared_reference() const {
     return {.image = image_, .size = compared_size(), .pixels = compared_pixels_.get()};
 }
 
+const std::array<PictureScopes, 2>& Reference::scopes() {
+    counts_ = true;
+    return scopes_;
+}
+
+/// The frame of the reference that what is shown on a side belongs to; below 0: none.
+int Reference::frame_of(CompareSide side) const {
+    if (side == CompareSide::reference) return feed_.frame();
+    if (held_ || video() == nullptr) return -1;
+    const double now = time() + frame_slack;
+    return now < 0 || now >= video()->info().duration ? -1 : frame();
+}
+
+/// What a side of the comparison shows, as far as its curves hold for it.
+Reference::Subject Reference::subject_of(CompareSide side) const {
+    if (side == CompareSide::reference) return {.side = side};
+    Subject of{.side = side, .document = document_.version()};
+    if (side == CompareSide::preview)
+        of.alone = preview_.alone();
+    else
+        of.snapshot = snapshots_.id(slot_of(side));
+    return of;
+}
+
+bool Reference::count_regions() {
+    const SceneReference& scene = document_.scene().reference;
+    const std::uint64_t before = regions_.version();
+    regions_.follow(scene.regions, scene.measure.blood);
+    const bool alone = way == CompareWay::reference, others = regions_.version() != before;
+    for (std::size_t i = alone ? 1 : 0; i < regions_of_.size(); ++i) {
+        const CompareSide side = alone ? CompareSide::reference : sides[i];
+        RegionsOf& of = regions_of_[i];
+        if (const Subject subject = subject_of(side); subject != of.subject) {
+            forget_regions(i);
+            of.subject = subject;
+        }
+        std::uint64_t number = 0;
+        const Image* const image = newest(side, number);
+        if (image == nullptr || (!others && of.picture == number && regions_.counted(i))) continue;
+        of.picture = number;
+        regions_.count(i, *image, frame_of(side));
+    }
+    return regions_.version() != before;
+}
+
+/// It waits for the frame of this time: the newest one may be of another.
+void Reference::follow_proposal() {
+    if (video() == nullptr || document_.scene().plate.use) {
+        proposes_ = false;
+        return look_notes_.clear();
+    }
+    follow();  // the panel may be hidden
+    if (feed_.frame() == frame()) {
+        proposes_ = false;
+        return take_proposal();
+    }
+    if (look_notes_.size() == 1 && look_notes_[0] == decoding_note) return;
+    look_notes_ = {std::string(decoding_note)};
+    screen_.wake("a look waits for its frame");
+}
+
+void Reference::take_proposal() {
+    if (feed_.image().height < 1) return;
+    const glm::dvec2 shape(shown_size());
+    clean_.resize(glm::max(glm::ivec2(glm::round(shape * (look_height / shape.y))), glm::ivec2(1)));
+    const SceneCamera& camera = document_.scene().camera;
+    if (!clean_.draw(preview_, {.time = 0, .camera = camera}) && !clean_.drawn()) {
+        look_notes_ = {"There is no preview to compare with: load an organ first."};
+    } else {
+        const match::Look now = match::look_of(document_.scene(), document_.preset());
+        match::LookProposal found = match::propose_look(in_shape(feed_.image(), shape), clean_.image(), now);
+        look_notes_ = std::move(found.notes);
+        if (found.possible)
+            document_.change("Propose look",
+                             [&](document::Content& c) { match::put_look(found.look, c.scene, c.preset); });
+    }
+    screen_.wake("a look is proposed");
+}
+
 bool Reference::draw(double scale) {
-    if (!compares_ || copy_.target.texture() == 0) return false;
+    if (proposes_) follow_proposal();
+    const bool changed = draw_compared(scale);
+    if (counts_) count_scopes();
+    return changed;
+}
+
+bool Reference::draw_compared(double scale) {
+    bool changed = compares_ && draw_compared(drawn_, preview_, scale);
+    for (std::size_t slot = 0; slot < drawn_snapshots_.size(); ++slot) {
+        PreviewHost* const preview = snapshots_.at(slot);
+        if (!compares_snapshot_[slot] || preview == nullptr) continue;
+        if (std::exchange(drawn_by_[slot], snapshots_.number(slot)) != snapshots_.number(slot))
+            drawn_snapshots_[slot].forget();
+        changed |= draw_compared(drawn_snapshots_[slot], *preview, scale);
+    }
+    return changed;
+}
+
+bool Reference::draw_compared(DrawnPicture& picture, PreviewHost& preview, double scale) {
     const Shot shot{
         .time = timeline_.time, .camera = document_.scene().camera, .overlay = Overlay::none, .scale = scale};
-    const bool first = copy_.revision == 0;
-    if (!preview_.draw_into(copy_, shot)) return false;
-    if (first) screen_.wake("the preview next to the reference");  // the panel may have been built without it
-    preview_pixels_->forget();
+    const bool first = !picture.drawn();
+    if (!picture.draw(preview, shot)) return false;
+    if (first) screen_.wake("a picture that is compared");  // the panel may have been built without it
     return true;
+}
+
+std::size_t Reference::memory() const {
+    std::size_t bytes = drawn_.memory() + snapshots_.memory();
+    for (const DrawnPicture& picture : drawn_snapshots_) bytes += picture.memory();
+    return bytes;
+}
+
+const Image* Reference::newest(CompareSide side, std::uint64_t& number) const {
+    if (side == CompareSide::reference) {
+        number = shown_;
+        return feed_.frame() >= 0 ? &feed_.image() : nullptr;
+    }
+    const bool now = side == CompareSide::preview;
+    const DrawnPicture& picture = now ? drawn_ : drawn_snapshots_[slot_of(side)];
+    number = picture.serial();
+    const bool seen = now ? compares_ : compares_snapshot_[slot_of(side)];
+    return seen && picture.drawn() ? &picture.image() : nullptr;
+}
+
+/// The panel was built with what had been counted before: it is built again when that differs.
+void Reference::count_scopes() {
+    bool changed = false;
+    const bool alone = way == CompareWay::reference;
+    for (std::size_t i = alone ? 1 : 0; i < scopes_.size(); ++i) {
+        const CompareSide side = alone ? CompareSide::reference : sides[i];
+        std::uint64_t number = 0;
+        const Image* const image = newest(side, number);
+        if (image == nullptr || counted_[i] == std::pair(side, number)) continue;
+        counted_[i] = {side, number};
+        scopes_[i].count(*image);
+        changed = true;
+    }
+    changed |= scopes_look.shows_regions() && count_regions();
+    if (changed) screen_.wake("scopes");
 }
 
 }  // namespace lapfx::app

@@ -14,8 +14,11 @@
 #include <string>
 #include <vector>
 
+#include "app/compared_regions.h"
+#include "app/drawn_picture.h"
 #include "app/editor_options.h"
-#include "app/preview_host.h"
+#include "app/picture_scopes.h"
+#include "app/snapshot_previews.h"
 #include "app/video_feed.h"
 #include "document/document.h"
 #include "ui/canvas/axis.h"
@@ -33,14 +36,40 @@ enum class CompareWay : std::uint8_t { reference, beside, wipe, difference, onio
 inline constexpr std::array<std::string_view, 5> way_titles = {"Reference", "Side by side", "Wipe", "Difference",
                                                                "Onion"};
 
+/// What can lie on a side of the comparison: the document's preset, the video, or a snapshot of a preset.
+enum class CompareSide : std::uint8_t { preview, reference, a, b, c, d };
+inline constexpr std::array<std::string_view, 2 + Snapshots::count> side_titles = {
+    "Preview", "Reference", "Snapshot A", "Snapshot B", "Snapshot C", "Snapshot D"};
+constexpr CompareSide side_of(std::size_t slot) {
+    return static_cast<CompareSide>(static_cast<std::size_t>(CompareSide::a) + slot);
+}
+/// Snapshots::count for what is none.
+constexpr std::size_t slot_of(CompareSide side) {
+    return side < CompareSide::a ? Snapshots::count
+                                 : static_cast<std::size_t>(side) - static_cast<std::size_t>(CompareSide::a);
+}
+
+/// How the scopes of the compared pictures are looked at; no part of the document.
+struct ScopesLook {
+    enum Kind : int { all, levels, waves, vectors, regions };
+    bool on = false;
+    int kind = all;
+    Channel channel = Channel::luma;  ///< of the levels
+    bool log_counts = true;
+    float pictures = 0.6F;   ///< share of the panel that the pictures have
+    std::size_t region = 0;  ///< of the scene's: the one that is plotted
+    RegionFigure figure = RegionFigure::veil;
+    bool shows_regions() const { return on && kind == regions; }
+};
+
 class Reference {
   public:
     /// px that the preview is drawn at for comparing, at most.
     static constexpr glm::ivec2 largest_compared{1280, 1024};
 
     /// All must outlive it.
-    Reference(document::Document& document, const Timeline& timeline, PreviewHost& preview, Jobs& jobs,
-              Settings& settings, ui::ImageStore& images, Screen& screen, const EditorOptions& options);
+    Reference(document::Document& document, const Timeline& timeline, PreviewHost& preview, SnapshotPreviews& snapshots,
+              Jobs& jobs, Settings& settings, ui::ImageStore& images, Screen& screen, const EditorOptions& options);
     ~Reference();
 
     // --- which ------------------------------------------------------------------------------------------------------
@@ -60,6 +89,8 @@ class Reference {
     bool opening() const { return feed_.opening() || choosing_; }
     const std::filesystem::path& opens() const { return choosing_ ? chosen_ : file_; }  ///< while opening()
     const VideoReader* video() const { return feed_.video().get(); }  ///< null: none that can be shown
+    /// The same; another one with every opening, also of the same file.
+    const std::shared_ptr<const VideoReader>& opened() const { return feed_.video(); }
     const std::vector<Fault>& faults() const { return feed_.faults(); }
 
     // --- when -------------------------------------------------------------------------------------------------------
@@ -73,6 +104,11 @@ class Reference {
     bool held() const { return held_.has_value(); }
     /// An undo step: the offset with which the frame that is held belongs to the scene's time as it is; it is let go.
     void align();
+    /// An undo step: what the row of `marks` means happens at time(). Nothing outside of the video.
+    void mark(const Parameter& row);
+    void clear_marks();                ///< the same: nothing is marked any more
+    bool any_mark() const;             ///< something is marked
+    static const Table& mark_table();  ///< of ReferenceMarks: a row for each mark
     /// s of the scene, from the reference's first frame to its end; nothing without video().
     std::optional<ui::Span> span() const;
 
@@ -81,7 +117,20 @@ class Reference {
     void follow();
     /// The newest frame that has come.
     ui::Picture picture() const;
-    bool good() const { return feed_.good(); }  ///< the file could give it
+    const Image& image() const { return feed_.image(); }  ///< the same, as the file has it
+    int shown_frame() const { return feed_.frame(); }     ///< its number; -1: none has come
+    bool good() const { return feed_.good(); }            ///< the file could give it
+    /// What is compared, the first and the second.
+    std::array<CompareSide, 2> sides{CompareSide::preview, CompareSide::reference};
+    /// Puts it on that side; what lay there changes places with it if it is on the other.
+    void put(std::size_t side, CompareSide what);
+    bool compares_video() const;  ///< the reference lies on one of the sides; else it need not be there
+    /// Slot of a snapshot on one of the sides in which nothing is kept; Snapshots::count: none.
+    std::size_t empty_side() const;
+    /// Slot of the first snapshot that is kept; Snapshots::count: none.
+    std::size_t first_kept() const;
+    /// A picture of one of the sides, both of one size. Its image is 0 while there is none.
+    ui::Picture compared(CompareSide side);
     /// Both of one size, for compare_view: the scene through its camera at the timeline's time, drawn after this frame;
     /// the reference, counted in the same pixels. Those are the video's, in its aspect.
     ui::Picture compared_preview();
@@ -92,7 +141,24 @@ class Reference {
     bool show_at(double zoom);
     glm::ivec2 drawn_size() const;  ///< px that the preview is drawn at
     CompareWay way = CompareWay::beside;
+    void next_way() { way = static_cast<CompareWay>((static_cast<std::size_t>(way) + 1) % way_titles.size()); }
     ui::CompareState compare;  ///< its view also holds for the reference alone
+    ScopesLook scopes_look;
+    /// While the UI is built: both pictures, or the reference alone, are counted after this frame and whenever they
+    /// change, as long as this is called. What was counted last.
+    /// Of the first and the second side; of the reference alone they are the second.
+    const std::array<PictureScopes, 2>& scopes();
+    /// Counted with them while they are what is looked at.
+    const ComparedRegions& regions() const { return regions_; }
+
+    // --- look --------------------------------------------------------------------------------------------------------
+    /// After this frame, or when frame() is decoded: camera and look as that frame proposes them (match/look.h),
+    /// against the preview at 0 s, without blood and smoke. One undo step, or none where nothing can be said. Nothing
+    /// while the plate stands in for the organ: it is the reference itself.
+    void propose_look() { proposes_ = true; }
+    /// What the last proposal found and what not, a sentence each.
+    const std::vector<std::string>& look_notes() const { return look_notes_; }
+    void forget_look_notes() { look_notes_.clear(); }
 
     // --- of the editor -----------------------------------------------------------------------------------------------
     void set_wake(std::function<void()> wake) { feed_.set_wake(std::move(wake)); }
@@ -101,22 +167,34 @@ class Reference {
     /// Once after each frame: draws the preview for comparing, if it is seen. Gives whether it differs.
     /// `scale`: Shot::scale.
     bool draw(double scale);
-    std::size_t memory() const { return copy_.target.memory(); }  ///< bytes on the GPU
-    bool compares() const { return compares_; }                   ///< the last build asked for compared_preview()
+    std::size_t memory() const;                  ///< bytes on the GPU, with the previews of snapshots
+    bool compares() const { return compares_; }  ///< the last build asked for compared_preview()
 
   private:
     class ReferencePixels;
-    class PreviewPixels;
 
-    void put(const std::filesystem::path& file, std::shared_ptr<VideoReader> reader);
+    void take(const std::filesystem::path& file, std::shared_ptr<VideoReader> reader);
     void follow_scene(std::shared_ptr<VideoReader> reader = nullptr);
     void show_newest();
     glm::ivec2 shown_size() const;
     glm::ivec2 compared_size() const;
+    ui::Picture drawn(DrawnPicture& picture, const PreviewHost* preview);
+    bool draw_compared(double scale);
+    bool draw_compared(DrawnPicture& picture, PreviewHost& preview, double scale);
+    /// The newest picture of that side, with its number.
+    const Image* newest(CompareSide side, std::uint64_t& number) const;
+    void count_scopes();
+    bool count_regions();
+    void follow_video();
+    void forget_regions(std::size_t side);
+    int frame_of(CompareSide side) const;
+    void follow_proposal();
+    void take_proposal();
 
     document::Document& document_;
     const Timeline& timeline_;
     PreviewHost& preview_;
+    SnapshotPreviews& snapshots_;
     Jobs& jobs_;
     Settings& settings_;
     ui::ImageStore& images_;
@@ -132,9 +210,35 @@ class Reference {
     ui::ImageHandle image_ = 0;  ///< of the editor's images
     bool compares_ = false;
     double zoom_ = 0;  ///< pixels of the screen per pixel of compared_size(); 0: not known yet
-    PreviewCopy copy_;
+    DrawnPicture drawn_;
+    std::array<DrawnPicture, Snapshots::count> drawn_snapshots_;
+    std::array<bool, Snapshots::count> compares_snapshot_{};  ///< the last build asked for them
+    std::array<std::uint64_t, Snapshots::count> drawn_by_{};  ///< numbers of the previews that drew them
     std::unique_ptr<ReferencePixels> pixels_, compared_pixels_;
-    std::unique_ptr<PreviewPixels> preview_pixels_;
+    bool proposes_ = false;
+    DrawnPicture clean_;  ///< the preview at 0 s, for a proposal
+    std::vector<std::string> look_notes_;
+    bool counts_ = false;  ///< the last build asked for scopes()
+    std::array<PictureScopes, 2> scopes_;
+    ComparedRegions regions_;
+    std::uint64_t shown_ = 0;  ///< how many frames have been shown
+    /// The pictures that were counted.
+    std::array<std::pair<CompareSide, std::uint64_t>, 2> counted_{};
+    /// Of what the regions were counted: as long as it is the same, their curve holds.
+    struct Subject {
+        CompareSide side{};
+        std::uint64_t document = 0;          ///< version of what is drawn
+        std::uint64_t snapshot = 0;          ///< SnapshotPreviews::id
+        std::optional<std::size_t> alone{};  ///< the clip that the preview plays alone
+        friend bool operator==(const Subject&, const Subject&) = default;
+    };
+    Subject subject_of(CompareSide side) const;
+    struct RegionsOf {
+        std::optional<Subject> subject;
+        std::uint64_t picture = 0;  ///< number of the one that was counted last
+    };
+    std::array<RegionsOf, 2> regions_of_{};
+    std::weak_ptr<const VideoReader> regions_video_;  ///< whose frames they are of
 };
 
 /// "frame_%04d.png" for "frame_0012.png" where more of them are numbered on beside it; else the file itself.

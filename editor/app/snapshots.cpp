@@ -15,7 +15,7 @@ std::int64_t now_utc() {
 
 void Snapshots::keep(std::size_t slot) {
     document_.commit();
-    all_[slot] = {.preset = document_.preset(), .time = now_utc(), .file = document_.preset_file()};
+    all_[slot] = {.preset = document_.preset(), .time = now_utc(), .file = document_.preset_file(), .id = ++last_id_};
     ++version_;
 }
 
@@ -83,7 +83,8 @@ void Snapshots::restore(const std::vector<document::KeptSnapshot>& kept) {
     before_.reset();
     for (const document::KeptSnapshot& snapshot : kept)
         if (snapshot.slot < count)
-            all_[snapshot.slot] = {.preset = snapshot.preset, .time = snapshot.time, .file = snapshot.file};
+            all_[snapshot.slot] = {
+                .preset = snapshot.preset, .time = snapshot.time, .file = snapshot.file, .id = ++last_id_};
     ++version_;
 }
 

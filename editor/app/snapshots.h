@@ -28,6 +28,7 @@ class Snapshots {
         Preset preset;
         std::int64_t time = 0;       ///< when it was kept, s since 1970, UTC
         std::filesystem::path file;  ///< of the preset that was open then; empty: it had none
+        std::uint64_t id = 0;        ///< no other snapshot of this run of the program has it
     };
     const std::optional<Snapshot>& at(std::size_t slot) const { return all_[slot]; }
     void keep(std::size_t slot);
@@ -59,6 +60,7 @@ class Snapshots {
     document::Document& document_;
     std::array<std::optional<Snapshot>, count> all_;
     std::optional<Preset> before_;  ///< a snapshot was shown
+    std::uint64_t last_id_ = 0;
     std::uint64_t version_ = 1;
     // What shown() answers, for these versions of document and snapshots.
     mutable std::uint64_t compared_document_ = 0, compared_ = 0;

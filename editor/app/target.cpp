@@ -2,6 +2,7 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <cassert>
 
 namespace lapfx::app {
@@ -24,17 +25,21 @@ void Target::resize(glm::ivec2 size) {
     glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, texture_, 0);
 }
 
-Image Target::read() const {
-    Image image{.width = size_.x, .height = size_.y, .pixels = {}, .name = ""};
+void Target::read(Image& image) const {
+    image.width = size_.x;
+    image.height = size_.y;
     const std::size_t row = static_cast<std::size_t>(size_.x) * 4;
-    std::vector<std::uint8_t> upward(row * static_cast<std::size_t>(size_.y));
+    image.pixels.resize(row * static_cast<std::size_t>(size_.y));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureImage(texture_, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(upward.size()), upward.data());
-    image.pixels.reserve(upward.size());
-    for (std::size_t y = upward.size(); y > 0; y -= row)
-        image.pixels.insert(image.pixels.end(), upward.begin() + static_cast<std::ptrdiff_t>(y - row),
-                            upward.begin() + static_cast<std::ptrdiff_t>(y));
-    return image;
+    glGetTextureImage(texture_, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(image.pixels.size()),
+                      image.pixels.data());
+    // It comes with its rows from the bottom.
+    for (std::size_t low = 0, high = image.pixels.size(); low + row < high; low += row) {
+        high -= row;
+        const auto first = image.pixels.begin() + static_cast<std::ptrdiff_t>(low);
+        std::swap_ranges(first, first + static_cast<std::ptrdiff_t>(row),
+                         image.pixels.begin() + static_cast<std::ptrdiff_t>(high));
+    }
 }
 
 }  // namespace lapfx::app

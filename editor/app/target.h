@@ -25,8 +25,14 @@ class Target {
     std::size_t memory() const {
         return texture_ == 0 ? 0 : 4 * static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y);
     }
-    /// Rows from the top. Waits for the GPU.
-    Image read() const;
+    /// Rows from the top. Waits for the GPU. Into an image that has been read before it allocates nothing, if the size
+    /// is the same.
+    void read(Image& image) const;
+    Image read() const {
+        Image image;
+        read(image);
+        return image;
+    }
 
   private:
     void release();

@@ -1,5 +1,5 @@
 // Time in the scene: where it stands and how it plays. The state of the timeline's widget, with what the scene adds to
-// it.
+// it: its length, and the part that plays, which is kept with the reference (SceneReference::loop).
 //
 //     timeline.speed = timeline.play_speed;  // plays
 //     timeline.advance(seconds, false);      // once a frame
@@ -13,7 +13,7 @@ namespace lapfx::app {
 class Timeline : public ui::TimelineState {
   public:
     /// `document` must outlive it.
-    explicit Timeline(const document::Document& document) : document_(document) { loop = true; }
+    explicit Timeline(document::Document& document) : document_(document) { loop = true; }
 
     double play_speed = 1;  ///< that it plays with when it is started
 
@@ -25,8 +25,22 @@ class Timeline : public ui::TimelineState {
     /// `endless`, which a tool in use needs, it continues beyond the end.
     void advance(double seconds, bool endless);
 
+    // --- the part that plays -----------------------------------------------------------------------------------------
+    /// Takes it from the scene where that has changed. Once a frame, and when another document has been opened.
+    void follow();
+    /// What the widget has done to it goes into the scene: a gesture is an undo step.
+    void take_range(const ui::Edit& edit);
+    /// Undo steps: it begins, or ends, at the present time; it is all of the scene.
+    void begin_range_here() { end_range_at(true); }
+    void end_range_here() { end_range_at(false); }
+    void drop_range();
+
   private:
-    const document::Document& document_;
+    void end_range_at(bool in);
+    void put_range(document::Content& content) const;
+
+    document::Document& document_;
+    std::uint64_t followed_ = 0;  ///< version of the document
 };
 
 }  // namespace lapfx::app

@@ -33,7 +33,7 @@ std::string processor() {
 using Bench = BenchReport (*)(const BenchOptions&);
 
 void run(Bench bench, const BenchOptions& options) {
-    for (const std::string& file : {options.json, options.plot})
+    for (const std::string& file : {options.json, options.plot, options.frames})
         if (!file.empty()) check_folder(file);
     BenchReport report = bench(options);
     report.short_form = options.short_form;
@@ -133,6 +133,23 @@ void add_bench(CLI::App& app) {
             "What 15 smoke clips add to a frame, how much they delay a haptic thread, and what blood and wounds cost",
             bench_frame);
     frame->add_flag("--simulation", frame_options->simulation, "Measure only what is not drawn, in a few seconds");
+    const auto [measure, measure_options] =
+        add("measure", "How far measured amounts of blood and smoke are from the true ones of renders, and how fast",
+            bench_measure);
+    measure->add_option("--seed", measure_options->seed, "Seed of the renders; the intervals were fitted to seed 1")
+        ->option_text("NUMBER")
+        ->check(CLI::Range(0, 1'000'000))
+        ->capture_default_str();
+    measure->add_option("--frames", measure_options->frames, "Write the figures of each frame to this CSV")
+        ->option_text("FILE");
+    measure
+        ->add_option("--pairs", measure_options->pairs,
+                     "Rank real recordings instead: pictures and videos with smoke in the first folder, the same with "
+                     "less of it in the second, paired in the order of their names")
+        ->option_text("SMOKY CLEAR")
+        ->expected(2)
+        ->excludes("--seed")
+        ->excludes("--frames");
     const auto [ui, ui_options] = add_part("ui", "The editor's UI toolkit and Dear ImGui on the same screens");
     ui->callback([options = ui_options] { run_bench_ui(*options); });
     const auto [streaming, options] =

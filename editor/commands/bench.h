@@ -26,11 +26,14 @@ struct BenchReport {
 };
 
 struct BenchOptions {
-    std::string json;         ///< file that the figures are written to, unless empty
-    std::string plot;         ///< PNG that they are drawn to, unless empty
-    std::string only;         ///< the only ratio that is measured, unless empty
-    bool simulation = false;  ///< measures only what is not drawn
-    int rounds = 3;           ///< rounds of each case; the best counts
+    std::string json;                ///< file that the figures are written to, unless empty
+    std::string plot;                ///< PNG that they are drawn to, unless empty
+    std::string only;                ///< the only ratio that is measured, unless empty
+    bool simulation = false;         ///< measures only what is not drawn
+    int rounds = 3;                  ///< rounds of each case; the best counts
+    int seed = 2;                    ///< of what is drawn at random
+    std::vector<std::string> pairs;  ///< two folders of recordings, ranked instead of renders; none: renders
+    std::string frames;              ///< CSV that each frame's figures are written to, unless empty
     /// Does everything in a few seconds, for tests: it shows that the benchmark works, but its figures mean nothing.
     bool short_form = false;
 };
@@ -47,6 +50,8 @@ double median(std::vector<double> values);
 BenchReport bench_bleeding(const BenchOptions& options);
 BenchReport bench_editor(const BenchOptions& options);
 BenchReport bench_frame(const BenchOptions& options);
+BenchReport bench_measure(const BenchOptions& options);
+BenchReport bench_measure_pairs(const BenchOptions& options);
 BenchReport bench_streaming(const BenchOptions& options);
 
 }  // namespace lapfx::commands

@@ -52,25 +52,11 @@ void make(const std::filesystem::path& path, int seed, int frames) {
 }  // namespace
 
 BenchClips::BenchClips(int count, int frames, int distinct) : frames_(frames) {
-    std::string name = (std::filesystem::temp_directory_path() / "lapfx-bench-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) cannot(name);
-    folder_ = name;
-    try {
-        for (int i = 0; i < count; ++i)
-            if (i < distinct)
-                make(path(i), i, frames);
-            else
-                std::filesystem::copy_file(path(i % distinct), path(i));
-    } catch (...) {
-        std::error_code error;
-        std::filesystem::remove_all(folder_, error);
-        throw;
-    }
-}
-
-BenchClips::~BenchClips() {
-    std::error_code error;
-    std::filesystem::remove_all(folder_, error);
+    for (int i = 0; i < count; ++i)
+        if (i < distinct)
+            make(path(i), i, frames);
+        else
+            std::filesystem::copy_file(path(i % distinct), path(i));
 }
 
 }  // namespace lapfx::commands

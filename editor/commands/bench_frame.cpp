@@ -43,6 +43,7 @@ struct Extent {
     double haptic_seconds;
 };
 constexpr Extent whole{15, 9, 5, 4.0}, least{2, 1, 1, 0.5};
+constexpr int haptic_frames = 8;  // at least, so that blood has grown also where a frame takes most of the seconds
 
 double seconds_since(Clock::time_point start) {
     return duration<double>(Clock::now() - start).count();
@@ -163,7 +164,7 @@ Beside beside_the_core(const HostFrame& host, const Played& played, bool real_ti
     const double cpu = process_seconds();
     const auto start = Clock::now();
     auto next = start;
-    while (seconds_since(start) < played.extent.haptic_seconds) {
+    for (int frame = 0; frame < haptic_frames || seconds_since(start) < played.extent.haptic_seconds; ++frame) {
         preview.draw(samples_from + seconds_since(start), haptic_size, host.framebuffer());
         finish_drawing();
         next += std::chrono::duration_cast<Clock::duration>(duration<double>(frame_seconds));

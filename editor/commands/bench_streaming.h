@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "commands/bench.h"
+#include "commands/scratch_folder.h"
 #include "lapfx/streaming.h"
 
 namespace lapfx::commands {
@@ -47,18 +48,15 @@ class BenchClips {
     /// Throws Error (runtime) when they cannot be made. Each has `frames` frames. Beyond `distinct` they are copies:
     /// separate files with the same pictures.
     explicit BenchClips(int count, int frames = bench_clip_frames, int distinct = 15);
-    ~BenchClips();
-    BenchClips(const BenchClips&) = delete;
-    BenchClips& operator=(const BenchClips&) = delete;
 
-    std::filesystem::path folder() const { return folder_; }
+    std::filesystem::path folder() const { return folder_.path(); }
     int frames() const { return frames_; }
     std::string name(int index) const { return "clip" + std::to_string(index) + ".avi"; }
-    std::filesystem::path path(int index) const { return folder_ / name(index); }
+    std::filesystem::path path(int index) const { return folder() / name(index); }
 
   private:
     int frames_;
-    std::filesystem::path folder_;
+    ScratchFolder folder_;
 };
 
 /// How the ffmpeg program lays clips over a 1280x1024 frame, keyed by luma.

@@ -54,6 +54,10 @@ void print_warnings(const Preview& preview) {
         std::cerr << "lapfx: warning: " << warning << '\n';
 }
 
+void print_plate_note(const Scene& scene, const Preview& preview) {
+    if (scene.plate.use) std::cerr << "lapfx: note: plate: " << preview.organ().name << '\n';
+}
+
 void print_smoke_notes(const Scene& scene, const Preset& preset) {
     if (std::none_of(scene.events.begin(), scene.events.end(), [](const ToolContact& c) { return c.hot(); })) return;
     for (const std::string& note : smoke_notes(preset.smoke)) std::cerr << "lapfx: note: " << note << '\n';

@@ -25,6 +25,8 @@ void check_folder(const std::filesystem::path& output);
 
 /// Prints on stderr what the user should know about the scene and would not see in the picture.
 void print_warnings(const Preview& preview);
+/// Prints which frame of the reference the plate is; nothing if there is none.
+void print_plate_note(const Scene& scene, const Preview& preview);
 /// Prints which smoke will not be visible; nothing if no tool burns.
 void print_smoke_notes(const Scene& scene, const Preset& preset);
 /// Prints warnings about its smoke clips. Call it when they have played, because frames that cannot be decoded are

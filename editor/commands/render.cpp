@@ -66,6 +66,7 @@ void run(const Options& o) {
     const Context context = Context::create(backend);
     output::RenderJob job(scene, preset, std::move(options));
     print_warnings(job.preview());
+    print_plate_note(scene, job.preview());
     print_smoke_notes(scene, preset);
     if (o.has_at) warn_after_end(scene, o.at);
     Progress progress("rendering", job.frames());

@@ -12,7 +12,7 @@ namespace {
 
 void speeds(ui::Ui& ui, GraphsState& s) {
     const ui::PlotSeries series[] = {{.name = "measured", .data = &s.measured, .reference = true},
-                                     {.name = "simulated", .data = &s.simulated}};
+                                     {.name = "simulated", .data = &s.simulated, .low = &s.least, .high = &s.most}};
     const Part part(ui, "Plot");
     ui::plot(ui, "Speed", series, {.x_name = "Time", .x_unit = "s", .y_name = "Speed", .y_unit = "mm/s"});
 }

@@ -118,10 +118,14 @@ GraphsState::GraphsState() {
         const double t = i / rate, speed = 12 * std::exp(-t / 4);
         measured_values.push_back(static_cast<float>(speed + 0.6 * std::sin(17 * t) * std::sin(3.1 * t)));
         simulated_values.push_back(static_cast<float>(speed * (1 + 0.04 * std::sin(t))));
+        least_values.push_back(0.9F * simulated_values.back());
+        most_values.push_back(1.1F * simulated_values.back() + 0.3F);
     }
     for (std::size_t i = 200; i < 215; ++i) measured_values[i] = NAN;  // a gap
     measured.set(measured_values, 0, 1 / rate);
     simulated.set(simulated_values, 0, 1 / rate);
+    least.set(least_values, 0, 1 / rate);
+    most.set(most_values, 0, 1 / rate);
     time.time = 3.2;
     time.has_range = true;
     time.range = {1, 9.5};

@@ -124,8 +124,8 @@ struct PicturesState {
 
 struct GraphsState {
     GraphsState();
-    std::vector<float> measured_values, simulated_values;
-    ui::PlotData measured, simulated;
+    std::vector<float> measured_values, simulated_values, least_values, most_values;
+    ui::PlotData measured, simulated, least, most;
     ui::Curve curve{{{0, 0}, {0.3, 0.15}, {0.7, 0.85}, {1, 1}}}, standard;
     ui::TimelineState time;
     std::vector<ui::TimelineTrack> tracks;

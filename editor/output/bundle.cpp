@@ -192,6 +192,7 @@ class Writer {
         scene_->folder = beside_.path();
         scene_->preset = name_ + ".json";
         scene_->reference = {};
+        scene_->plate.use = false;  // it is a frame of the reference
         organ_ =
             plan_mesh(scene_->organ.file, {.scale = scene_->organ.scale, .rotation = scene_->organ.rotation}, "organ");
         tool_ = plan_mesh(scene_->tool.file, {.scale = scene_->tool.scale}, "tool");

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "app/keying_bench.h"
 #include "panels/clip_parameters.h"
 #include "panels/parts.h"
+#include "panels/place_handle.h"
 #include "panels/table_rows.h"
-#include "ui/canvas/drag_handle.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/section.h"
 
@@ -20,11 +19,6 @@ using document::Content;
 
 constexpr double least_side = 0.005;  // of the frame, that a mask has
 constexpr double most_cut = 0.95;     // as the table's rule has it
-constexpr double finest = 1e-4;       // of the frame: what is dragged is not kept finer
-
-double rounded(double fraction) {
-    return std::round(fraction / finest) * finest;
-}
 
 /// What is drawn below the handles, px of the screen.
 struct ShapesLook {
@@ -75,38 +69,6 @@ struct ShapesBefore {
     }
 };
 
-struct DragMemory {
-    glm::dvec2 start{0};
-    bool changed = false;
-};
-
-/// One gesture of a handle that stands for a place of the frame, 0..1.
-template <typename Clamp>
-ui::Edit edit_place(ui::Ui& ui, const ui::View& view, const ui::HandleMoves& moves, const Clamp& clamp,
-                    glm::dvec2& place) {
-    ui::Edit edit;
-    if (moves.id == 0) return edit;
-    DragMemory& memory = ui.memory<DragMemory>(moves.id);
-    const glm::dvec2 size(view.size), before = place;
-    if (moves.steps != glm::dvec2(0)) {
-        // Shift gives the larger step here, since there is nothing finer than a pixel.
-        const double stride = std::abs(moves.steps.x) + std::abs(moves.steps.y) < 1 ? 100 : 1;
-        place = clamp(place + glm::dvec2(moves.steps.x, -moves.steps.y) * stride / size);
-        return place != before ? ui::Edit::once() : edit;
-    }
-    if (moves.dragged) {
-        const glm::dvec2 at = view.to_picture(moves.to + view.area.at()) / size;
-        place = clamp({rounded(at.x), rounded(at.y)});
-        edit.changed = place != before;
-        if (edit.changed && !memory.changed) memory.start = before, edit.began = true;
-        memory.changed |= edit.changed;
-    }
-    if (memory.changed && moves.released) edit.committed = true;
-    if (memory.changed && moves.cancelled) place = memory.start, edit.cancelled = true, edit.changed = true;
-    if (moves.released || moves.cancelled) memory.changed = false;
-    return edit;
-}
-
 class Shapes {
   public:
     Shapes(ui::Ui& ui, const ClipShapes& of, const ui::View& view)
@@ -137,12 +99,7 @@ class Shapes {
 
   private:
     ui::HandleMoves handle(std::string_view label, std::string_view tip, glm::dvec2 place, ui::Cursor cursor) {
-        const glm::vec2 at = glm::vec2(view_.to_screen(place * glm::dvec2(view_.size))) - view_.area.at();
-        const ui::HandleMoves moves = ui::put_handle(ui_, {.label = label, .tip = tip, .at = at, .cursor = cursor});
-        char text[64];
-        std::snprintf(text, sizeof text, "%.1f %% from the left, %.1f %% from the top", 100 * place.x, 100 * place.y);
-        ui_.last().text = ui_.copy(text);
-        return moves;
+        return put_place(ui_, view_, label, tip, place, cursor);
     }
     void knob(ui::Color color, float size) {
         ui_.draw_with<ui::draw_knob>(ui_.last(), ui::KnobLook{.color = color, .size = glm::vec2(size)});
@@ -195,7 +152,7 @@ class Shapes {
                 return kept;
             },
             place);
-        double cut = rounded(of(place[axis]));
+        double cut = rounded_place(of(place[axis]));
         const double back = moves.initial ? ClipCrop{}.*side : saved().crop.*side;
         if ((moves.reset || moves.initial) && back != crop.*side && back <= most) cut = back, edit = ui::Edit::once();
         take(edit, label, [&](SmokeClip& c) { c.crop.*side = cut; });
@@ -259,8 +216,9 @@ class Shapes {
         if (r.cancelled || high.x - low.x < least_side || high.y - low.y < least_side) return;
         if (clip_.count >= most_masks) return;
         edited_.document.change("Add mask", [&](Content& c) {
-            c.preset.smoke.clips[number_].masks.push_back(
-                {rounded(low.x), rounded(low.y), rounded(high.x - low.x), rounded(high.y - low.y)});
+            c.preset.smoke.clips[number_].masks.push_back({rounded_place(low.x), rounded_place(low.y),
+                                                           rounded_place(high.x - low.x),
+                                                           rounded_place(high.y - low.y)});
         });
     }
 

@@ -87,19 +87,20 @@ void ask_for_another(app::FileChooser& chooser, app::ClipShelf& shelf) {
 
 // --- the list --------------------------------------------------------------------------------------------------------
 
-constexpr float weight_width = 7.5F;  // em
+constexpr float weight_width = 7.5F, alone_width = 3.6F;  // em
 
 struct ClipLook {
     ui::ImageHandle image = 0;
     std::string_view title, facts, playing;
     bool wrong = false, warned = false, ringed = false;
+    bool left_out = false;  ///< another one smokes alone
 };
 
 void draw_clip(ui::Painter& painter, const ui::Node& node, const ClipLook& look) {
     const ui::Theme& t = painter.theme();
     ui::draw_item_ground(painter, node, look.ringed);
     ui::Rect rect = node.rect().inset(painter.em(0.4F), painter.em(0.35F));
-    rect.cut_right(painter.em(weight_width + 0.4F));
+    rect.cut_right(painter.em(alone_width + weight_width + 0.8F));
     const ui::Rect picture = rect.cut_left(std::round(rect.h * 16 / 9));
     rect.cut_left(painter.em(0.6F));
     if (look.image != 0) {
@@ -115,7 +116,7 @@ void draw_clip(ui::Painter& painter, const ui::Node& node, const ClipLook& look)
         painter.icon(title.cut_right(line).inset(painter.em(0.1F)), look.wrong ? Icon::error : Icon::warning,
                      look.wrong ? t.error : t.warning);
     }
-    painter.text(title, look.title, painter.text_style(), t.text);
+    painter.text(title, look.title, painter.text_style(), look.left_out ? t.text_disabled : t.text);
     painter.text(rect.cut_top(line), look.facts, painter.text_style(0.86F), look.wrong ? t.error : t.text_dim);
     painter.text(rect, look.playing, painter.text_style(0.86F), t.text_dim);
 }
@@ -132,7 +133,10 @@ ClipLook look_of(ui::Ui& ui, const app::ClipShelf& shelf, const SmokeClip& clip,
         look.facts = facts.summary;
     else
         look.facts = facts.job && !facts.job->cancelled() ? "reading the file" : "not read yet";
-    if (const ClipStatus* status = shelf.playing(number))
+    look.left_out = shelf.alone() && *shelf.alone() != number;
+    if (look.left_out)
+        look.playing = "not shown: another clip is alone";
+    else if (const ClipStatus* status = shelf.playing(number))
         look.playing =
             ui.copy(std::string(clip.role == ClipRole::plume ? "plume, " : "haze, ") + playing_text(*status));
     else
@@ -140,7 +144,18 @@ ClipLook look_of(ui::Ui& ui, const app::ClipShelf& shelf, const SmokeClip& clip,
     return look;
 }
 
-void list_item(ui::Ui& ui, const app::ClipShelf& shelf, const Edited& edited, ui::RowList& list, std::size_t number,
+/// Shows the clip without the others, until it is pressed again.
+void alone_toggle(ui::Ui& ui, app::ClipShelf& shelf, std::size_t number) {
+    bool alone = shelf.alone() == number;
+    if (ui::toggle(ui, "Solo", alone,
+                   {.tip = "Shows only this clip's smoke, in the preview alone: preset and exports stay as they are. "
+                           "Pressed again, all clips are shown",
+                    .quiet = !alone,
+                    .width = ui::px(ui.em(alone_width))}))
+        shelf.play_alone(alone ? std::optional(number) : std::nullopt);
+}
+
+void list_item(ui::Ui& ui, app::ClipShelf& shelf, const Edited& edited, ui::RowList& list, std::size_t number,
                float height) {
     ui.push_seed(number);
     const ClipLook look = look_of(ui, shelf, clips_of(edited.document)[number], number);
@@ -156,6 +171,7 @@ void list_item(ui::Ui& ui, const app::ClipShelf& shelf, const Edited& edited, ui
     drawn.ringed = list.ringed(number);
     ui.draw_with<draw_clip>(node, drawn);
 
+    alone_toggle(ui, shelf, number);
     const Parameter& row = *clip_table().find_row("weight");
     double weight = clips_of(edited.document)[number].weight;
     ui::ParamOptions options = param_options(row);
@@ -427,6 +443,17 @@ void add_clip_commands(app::Editor& editor) {
         [&editor, &shelf] { return shelf.any_outside() && editor.chooser().takes_files(shelf.home()); },
         "all clips are in the preset's folder, or nothing can be copied there",
         "Copies clips from elsewhere into the preset's folder, and uses the copies");
+    editor.commands.add(
+        {.id = "clip.solo",
+         .title = "Solo clip",
+         .group = "Clip",
+         .chord = {ui::key_of('S'), Mods::shift},
+         .icon = Icon::eye,
+         .run = [&shelf] { shelf.play_alone(shelf.alone() ? std::nullopt : std::optional(shelf.selected)); },
+         .enabled = [&shelf, any] { return shelf.alone().has_value() || any(); },
+         .checked = [&shelf] { return shelf.alone().has_value(); },
+         .tip = "Shows only the selected clip's smoke; again, all clips are shown",
+         .missing = "no clip is selected"});
     add(
         "clip.bench", "Show in keying bench", {}, Icon::eye, [&editor] { editor.layouts().bring_to_front("Keying"); },
         any, "no clip is selected", "Source, matte, keyed and composite picture of the selected clip");

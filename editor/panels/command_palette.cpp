@@ -24,6 +24,11 @@ class Rows {
         add(scene_table(), "Scene", "scene");
     }
     std::span<const ui::PaletteItem> items() const { return items_; }
+    /// The panel with the row.
+    std::string_view panel(std::size_t item) const {
+        if (item < app::parameters().entries().size()) return "Preset";
+        return items_[item].note.starts_with("scene.reference.measure.") ? "Measure" : "Scene";
+    }
     const Parameter& scene_row(std::size_t item) const {
         return *scene_rows_[item - app::parameters().entries().size()];
     }
@@ -53,7 +58,7 @@ void command_palette(ui::Ui& ui, ui::CommandTable& commands, app::Layouts& layou
     static const Rows rows;
     ui::palette(ui, commands, rows.items(), [&](std::size_t item) {
         const bool of_preset = item < app::parameters().entries().size();
-        layouts.bring_to_front(of_preset ? "Preset" : "Scene");
+        layouts.bring_to_front(rows.panel(item));
         if (of_preset)
             tuning.want(item);
         else

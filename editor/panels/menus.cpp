@@ -13,10 +13,11 @@ namespace {
 constexpr std::array<std::string_view, 10> groups = {"File", "Edit", "Preset",    "Clip",   "Tool",
                                                      "Play", "View", "Reference", "Window", "Help"};
 /// Commands that begin another part of their menu.
-constexpr std::array<std::string_view, 15> parts = {
-    "file.save",        "export.open",        "file.quit",       "edit.history",     "snapshot.show_a",
-    "file.load_organ",  "view.endoscope",     "view.vessels",    "view.reload",      "window.palette",
-    "window.show_view", "window.layout_tune", "window.settings", "help.first_steps", "help.about",
+constexpr std::array<std::string_view, 17> parts = {
+    "file.save",        "export.open",        "file.quit",        "edit.history",       "snapshot.show_a",
+    "file.load_organ",  "view.endoscope",     "view.vessels",     "view.reload",        "window.palette",
+    "measure.run",      "measure.export_csv", "window.show_view", "window.layout_tune", "window.settings",
+    "help.first_steps", "help.about",
 };
 
 bool begins_part(std::string_view id) {

@@ -29,11 +29,14 @@ class Files;
 class Jobs;
 class KeyingBench;
 class Layouts;
+class MeasureBench;
+class Measuring;
 class Notices;
 class OrganChoice;
 class PreviewHost;
 class Reference;
 class Settings;
+class SnapshotPreviews;
 class Snapshots;
 class Tuning;
 }  // namespace lapfx::app
@@ -54,6 +57,8 @@ struct ViewParts {
     app::ToolInHand& tool;
     app::ToolHold& hold;
     app::OrganChoice& organ_choice;
+    app::ClipShelf& clips;
+    app::Reference& reference;
     app::Jobs& jobs;
     ui::CommandTable& commands;
     ui::Toasts& toasts;
@@ -65,7 +70,17 @@ void preset_panel(ui::Ui& ui, app::Tuning& tuning, const Edited& edited, const u
 void clips_panel(ui::Ui& ui, app::ClipShelf& shelf, const Edited& edited, ui::CommandTable& commands);
 void keying_panel(ui::Ui& ui, app::KeyingBench& bench, app::ClipShelf& shelf, const Edited& edited,
                   ui::CommandTable& commands);
-void reference_panel(ui::Ui& ui, app::Reference& reference, const Edited& edited, app::Files& files);
+void reference_panel(ui::Ui& ui, app::Reference& reference, const Edited& edited, app::Files& files,
+                     ui::CommandTable& commands);
+struct MeasureParts {
+    Edited edited;
+    app::Reference& reference;
+    app::Measuring& measuring;
+    app::MeasureBench& bench;
+    app::Timeline& timeline;
+    ui::CommandTable& commands;
+};
+void measure_panel(ui::Ui& ui, const MeasureParts& parts);
 struct TimelineParts {
     Edited edited;
     app::Timeline& timeline;
@@ -82,7 +97,8 @@ void curves_panel(ui::Ui& ui, document::Document& document, const app::Timeline&
 void amounts_panel(ui::Ui& ui, app::AmountsOverTime& amounts, app::Timeline& timeline);
 void presets_panel(ui::Ui& ui, app::Browser& browser, const document::Document& document, app::Files& files,
                    app::FileChooser& chooser, ui::Toasts& notices);
-void snapshots_panel(ui::Ui& ui, app::Snapshots& snapshots, document::Document& document);
+void snapshots_panel(ui::Ui& ui, app::Snapshots& snapshots, app::SnapshotPreviews& previews, app::Reference& reference,
+                     app::Layouts& layouts, document::Document& document);
 void history_panel(ui::Ui& ui, document::Document& document, ui::CommandTable& commands);
 void scene_panel(ui::Ui& ui, const Edited& edited, ui::CommandTable& commands, ui::Toasts& toasts);
 
@@ -104,6 +120,7 @@ void add_tool_commands(app::Editor& editor);
 void add_preset_commands(app::Editor& editor);
 void add_clip_commands(app::Editor& editor);
 void add_reference_commands(app::Editor& editor);
+void add_measure_commands(app::Editor& editor);
 void add_snapshot_commands(app::Editor& editor);
 void add_export_commands(app::Editor& editor);
 void add_window_commands(app::Editor& editor);
@@ -113,6 +130,7 @@ void add_commands(app::Editor& editor);        ///< all of these
 // --- the parts that panels take, out of an editor --------------------------------------------------------------------
 Edited edited_in(app::Editor& editor);
 ViewParts view_parts(app::Editor& editor);
+MeasureParts measure_parts(app::Editor& editor);
 TimelineParts timeline_parts(app::Editor& editor);
 
 }  // namespace lapfx::panels

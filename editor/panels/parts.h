@@ -15,7 +15,9 @@ class Document;
 }
 
 namespace lapfx::app {
+class ClipShelf;
 class Exports;
+class FileChooser;
 class Files;
 class HotReload;
 class Jobs;
@@ -47,12 +49,16 @@ void pick_hint(ui::Ui& ui, ui::Eyedropper& eyedropper);
 /// Esc ends that. Where no such picture is in sight the view is shown. Once a frame.
 void follow_eyedropper(ui::Ui& ui, ui::Eyedropper& eyedropper, app::Layouts& layouts);
 
+/// Asks for the reference's file; it becomes the scene's.
+void ask_for_video(app::Reference& reference, app::FileChooser& chooser);
+
 void menu_bar(ui::Ui& ui, ui::CommandTable& commands, app::Settings& settings, app::Files& files);
 /// In the File menu: the files opened last.
 void recent_files_menu(ui::Ui& ui, app::Settings& settings, app::Files& files);
 struct StatusParts {
     const document::Document& document;
     const app::PreviewHost& preview;
+    const app::ClipShelf& clips;
     const app::Reference& reference;
     const ui::ImageStore& images;
     const app::Jobs& jobs;

@@ -1,23 +1,25 @@
 // The reference: the surgery video that is to be matched, alone or against the preview.
+#include "app/plate.h"
 #include "app/reference.h"
 
 #include <array>
 #include <cmath>
 #include <cstdio>
 
-#include "app/editor.h"
 #include "app/file_filters.h"
 #include "app/files.h"
-#include "app/layouts.h"
 #include "app/open.h"
 #include "app/pick_color.h"
+#include "panels/compared_scopes.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
+#include "panels/region_shapes.h"
 #include "ui/canvas/image_view.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/param.h"
 #include "ui/widgets/scroll.h"
+#include "ui/widgets/splitter.h"
 #include "ui/widgets/toolbar.h"
 
 namespace lapfx::panels {
@@ -27,20 +29,10 @@ namespace {
 using app::CompareWay;
 using app::Reference;
 
-constexpr float low_panel = 14, least_pictures = 5;                                                      // em of height
+constexpr float low_panel = 14, least_pictures = 5, low_scopes = 18;                                     // em of height
 constexpr float ways_width = 27, list_width = 8, number_width = 9, aspect_width = 7, offset_width = 10;  // em
+constexpr float side_width = 8;                                                                          // em
 constexpr const auto& ways = app::way_titles;
-
-void choose_next_way(Reference& reference) {
-    reference.way = static_cast<CompareWay>((static_cast<std::size_t>(reference.way) + 1) % ways.size());
-}
-
-void ask_for_video(Reference& reference, app::FileChooser& chooser) {
-    const std::filesystem::path now = reference.file();
-    chooser.ask(
-        {.title = "Open reference video", .folder = now.parent_path().string(), .filters = app::clip_filters("Videos")},
-        [&reference](const std::vector<std::string>& files) { reference.choose(files.front()); });
-}
 
 /// A video becomes the reference; a scene, a preset or an organ is opened, as anywhere in the window.
 void take_dropped(Reference& reference, app::Files& opens, std::string_view paths) {
@@ -81,6 +73,11 @@ void invite(ui::Ui& ui, Reference& reference, app::FileChooser& chooser) {
     ui::label(ui, "It follows the timeline; its offset aligns it with the scene.", {.tone = ui::Tone::dim});
     ui::label(ui, "M changes how it is compared with the preview.", {.tone = ui::Tone::dim});
     ui::space(ui, 0.4F);
+    if (const std::size_t slot = reference.first_kept(); slot < app::Snapshots::count) {
+        if (ui::button(ui, ui.join({"Preview next to snapshot ", app::Snapshots::names[slot]}),
+                       {.tip = "Snapshots are compared without a video, too", .quiet = true}))
+            reference.sides = {app::CompareSide::preview, app::side_of(slot)};
+    }
     const ui::Row buttons(ui);
     if (ui::button(ui, "Open...", {.icon = ui::Icon::folder, .tip = "Opens a video or images", .primary = true}))
         ask_for_video(reference, chooser);
@@ -190,31 +187,62 @@ void mix_field(ui::Ui& ui, Reference& reference) {
     ui::number_field(ui, "Mix", reference.compare.mix, options);
 }
 
+void plate_toggle(ui::Ui& ui, document::Document& document) {
+    bool on = document.scene().plate.use;
+    if (ui::toggle(ui, "Plate", on,
+                   {.tip = "A clear frame of the reference in place of the organ: then both pictures show the same "
+                           "tissue, and what differs is smoke and blood"}))
+        app::show_plate(document, on);
+}
+
+/// What lies on the first or the second side.
+void side_choice(ui::Ui& ui, Reference& reference, std::size_t side) {
+    int chosen = static_cast<int>(reference.sides[side]);
+    if (ui::combo(ui, side == 0 ? "First picture" : "Second picture", chosen, app::side_titles,
+                  {.tip = side == 0 ? "What is compared: the preset as it is, the video, or a snapshot"
+                                    : "What it is compared with. The one that is on the other side changes places",
+                   .width = ui::px(ui.em(side_width))}))
+        reference.put(side, static_cast<app::CompareSide>(chosen));
+}
+
 /// `room`: px.
-void way_of_comparing(ui::Ui& ui, Reference& reference, const Edited& edited, float room) {
+void way_of_comparing(ui::Ui& ui, Reference& reference, const Edited& edited, ui::CommandTable& commands, float room) {
     app::FileChooser& chooser = edited.chooser;
     const bool two = reference.way != CompareWay::reference;
     const bool gain = reference.way == CompareWay::difference, mix = reference.way == CompareWay::onion;
+    const bool video = reference.video() != nullptr;
     const std::string name = reference.file().filename().string();
-    const bool in_a_row = room == 0 || room >= ui.em(ways_width + number_width + aspect_width + 8);
-    enum : std::size_t { compare, number, swap, aspect, title, open, count };
+    const bool in_a_row = room == 0 || room >= ui.em(ways_width + number_width + aspect_width + 2 * side_width + 8);
+    enum : std::size_t { compare, first, second, number, swap, scopes, plate, aspect, measure, title, open, count };
     std::array<ui::ToolItem, count> items;
     items[compare] = {.width = ui.em(in_a_row ? ways_width : list_width)};
+    items[first] = items[second] = {.width = two ? ui.em(side_width) : 0, .rank = 1};
     items[number] = {.width = gain || mix ? ui.em(number_width) : 0, .rank = 1};
     items[swap] = {.width = two ? ui::tool_width(ui, "Swap") : 0, .rank = 2};
-    items[aspect] = {.width = ui.em(aspect_width), .rank = 3};
-    items[title] = {.width = std::min(ui.text_width(name), ui.em(14)), .rank = 5, .end = true};
+    items[scopes] = {.width = ui::tool_width(ui, "Scopes"), .rank = 2};
+    items[plate] = {.width = video ? ui::tool_width(ui, "Plate") : 0, .rank = 2};
+    items[aspect] = {.width = video ? ui.em(aspect_width) : 0, .rank = 3};
+    items[measure] = {.width = video ? ui::tool_width(ui, "Measure...") : 0, .rank = 4};
+    items[title] = {.width = video ? std::min(ui.text_width(name), ui.em(14)) : 0, .rank = 5, .end = true};
     items[open] = {.width = ui.row_height(), .rank = 4};
     ui::toolbar(ui, "Compare tools", room, items, [&](std::size_t item) {
         if (item == compare) choose_way(ui, reference, in_a_row);
+        if (item == first) side_choice(ui, reference, 0);
+        if (item == second) side_choice(ui, reference, 1);
         if (item == number && gain) gain_field(ui, reference);
         if (item == number && mix) mix_field(ui, reference);
         if (item == swap)
             ui::toggle(
                 ui, "Swap", reference.compare.swapped,
-                {.tip =
-                     "Swaps reference and preview (X over the picture). Hold F over it to see the second one alone"});
+                {.tip = "Swaps the two pictures (X over the picture). Hold F over it to see the second one alone"});
+        if (item == scopes)
+            ui::toggle(ui, "Scopes", reference.scopes_look.on,
+                       {.tip = "Levels, waveform and colours of both pictures, next to each other"});
+        if (item == plate) plate_toggle(ui, edited.document);
         if (item == aspect) aspect_choice(ui, edited.document);
+        if (item == measure &&
+            ui::button(ui, "Measure...", {.tip = "Shows the Measure panel: how much blood and smoke there is"}))
+            commands.run("window.show_measure");
         if (item == title) {
             ui::label(ui, name, {.tone = ui::Tone::dim, .width = ui::px(items[title].width)});
             ui.last().tip = ui.copy(reference.file().string());
@@ -285,16 +313,18 @@ PlaceInTime place_in_time(ui::Ui& ui, const Reference& reference) {
     return {warning, ui.copy(text)};
 }
 
-/// `room`: px.
-void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, float room) {
+/// `room`: px. Only with a video.
+void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, ui::CommandTable& commands, float room) {
+    if (reference.video() == nullptr) return;
     const PlaceInTime place = place_in_time(ui, reference);
-    enum : std::size_t { before, frame, after, hold, align, offset, warning, text, count };
+    enum : std::size_t { before, frame, after, hold, align, offset, look, warning, text, count };
     std::array<ui::ToolItem, count> items;
     items[before] = items[after] = {.width = ui.row_height()};
     items[frame] = {.width = ui.em(number_width)};
     items[hold] = {.width = ui::tool_width(ui, "Hold", true), .rank = 1};
     items[align] = {.width = ui::tool_width(ui, "Align start here"), .rank = 3};
     items[offset] = {.width = ui.em(offset_width), .rank = 2};
+    items[look] = {.width = ui::tool_width(ui, "Propose look"), .rank = 3};
     items[warning] = {.width = place.warning.empty() ? 0 : ui.text_width(place.warning), .rank = 3, .end = true};
     items[text] = {.width = ui.text_width(place.text) + ui.em(1), .rank = 4, .end = true};
     ui::toolbar(ui, "Reference time tools", room, items, [&](std::size_t item) {
@@ -310,6 +340,7 @@ void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, float room
         if (item == hold) hold_toggle(ui, reference);
         if (item == align) align_button(ui, reference);
         if (item == offset) offset_field(ui, edited);
+        if (item == look) ui::command_button(ui, commands, "reference.propose_look");
         if (item == warning) ui::label(ui, place.warning, {.tone = ui::Tone::warning});
         if (item == text) {
             ui::label(ui, place.text, {.tone = ui::Tone::dim, .number = true});
@@ -318,145 +349,161 @@ void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, float room
     });
 }
 
-/// Takes it from the picture that is seen at that place; where both are mixed, from the reference.
-void take_color(ui::Eyedropper& eyedropper, CompareWay way, const ui::CompareResult& result, const ui::Picture& preview,
-                const ui::Picture& video) {
+/// Takes it from the picture that is seen at that place; where both are mixed, from the second.
+void take_color(ui::Eyedropper& eyedropper, CompareWay way, const ui::CompareResult& result, const ui::Picture& first,
+                const ui::Picture& second) {
     const bool mixed = way == CompareWay::onion || way == CompareWay::difference;
-    const ui::Picture& picture = (mixed && !result.flicker) || result.under == 1 ? video : preview;
+    const ui::Picture& picture = (mixed && !result.flicker) || result.under == 1 ? second : first;
+    if (picture.pixels == nullptr) return;
     eyedropper.picked = app::color_around(*picture.pixels, picture.size, result.pick);
 }
 
-void comparison(ui::Ui& ui, Reference& reference, ui::Eyedropper& eyedropper) {
+void tell_empty(ui::Ui& ui, std::size_t slot) {
+    const std::string_view letter = app::Snapshots::names[slot];
+    const Notice notice(ui);
+    ui::label(ui, ui.join({"Snapshot ", letter, " is empty"}), {.size = 1.25F, .weight = ui::Weight::bold});
+    ui::label(ui, ui.join({"Shift+", letter, " keeps the preset there as it is now."}), {.tone = ui::Tone::dim});
+}
+
+void comparison(ui::Ui& ui, Reference& reference, const Edited& edited) {
+    ui::Eyedropper& eyedropper = edited.eyedropper;
     constexpr std::array kinds = {ui::CompareKind::side_by_side, ui::CompareKind::side_by_side, ui::CompareKind::wipe,
                                   ui::CompareKind::difference, ui::CompareKind::onion};
     reference.compare.kind = kinds[static_cast<std::size_t>(reference.way)];
     // The comparison takes letters before any command.
     ui.events_of(ui.id_of("Comparison"), [&](const ui::Event& event) {
-        if (event.kind == ui::EventKind::key && event.key == ui::key_of('M') && !event.repeat)
-            choose_next_way(reference);
+        if (event.kind == ui::EventKind::key && event.key == ui::key_of('M') && !event.repeat) reference.next_way();
     });
     const bool picks = eyedropper.wanted_by != 0;
-    const ui::Picture preview = reference.compared_preview(), video = reference.compared_reference();
+    const auto [one, other] = reference.sides;
+    const ui::Picture first = reference.compared(one), second = reference.compared(other);
+    RegionShapes regions{reference.scopes_look, edited};
+    const bool shapes = reference.scopes_look.shows_regions() && !picks;
     const ui::CompareResult result =
-        ui::compare_view(ui, "Comparison", preview, video, reference.compare,
-                         {.first_label = "Preview",
-                          .second_label = "Reference",
+        ui::compare_view(ui, "Comparison", first, second, reference.compare,
+                         {.first_label = app::side_titles[static_cast<std::size_t>(one)],
+                          .second_label = app::side_titles[static_cast<std::size_t>(other)],
                           .eyedropper = picks,
                           .sample_box = picks ? app::picked_side : 1,
+                          .over = shapes ? RegionShapes::build : nullptr,
+                          .over_with = &regions,
                           .tip = "Wheel: zoom. Hold F: the second alone. X: swap. M: next way of comparing"});
-    if (result.picked) take_color(eyedropper, reference.way, result, preview, video);
+    if (result.picked) take_color(eyedropper, reference.way, result, first, second);
     if (reference.show_at(result.zoom) || result.picked) ui.build_again();
 }
 
-void pictures(ui::Ui& ui, Reference& reference, ui::Eyedropper& eyedropper) {
-    if (reference.picture().image == 0) {
+void pictures(ui::Ui& ui, Reference& reference, const Edited& edited) {
+    ui::Eyedropper& eyedropper = edited.eyedropper;
+    const bool alone = reference.way == CompareWay::reference;
+    if ((alone || reference.compares_video()) && reference.picture().image == 0) {
         const Notice notice(ui);
         ui::label(ui, "Decoding...", {.tone = ui::Tone::dim});
         return;
     }
-    if (reference.way != CompareWay::reference) return comparison(ui, reference, eyedropper);
+    if (const std::size_t slot = reference.empty_side(); !alone && slot < app::Snapshots::count)
+        return tell_empty(ui, slot);
+    if (!alone) return comparison(ui, reference, edited);
     const bool picks = eyedropper.wanted_by != 0;
     const ui::Picture video = reference.picture();
+    RegionShapes regions{reference.scopes_look, edited};
+    const bool shapes = reference.scopes_look.shows_regions() && !picks;
     const ui::ImageViewResult result =
         ui::image_view(ui, "Video", video, reference.compare.view,
                        {.eyedropper = picks,
                         .sample_box = picks ? app::picked_side : 1,
+                        .over = shapes ? RegionShapes::build : nullptr,
+                        .over_with = &regions,
                         .tip = "Wheel: zoom. 0: whole picture. 1: pixel by pixel. M: next way of comparing"});
     if (!result.picked) return;
     eyedropper.picked = app::color_around(*video.pixels, video.size, result.pick);
     ui.build_again();
 }
 
+/// What a proposal of the look found.
+void look_notes(ui::Ui& ui, Reference& reference) {
+    if (reference.look_notes().empty()) return;
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::start});
+    {
+        const ui::Column lines(ui, {.width = ui::grow(), .gap = 0.1F});
+        for (const std::string& note : reference.look_notes())
+            ui::label(ui, note, {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
+    }
+    if (ui::icon_button(ui, ui::Icon::cross, "Dismiss", {.quiet = true})) reference.forget_look_notes();
+}
+
+/// The pictures and, where they are wanted, their scopes below. `room`: px.
+void pictures_and_scopes(ui::Ui& ui, Reference& reference, const Edited& edited, glm::vec2 room) {
+    app::ScopesLook& look = reference.scopes_look;
+    if (!look.on) return pictures(ui, reference, edited);
+    ui::Splitter split(ui, "Pictures and scopes", ui::Axis::y, look.pictures,
+                       {.first_minimum = least_pictures, .second_minimum = 8, .standard = app::ScopesLook{}.pictures});
+    {
+        const ui::Column upper(ui, {.width = ui::grow(), .height = ui::grow()});
+        pictures(ui, reference, edited);
+    }
+    split.next();
+    compared_scopes(ui, reference, edited, {room.x, (1 - look.pictures) * room.y});
+}
+
 /// In a low panel the pictures have nearly all the room, and one scrolls to the tools of time.
-void low(ui::Ui& ui, Reference& reference, const Edited& edited, float room) {
+void low(ui::Ui& ui, Reference& reference, const Edited& edited, ui::CommandTable& commands, float room) {
     ui::ScrollArea area(ui, "Compared", {.gap = 0.3F});
     {
         const float height = std::max(area.state().view.y - ui.em(0.3F), ui.em(least_pictures));
         const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(height)});
-        pictures(ui, reference, edited.eyedropper);
+        pictures(ui, reference, edited);
         pick_hint(ui, edited.eyedropper);
     }
-    time_row(ui, reference, edited, std::max(1.0F, room - ui.em(1)));
+    time_row(ui, reference, edited, commands, std::max(1.0F, room - ui.em(1)));
+    if (reference.scopes_look.on) {
+        const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(ui.em(low_scopes))});
+        compared_scopes(ui, reference, edited, {std::max(1.0F, room - ui.em(1)), ui.em(low_scopes)});
+    }
     warn_of_refused(ui, reference, edited.chooser);
     warn_of_faults(ui, reference, edited.chooser);
+    look_notes(ui, reference);
+}
+
+void without_video(ui::Ui& ui, Reference& reference, app::FileChooser& chooser) {
+    if (reference.opening()) {
+        const Notice notice(ui);
+        return ui::label(ui, ui.join({"Opening ", reference.opens().filename().string(), "..."}),
+                         {.tone = ui::Tone::dim});
+    }
+    if (!reference.refused().empty()) return tell_faults(ui, reference, chooser, reference.refused());
+    reference.named() ? tell_faults(ui, reference, chooser, reference.faults()) : invite(ui, reference, chooser);
 }
 
 }  // namespace
 
-void reference_panel(ui::Ui& ui, Reference& reference, const Edited& edited, app::Files& files) {
+void ask_for_video(Reference& reference, app::FileChooser& chooser) {
+    const std::filesystem::path now = reference.file();
+    chooser.ask(
+        {.title = "Open reference video", .folder = now.parent_path().string(), .filters = app::clip_filters("Videos")},
+        [&reference](const std::vector<std::string>& files) { reference.choose(files.front()); });
+}
+
+void reference_panel(ui::Ui& ui, Reference& reference, const Edited& edited, app::Files& files,
+                     ui::CommandTable& commands) {
     accept_drops(ui, reference, files);
     reference.follow();
     if (reference.video() == nullptr) {
-        if (reference.opening()) {
-            const Notice notice(ui);
-            return ui::label(ui, ui.join({"Opening ", reference.opens().filename().string(), "..."}),
-                             {.tone = ui::Tone::dim});
-        }
-        if (!reference.refused().empty()) return tell_faults(ui, reference, edited.chooser, reference.refused());
-        return reference.named() ? tell_faults(ui, reference, edited.chooser, reference.faults())
-                                 : invite(ui, reference, edited.chooser);
+        if (reference.compares_video()) return without_video(ui, reference, edited.chooser);
+        if (reference.way == CompareWay::reference) reference.way = CompareWay::beside;  // there is nothing else
     }
     const ui::Rect panel = ui.rect_before(ui.parent().id);
     const float room = panel.w > 0 ? std::max(1.0F, panel.w - 2 * ui.em(0.6F)) : 0.0F;
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow()});
-    way_of_comparing(ui, reference, edited, room);
-    if (panel.h > 0 && panel.h < ui.em(low_panel)) return low(ui, reference, edited, room);
-    time_row(ui, reference, edited, room);
+    way_of_comparing(ui, reference, edited, commands, room);
+    if (panel.h > 0 && panel.h < ui.em(low_panel)) return low(ui, reference, edited, commands, room);
+    time_row(ui, reference, edited, commands, room);
     warn_of_refused(ui, reference, edited.chooser);
     warn_of_faults(ui, reference, edited.chooser);
-    pictures(ui, reference, edited.eyedropper);
+    look_notes(ui, reference);
+    pictures_and_scopes(ui, reference, edited, {room, panel.h - 2 * ui.row_height() - ui.em(1.6F)});
     pick_hint(ui, edited.eyedropper);
 }
 
-void add_reference_commands(app::Editor& editor) {
-    using ui::key_of;
-    using ui::Mods;
-    const auto shown = [&editor] { return editor.reference().video() != nullptr; };
-    editor.commands.add({.id = "reference.open",
-                         .title = "Open reference video",
-                         .group = "Reference",
-                         .chord = {key_of('V'), Mods::command | Mods::shift},
-                         .run =
-                             [&editor] {
-                                 editor.layouts().bring_to_front("Reference");
-                                 ask_for_video(editor.reference(), editor.chooser());
-                             },
-                         .tip = "The surgery video to match"});
-    editor.commands.add({.id = "reference.sample",
-                         .title = "Sample reference",
-                         .group = "Reference",
-                         .run =
-                             [&editor] {
-                                 editor.layouts().bring_to_front("Reference");
-                                 editor.reference().choose_sample();
-                             },
-                         .tip = "A video that comes with lapfx, of another operation than the sample scene's"});
-    editor.commands.add({.id = "reference.next_way",
-                         .title = "Next way of comparing",
-                         .group = "Reference",
-                         .chord = {key_of('M'), Mods::none},
-                         .run =
-                             [&editor] {
-                                 if (editor.layouts().seen("Reference")) return choose_next_way(editor.reference());
-                                 editor.layouts().bring_to_front("Reference");
-                             },
-                         .enabled = shown,
-                         .tip = "Reference, side by side, wipe, difference, onion; shows the panel first",
-                         .missing = "there is no reference that can be shown"});
-    editor.commands.add({.id = "reference.align",
-                         .title = "Align start here",
-                         .group = "Reference",
-                         .run = [&editor] { editor.reference().align(); },
-                         .enabled = [&editor] { return editor.reference().held(); },
-                         .tip = "The frame that is held belongs to the current time of the scene",
-                         .missing = "no frame of the reference is held"});
-    editor.commands.add({.id = "reference.remove",
-                         .title = "Remove reference",
-                         .group = "Reference",
-                         .run = [&editor] { editor.reference().remove(); },
-                         .enabled = [&editor] { return editor.reference().named(); },
-                         .tip = "The scene then has no reference; its file stays",
-                         .missing = "the scene has no reference"});
-}
+/// One for each mark, Alt with its number.
 
 }  // namespace lapfx::panels

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/file_filters.h"
+#include "app/measuring.h"
 #include "app/orbit.h"
 #include "panels/panels.h"
 #include "panels/table_rows.h"
@@ -46,6 +47,7 @@ class ScenePanel {
         if (const ui::Section section(ui_, "Camera", options("camera")); section) camera();
         if (const ui::Section section(ui_, "Light", options("light")); section) light();
         if (const ui::Section section(ui_, "Reference", options("reference")); section) reference();
+        if (const ui::Section section(ui_, "Plate", options("plate")); section) plate();
     }
 
   private:
@@ -62,6 +64,15 @@ class ScenePanel {
         const std::string_view place = table.key.empty() ? ui_.join({"/", key}) : ui_.join({"/", table.key, "/", key});
         for (const Fault& fault : faults_.all)
             if (fault.place == place) ui::label(ui_, fault.reason, {.tone = ui::Tone::error, .wrap = true});
+    }
+
+    void inner_rows(const Table& outer, const Table& inner, const OwnerOf& owner, const TableRowOptions& options) {
+        for (const Parameter& parameter : inner.rows) {
+            table_row(ui_, edited_, parameter, owner, options);
+            const std::string_view place = ui_.join({"/", outer.key, "/", inner.key, "/", parameter.key});
+            for (const Fault& fault : faults_.all)
+                if (fault.place == place) ui::label(ui_, fault.reason, {.tone = ui::Tone::error, .wrap = true});
+        }
     }
 
     void rows_of_scene() {
@@ -131,6 +142,24 @@ class ScenePanel {
         row(t, "offset", owner,
             {.prefix = "Reference", .standard = &standard_scene().reference, .maximum = 60, .minimum = -60});
         row(t, "aspect", owner, {.prefix = "Reference", .standard = &standard_scene().reference, .maximum = 4});
+        const SceneReference& standard = standard_scene().reference;
+        inner_rows(t, *t.find("marks"), [](Content& c) -> void* { return &c.scene.reference.marks; },
+                   {.prefix = "Reference", .standard = &standard.marks, .maximum = 60, .minimum = -1});
+        inner_rows(t, *t.find("loop"), [](Content& c) -> void* { return &c.scene.reference.loop; },
+                   {.prefix = "Reference loop", .standard = &standard.loop, .maximum = 60});
+    }
+
+    void plate() {
+        const OwnerOf owner = [](Content& c) -> void* { return &c.scene.plate; };
+        const Table& t = table("plate");
+        const TableRowOptions options{.prefix = "Plate", .standard = &standard_scene().plate};
+        row(t, "use", owner, options);
+        row(t, "frame", owner, options);
+        row(t, "time", owner, {.prefix = "Plate", .standard = options.standard, .maximum = 60});
+        row(t, "frames", owner, options);
+        row(t, "span", owner, {.prefix = "Plate", .standard = options.standard, .maximum = 10});
+        row(t, "depth", owner, options);
+        row(t, "distance", owner, {.prefix = "Plate", .standard = options.standard, .maximum = 300});
     }
 
     ui::Ui& ui_;
@@ -144,7 +173,7 @@ class ScenePanel {
 void scene_panel(ui::Ui& ui, const Edited& edited, ui::CommandTable& commands, ui::Toasts& toasts) {
     ScenePanel(ui, edited, commands).build();
     const Parameter*& wanted = wanted_row(ui);
-    if (wanted == nullptr) return;
+    if (wanted == nullptr || has_row(app::measure_table(), wanted)) return;  // the Measure panel has those
     toasts.add({.text = std::string(wanted->name) + " is not shown yet: load an organ or a tool first"});
     wanted = nullptr;
 }

@@ -1,8 +1,11 @@
-// Snapshots A to D of the preset: kept, shown with one key, and compared in words.
+// Snapshots A to D of the preset: kept, shown with one key, and compared, in words here and as pictures in the
+// Reference panel.
 #include "app/snapshots.h"
 
 #include "app/editor.h"
 #include "app/layouts.h"
+#include "app/reference.h"
+#include "app/snapshot_previews.h"
 #include "document/words.h"
 #include "panels/panels.h"
 #include "ui/shell/file_system.h"
@@ -22,6 +25,7 @@ constexpr std::array<std::string_view, Snapshots::count + 1> sides = {"A", "B", 
 
 // em: widths of the panel below which rows leave things out, and the height below which it scrolls.
 constexpr float whole_row = 24, named_row = 17, worded_row = 16, whole_height = 24, least_table = 9;
+constexpr float picture_height = 3.8F, least_pictured = 12;
 
 /// Names of the four slots, for these versions; with the file where it is another one than the document's.
 struct SlotNames {
@@ -84,39 +88,81 @@ void name_of(ui::Ui& ui, const SlotNames& names, const Snapshots& snapshots, std
               {.tone = names.other[slot] ? ui::Tone::warning : ui::Tone::normal, .width = ui::grow()});
 }
 
-void slot_row(ui::Ui& ui, Snapshots& snapshots, SnapshotsState& state, std::size_t slot, float room) {
+struct SlotPicture {
+    ui::ImageHandle image = 0;
+};
+void draw_slot_picture(ui::Painter& painter, const ui::Node& node, const SlotPicture& look) {
+    if (look.image != 0) return painter.image(node.rect(), look.image);
+    painter.fill(node.rect(), painter.theme().canvas);
+}
+
+/// As it was when it was kept.
+void slot_picture(ui::Ui& ui, const app::SnapshotPreviews& previews, std::size_t slot) {
+    const ui::ImageHandle image = previews.thumbnail(slot);
+    ui::Node& node = ui.leaf(ui::Role::image, ui.join({"Picture of ", Snapshots::names[slot]}));
+    const glm::vec2 shape(app::SnapshotPreviews::thumbnail_size);
+    node.size[0] = ui::px(std::round(ui.em(picture_height) * shape.x / shape.y));
+    node.size[1] = ui::px(ui.em(picture_height));
+    char text[48];
+    const int length = std::snprintf(text, sizeof text, "through the endoscope, at %.2f s of the scene",
+                                     previews.thumbnail_time(slot));
+    node.text = image == 0 ? "being made" : ui.copy({text, static_cast<std::size_t>(std::max(length, 0))});
+    node.is |= ui::when(image == 0, ui::Is::busy);
+    ui.draw_with<draw_slot_picture>(node, SlotPicture{image});
+}
+
+/// The name of what is kept, and when that was.
+void slot_words(ui::Ui& ui, const Snapshots& snapshots, SnapshotsState& state, std::size_t slot, bool timed) {
     const auto& snapshot = snapshots.at(slot);
-    const std::string letter = Snapshots::names[slot];
-    const bool timed = room >= ui.em(whole_row), named = room >= ui.em(named_row);
+    if (snapshot) ui::date_text(snapshot->time, state.text);
+    name_of(ui, state.names, snapshots, slot);
+    if (snapshot && timed)
+        ui::label(ui, state.text.substr(state.text.find(' ') + 1), {.tone = ui::Tone::dim, .number = true});
+}
+
+void slot_buttons(ui::Ui& ui, Snapshots& snapshots, std::size_t slot, float room) {
+    const bool kept = snapshots.at(slot).has_value(), icons = room < ui.em(worded_row);
+    const std::string_view letter = Snapshots::names[slot];
     const auto slot_button = [&](ui::Icon icon, std::string_view label, ui::ButtonOptions options) {
-        options.quiet = room < ui.em(worded_row);
-        return options.quiet ? ui::icon_button(ui, icon, label, options) : ui::button(ui, label, options);
+        options.quiet = icons;
+        return icons ? ui::icon_button(ui, icon, label, options) : ui::button(ui, label, options);
     };
-    const ui::Size button_width = named ? ui::px(ui.em(5.2F)) : ui::grow();
-    ui.push_seed(letter);
+    const ui::Size button_width = room >= ui.em(named_row) ? ui::px(ui.em(5.2F)) : ui::grow();
+    ui.push_disabled(!kept);
+    const bool show =
+        slot_button(ui::Icon::eye, ui.join({"Show ", letter}),
+                    {.tip = "Sets the preset to this snapshot, as one undo step. A second click goes back.",
+                     .on = snapshots.shown(slot),
+                     .width = button_width});
+    ui.pop_disabled();
+    if (show) snapshots.show(slot);
+    if (slot_button(ui::Icon::plus, ui.join({"Keep ", letter}),
+                    {.tip = kept ? "Replaces this snapshot with the current preset." : "Keeps the current preset.",
+                     .width = button_width}))
+        snapshots.keep(slot);
+    ui.push_disabled(!snapshots.at(slot).has_value());
+    if (ui::icon_button(ui, ui::Icon::cross, ui.join({"Clear ", letter}), {.quiet = true})) snapshots.clear(slot);
+    ui.pop_disabled();
+}
+
+/// What is kept has its picture, and words above its buttons; an empty slot is one line.
+void slot_row(ui::Ui& ui, Snapshots& snapshots, const app::SnapshotPreviews& previews, SnapshotsState& state,
+              std::size_t slot, float room) {
+    ui.push_seed(Snapshots::names[slot]);
     {
-        const ui::Row row(ui, {.width = ui::grow(), .gap = 0.4F, .cross = ui::ChildAlign::center});
-        if (room < ui.em(worded_row)) ui::label(ui, letter, {.width = ui::grow()});
-        ui.push_disabled(!snapshot);
-        const bool show =
-            slot_button(ui::Icon::eye, ui.join({"Show ", letter}),
-                        {.tip = "Sets the preset to this snapshot, as one undo step. A second click goes back.",
-                         .on = snapshots.shown(slot),
-                         .width = button_width});
-        ui.pop_disabled();
-        if (show) snapshots.show(slot);
-        if (snapshot) ui::date_text(snapshot->time, state.text);
-        if (named) name_of(ui, state.names, snapshots, slot);
-        if (snapshot && timed)
-            ui::label(ui, state.text.substr(state.text.find(' ') + 1), {.tone = ui::Tone::dim, .number = true});
-        if (slot_button(
-                ui::Icon::plus, ui.join({"Keep ", letter}),
-                {.tip = snapshot ? "Replaces this snapshot with the current preset." : "Keeps the current preset.",
-                 .width = button_width}))
-            snapshots.keep(slot);
-        ui.push_disabled(!snapshots.at(slot).has_value());
-        if (ui::icon_button(ui, ui::Icon::cross, "Clear " + letter, {.quiet = true})) snapshots.clear(slot);
-        ui.pop_disabled();
+        const bool kept = snapshots.at(slot).has_value(), pictured = kept && room >= ui.em(least_pictured);
+        const ui::Row row(ui, {.width = ui::grow(), .gap = 0.5F, .cross = ui::ChildAlign::center});
+        if (pictured) slot_picture(ui, previews, slot);
+        const ui::Column lines(ui, {.width = ui::grow(), .gap = 0.2F});
+        const float rest = room - (pictured ? ui.em(picture_height * 1.25F + 0.5F) : 0);
+        if (pictured) {
+            const ui::Row words(ui, {.width = ui::grow(), .gap = 0.4F, .cross = ui::ChildAlign::center});
+            slot_words(ui, snapshots, state, slot, room >= ui.em(named_row));
+        }
+        const ui::Row buttons(ui, {.width = ui::grow(), .gap = 0.4F, .cross = ui::ChildAlign::center});
+        if (!pictured && room >= ui.em(named_row)) slot_words(ui, snapshots, state, slot, false);
+        if (room < ui.em(worded_row)) ui::label(ui, Snapshots::names[slot], {.width = ui::grow()});
+        slot_buttons(ui, snapshots, slot, rest);
     }
     ui.pop_seed();
 }
@@ -161,6 +207,24 @@ void difference_table(ui::Ui& ui, const Snapshots& snapshots, document::Document
     ui.build_again();
 }
 
+/// Lays the two beside each other in the Reference panel.
+void pictures_button(ui::Ui& ui, const SnapshotsState& s, app::Reference& reference, app::Layouts& layouts) {
+    const auto side = [](int chosen) {
+        return chosen == now ? app::CompareSide::preview : app::side_of(static_cast<std::size_t>(chosen));
+    };
+    ui.push_disabled(s.left == s.right);
+    if (ui::button(
+            ui, "Pictures",
+            {.icon = ui::Icon::image,
+             .tip = "Shows the two next to each other, in the Reference panel; there either can also be compared "
+                    "with the reference"})) {
+        reference.sides = {side(s.left), side(s.right)};
+        if (reference.way == app::CompareWay::reference) reference.way = app::CompareWay::beside;
+        layouts.bring_to_front("Reference");
+    }
+    ui.pop_disabled();
+}
+
 void sides_row(ui::Ui& ui, SnapshotsState& s, float room) {
     if (room >= ui.em(whole_row)) {
         const ui::Row row(ui, {.width = ui::grow(), .gap = 0.6F, .cross = ui::ChildAlign::center});
@@ -178,47 +242,76 @@ void sides_row(ui::Ui& ui, SnapshotsState& s, float room) {
     ui::segmented(ui, "Against", s.right, sides);
 }
 
-void comparison(ui::Ui& ui, const Snapshots& snapshots, document::Document& document, SnapshotsState& s, float room,
-                ui::Size table_height) {
+/// What the panel works on.
+struct On {
+    Snapshots& snapshots;
+    app::SnapshotPreviews& previews;
+    app::Reference& reference;
+    app::Layouts& layouts;
+    document::Document& document;
+};
+
+/// How many parameters differ, and what can be done about it.
+void differences_line(ui::Ui& ui, const On& on, const SnapshotsState& s) {
+    const std::size_t count = s.differences.size();
+    const std::string way =
+        s.left == now ? "" : "; click one to take the value of " + std::string(sides[static_cast<std::size_t>(s.left)]);
+    const ui::Row row(ui, {.width = ui::grow(), .gap = 0.6F, .cross = ui::ChildAlign::center});
+    if (count == 0)
+        ui::label(ui, "No parameter differs.", {.tone = ui::Tone::dim, .width = ui::grow()});
+    else
+        ui::label(ui, std::to_string(count) + (count == 1 ? " difference" : " differences") + way,
+                  {.tone = ui::Tone::dim, .number = true, .width = ui::grow()});
+    pictures_button(ui, s, on.reference, on.layouts);
+}
+
+void comparison(ui::Ui& ui, const On& on, SnapshotsState& s, float room, ui::Size table_height) {
+    const Snapshots& snapshots = on.snapshots;
     sides_row(ui, s, room);
-    compare(snapshots, document, s);
+    compare(snapshots, on.document, s);
     for (const int side : {s.left, s.right}) {
         if (there(snapshots, side)) continue;
         const std::string letter(sides[static_cast<std::size_t>(side)]);
         return ui::label(ui, "Snapshot " + letter + " is empty: Keep " + letter + " stores the preset there.",
                          {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
     }
-    if (s.differences.empty()) return ui::label(ui, "No parameter differs.", {.tone = ui::Tone::dim});
-    const std::size_t count = s.differences.size();
-    const std::string way =
-        s.left == now ? "" : "; click one to take the value of " + std::string(sides[static_cast<std::size_t>(s.left)]);
-    ui::label(ui, std::to_string(count) + (count == 1 ? " difference" : " differences") + way,
-              {.tone = ui::Tone::dim, .number = true, .width = ui::grow()});
-    difference_table(ui, snapshots, document, s, table_height);
+    differences_line(ui, on, s);
+    if (!s.differences.empty()) difference_table(ui, snapshots, on.document, s, table_height);
 }
 
-void slots_and_comparison(ui::Ui& ui, Snapshots& snapshots, document::Document& document, float room,
-                          ui::Size table_height) {
+void slots_and_comparison(ui::Ui& ui, const On& on, float room, ui::Size table_height) {
     SnapshotsState& state = ui.memory<SnapshotsState>(ui::hash_bytes(0, "snapshots"));
-    follow_names(snapshots, document, state.names);
+    follow_names(on.snapshots, on.document, state.names);
     {
-        const ui::Column slots(ui, {.width = ui::grow(), .gap = 0.15F});
-        for (std::size_t slot = 0; slot < Snapshots::count; ++slot) slot_row(ui, snapshots, state, slot, room);
+        const ui::Column slots(ui, {.width = ui::grow(), .gap = 0.3F});
+        for (std::size_t slot = 0; slot < Snapshots::count; ++slot)
+            slot_row(ui, on.snapshots, on.previews, state, slot, room);
     }
     ui::separator(ui);
-    comparison(ui, snapshots, document, state, room, table_height);
+    comparison(ui, on, state, room, table_height);
+}
+
+/// em: that the panel needs when it does not scroll.
+float height_of(const Snapshots& snapshots) {
+    float height = whole_height;
+    for (std::size_t slot = 0; slot < Snapshots::count; ++slot)
+        height += snapshots.at(slot) ? picture_height - 1.6F : 0;
+    return height;
 }
 
 }  // namespace
 
-void snapshots_panel(ui::Ui& ui, Snapshots& snapshots, document::Document& document) {
+void snapshots_panel(ui::Ui& ui, Snapshots& snapshots, app::SnapshotPreviews& previews, app::Reference& reference,
+                     app::Layouts& layouts, document::Document& document) {
+    previews.show_thumbnails();
+    const On on{snapshots, previews, reference, layouts, document};
     const ui::Rect room = ui.rect_before(ui.parent().id);
-    if (room.h > 0 && room.h < ui.em(whole_height)) {
+    if (room.h > 0 && room.h < ui.em(height_of(snapshots))) {
         const ui::ScrollArea area(ui, "All snapshots", {.gap = 0.4F});
-        return slots_and_comparison(ui, snapshots, document, room.w, ui::px(ui.em(least_table)));
+        return slots_and_comparison(ui, on, room.w, ui::px(ui.em(least_table)));
     }
     const ui::Column panel(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F});
-    slots_and_comparison(ui, snapshots, document, room.w, ui::grow());
+    slots_and_comparison(ui, on, room.w, ui::grow());
 }
 
 void add_snapshot_commands(app::Editor& editor) {
@@ -246,6 +339,20 @@ void add_snapshot_commands(app::Editor& editor) {
                                          {.text = std::string("Kept as snapshot ") + Snapshots::names[slot]});
                                  },
                              .tip = "Keeps the current preset."});
+        editor.commands.add({.id = "snapshot.compare_" + small,
+                             .title = "Compare snapshot " + letter + " with the reference",
+                             .group = "Reference",
+                             .run =
+                                 [&editor, slot] {
+                                     app::Reference& reference = editor.reference();
+                                     reference.sides = {app::side_of(slot), app::CompareSide::reference};
+                                     if (reference.way == app::CompareWay::reference)
+                                         reference.way = app::CompareWay::beside;
+                                     editor.layouts().bring_to_front("Reference");
+                                 },
+                             .enabled = [&editor, slot] { return editor.snapshots().at(slot).has_value(); },
+                             .tip = "The snapshot takes the place of the preview in the comparison",
+                             .missing = "nothing is kept as " + letter});
     }
     editor.commands.add({.id = "edit.history",
                          .title = "History",

@@ -11,14 +11,14 @@ using ui::DockLayout;
 
 DockLayout tune() {
     return dock_split(Axis::x, 0.70F,
-                      dock_split(Axis::y, 0.73F, dock_tabs({"View", "Reference"}),
+                      dock_split(Axis::y, 0.73F, dock_tabs({"View", "Reference", "Measure"}),
                                  dock_tabs({"Timeline", "Amounts", "Curves", "Presets"})),
                       dock_tabs({"Preset", "Clips", "Scene", "Keying", "Snapshots", "History"}));
 }
 
 DockLayout key() {
     return dock_split(Axis::x, 0.64F,
-                      dock_split(Axis::y, 0.82F, dock_tabs({"Keying", "Reference"}),
+                      dock_split(Axis::y, 0.82F, dock_tabs({"Keying", "Reference", "Measure"}),
                                  dock_tabs({"Timeline", "Amounts", "Curves", "Presets"})),
                       dock_split(Axis::y, 0.45F, dock_tabs({"View"}),
                                  dock_tabs({"Clips", "Preset", "Scene", "Snapshots", "History"})));
@@ -27,7 +27,7 @@ DockLayout key() {
 DockLayout compare() {
     return dock_split(
         Axis::x, 0.72F,
-        dock_split(Axis::y, 0.67F, dock_tabs({"Reference", "View", "Keying"}),
+        dock_split(Axis::y, 0.67F, dock_tabs({"Reference", "Measure", "View", "Keying"}),
                    dock_split(Axis::x, 0.5F, dock_tabs({"Timeline", "Curves", "Presets"}), dock_tabs({"Amounts"}))),
         dock_split(Axis::y, 0.66F, dock_tabs({"Preset", "Clips", "Scene"}), dock_tabs({"Snapshots", "History"})));
 }
@@ -35,7 +35,7 @@ DockLayout compare() {
 DockLayout stage() {
     return dock_split(
         Axis::x, 0.70F,
-        dock_split(Axis::y, 0.62F, dock_tabs({"View", "Reference", "Keying"}),
+        dock_split(Axis::y, 0.62F, dock_tabs({"View", "Reference", "Measure", "Keying"}),
                    dock_split(Axis::x, 0.55F, dock_tabs({"Timeline", "Presets"}), dock_tabs({"Curves", "Amounts"}))),
         dock_tabs({"Scene", "Preset", "Clips", "Snapshots", "History"}));
 }

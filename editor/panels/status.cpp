@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/clip_shelf.h"
 #include "app/exports.h"
 #include "app/hot_reload.h"
 #include "app/jobs.h"
@@ -82,6 +83,14 @@ void status_bar(ui::Ui& ui, const StatusParts& parts) {
         ui, "Preset",
         ui.join({preset.empty() ? "Unnamed preset" : preset, parts.document.preset_unsaved() ? " *" : ""}),
         {.tone = ui::Tone::normal, .tip = "The preset: what a simulator loads. * marks changes that are not saved."});
+    const auto& clips = parts.document.preset().smoke.clips;
+    if (const auto& alone = parts.clips.alone(); alone && *alone < clips.size())
+        ui::status_text(ui, "Solo",
+                        ui.join({"Solo: ", ui.copy(std::filesystem::path(clips[*alone].file).filename().string())}),
+                        {.tone = ui::Tone::warning,
+                         .icon = ui::Icon::warning,
+                         .tip = "The preview shows only the smoke of this clip; preset and exports have that of all. "
+                                "Solo in the Clips panel ends it."});
     if (const std::vector<Fault>& faults = parts.hot_reload.shader_faults(); !faults.empty())
         ui::status_text(ui, "Shader fault", faults.front().text(),
                         {.tone = ui::Tone::error,

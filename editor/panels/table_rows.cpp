@@ -302,6 +302,12 @@ const Parameter*& wanted_row(ui::Ui& ui) {
     return ui.memory<const Parameter*>(ui::hash_bytes(0, "wanted row"));
 }
 
+bool has_row(const Table& table, const Parameter* row) {
+    for (const Parameter& each : table.rows)
+        if (&each == row) return true;
+    return std::any_of(table.tables.begin(), table.tables.end(), [&](const Table& t) { return has_row(t, row); });
+}
+
 void go_to_row(ui::Ui& ui, std::ptrdiff_t before, int nth) {
     const ui::Node* const nodes = &ui.parent();
     ui::Id id = 0;

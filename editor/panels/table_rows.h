@@ -48,6 +48,9 @@ std::string_view tip_of(const Parameter& row);
 /// The parameter whose row comes into sight and gets the keyboard when its panel is built next; null: none.
 const Parameter*& wanted_row(ui::Ui& ui);
 
+/// Whether it is a row of the table, or of a table inside it.
+bool has_row(const Table& table, const Parameter* row);
+
 /// Scrolls to what has been built since node `before` (counted from ui.parent()); the `nth` node of it that takes the
 /// keyboard gets it.
 void go_to_row(ui::Ui& ui, std::ptrdiff_t before, int nth = 0);

@@ -5,6 +5,7 @@
 
 #include "app/editor.h"
 #include "app/events.h"
+#include "app/reference.h"
 #include "panels/event_form.h"
 #include "panels/panels.h"
 #include "panels/table_rows.h"
@@ -40,12 +41,50 @@ struct TimelineMemory {
     std::uint64_t version = 0;
     std::vector<std::size_t> selected;
     std::vector<app::Stroke> strokes;
-    std::vector<ui::TimelineTrack> tracks;
-    std::vector<std::vector<std::size_t>> shown;  ///< for each item of each track its stay
+    std::vector<ui::TimelineTrack> tracks;  ///< of strokes, and last that of the reference's marks, if there are any
+    std::vector<std::vector<std::size_t>> shown;  ///< for each item of each track of strokes its stroke
+    std::vector<const Parameter*> marks;          ///< for each item of the last track its row; empty: no such track
     ui::TimeUnit unit = ui::TimeUnit::timecode;
 };
 
+double mark_time(const Parameter& row, const SceneReference& reference) {
+    return std::get<double>(row.get(&reference.marks));
+}
+
+/// Those that are set, at their times in the scene.
+void add_marks(TimelineMemory& memory, const SceneReference& reference) {
+    memory.marks.clear();
+    ui::TimelineTrack track{.name = "Reference", .items = {}};
+    int color = 0;
+    for (const Parameter& row : app::Reference::mark_table().rows) {
+        const double time = mark_time(row, reference) - reference.offset;
+        if (mark_time(row, reference) >= 0) {
+            track.items.push_back({.name = std::string(row.name), .start = time, .end = time, .color = color});
+            memory.marks.push_back(&row);
+        }
+        ++color;
+    }
+    if (!memory.marks.empty()) memory.tracks.push_back(std::move(track));
+}
+
+std::vector<const Parameter*> selected_marks(const TimelineMemory& memory) {
+    std::vector<const Parameter*> selected;
+    if (memory.marks.empty()) return selected;
+    for (const ui::TimelineItem& item : memory.tracks.back().items)
+        for (const Parameter* row : memory.marks)
+            if (item.selected && item.name == row->name) selected.push_back(row);
+    return selected;
+}
+
+void select_marks(TimelineMemory& memory, const std::vector<const Parameter*>& selected) {
+    for (std::size_t i = 0; i < memory.marks.size(); ++i)
+        memory.tracks.back().items[i].selected = std::ranges::find(selected, memory.marks[i]) != selected.end();
+}
+
+/// Marks stay selected until other events are.
 void make_tracks(TimelineMemory& memory, const document::Document& document, const std::vector<std::size_t>& selected) {
+    const bool same = memory.selected == selected;
+    const std::vector<const Parameter*> marks = same ? selected_marks(memory) : std::vector<const Parameter*>();
     memory.version = document.version();
     memory.selected = selected;
     memory.strokes = app::strokes_of(document.scene().events);
@@ -68,11 +107,13 @@ void make_tracks(TimelineMemory& memory, const document::Document& document, con
         memory.tracks.push_back(std::move(track));
         memory.shown.push_back(std::move(shown));
     }
+    add_marks(memory, document.scene().reference);
+    select_marks(memory, marks);
 }
 
 std::vector<std::size_t> selected_events(const TimelineMemory& memory) {
     std::vector<std::size_t> selected;
-    for (std::size_t t = 0; t < memory.tracks.size(); ++t)
+    for (std::size_t t = 0; t < memory.shown.size(); ++t)
         for (std::size_t i = 0; i < memory.tracks[t].items.size(); ++i) {
             if (!memory.tracks[t].items[i].selected) continue;
             const app::Stroke& stroke = memory.strokes[memory.shown[t][i]];
@@ -88,7 +129,7 @@ std::size_t item_count(const std::vector<ui::TimelineTrack>& tracks) {
     return count;
 }
 
-/// What an edit of the tracks means for the events.
+/// What an edit of the tracks means for the events, and for the marks of the reference.
 class ItemEdits {
   public:
     ItemEdits(document::Document& document, std::vector<std::size_t>& selected, TimelineMemory& memory)
@@ -96,15 +137,18 @@ class ItemEdits {
 
     void take(const ui::Edit& edit, std::size_t items_before) {
         if (item_count(memory_.tracks) < items_before) return erase();
-        if (edit.began) name_ = stretched() ? "Stretch event" : "Move event";
-        document_.take(edit, name_, [&](document::Content& c) { apply(c.scene.events); });
+        if (edit.began) name_ = stretched() ? "Stretch event" : moved() ? "Move event" : "Move mark";
+        document_.take(edit, name_, [&](document::Content& c) {
+            apply(c.scene.events);
+            apply_marks(c.scene.reference);
+        });
         memory_.version = edit.committed || edit.cancelled ? 0 : document_.version();
     }
 
   private:
     template <typename F>
     void each(F&& f) {
-        for (std::size_t t = 0; t < memory_.tracks.size(); ++t)
+        for (std::size_t t = 0; t < memory_.shown.size(); ++t)
             for (std::size_t i = 0; i < memory_.tracks[t].items.size(); ++i)
                 f(memory_.tracks[t].items[i], memory_.strokes[memory_.shown[t][i]]);
     }
@@ -115,6 +159,30 @@ class ItemEdits {
         bool any = false;
         each([&](const ui::TimelineItem& item, const app::Stroke& stroke) { any |= longer(item, stroke); });
         return any;
+    }
+    bool moved() {
+        bool any = false;
+        each([&](const ui::TimelineItem& item, const app::Stroke& stroke) { any |= item.start != stroke.start; });
+        return any;
+    }
+    void apply_marks(SceneReference& reference) {
+        if (memory_.marks.empty()) return;
+        const std::vector<ui::TimelineItem>& items = memory_.tracks.back().items;
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            const double time = std::max(0.0, std::round((items[i].start + reference.offset) * 1e4) / 1e4);
+            if (std::abs(time - mark_time(*memory_.marks[i], reference)) > 1e-4)
+                memory_.marks[i]->set(&reference.marks, time);
+        }
+    }
+    /// Marks whose items are gone.
+    std::vector<const Parameter*> marks_gone() const {
+        std::vector<const Parameter*> gone;
+        for (const Parameter* row : memory_.marks) {
+            const auto& left = memory_.tracks.back().items;
+            if (std::none_of(left.begin(), left.end(), [&](const auto& item) { return item.name == row->name; }))
+                gone.push_back(row);
+        }
+        return gone;
     }
     void apply(std::vector<ToolContact>& events) {
         each([&](const ui::TimelineItem& item, app::Stroke& stroke) {
@@ -128,7 +196,7 @@ class ItemEdits {
     /// Removes the events whose items the widget has removed; items of a track are told apart by their names.
     void erase() {
         std::vector<std::size_t> gone;
-        for (std::size_t t = 0; t < memory_.tracks.size(); ++t) {
+        for (std::size_t t = 0; t < memory_.shown.size(); ++t) {
             const auto& left = memory_.tracks[t].items;
             for (std::size_t i = 0; i < memory_.shown[t].size(); ++i) {
                 const std::string name = memory_.tracks[t].name + ' ' + std::to_string(i + 1);
@@ -138,7 +206,14 @@ class ItemEdits {
                 if (!there) gone.insert(gone.end(), stroke.events.begin(), stroke.events.end());
             }
         }
-        erase_selected(document_, selected_, gone);
+        const std::vector<const Parameter*> marks = marks_gone();
+        const bool none = gone.empty() && marks.empty();
+        if (!none)
+            document_.change(gone.empty() ? "Delete mark" : "Delete events", [&](document::Content& c) {
+                app::erase_events(c.scene.events, gone);
+                for (const Parameter* row : marks) row->set(&c.scene.reference.marks, -1.0);
+            });
+        if (!gone.empty()) selected_.clear();
         memory_.version = 0;
     }
 
@@ -323,6 +398,7 @@ class TimelinePanel {
         for (const app::Stroke& stroke : memory_.strokes) length = std::max(length, stroke.end);
         const ui::TimelineEdit edit = ui::timeline(ui_, "Time", on_.timeline, memory_.tracks,
                                                    {.length = length, .rate = frame_rate, .unit = memory_.unit});
+        on_.timeline.take_range(edit.range);
         if (speed_before == 0 && on_.timeline.speed == 1) on_.timeline.speed = on_.timeline.play_speed;
         if (edit.items.began || edit.items.changed || edit.items.committed || edit.items.cancelled)
             ItemEdits(on_.edited.document, on_.selected, memory_).take(edit.items, items_before);
@@ -400,6 +476,25 @@ void add_play_commands(app::Editor& editor) {
                          .run = [&editor] { editor.timeline.loop = !editor.timeline.loop; },
                          .checked = [&editor] { return editor.timeline.loop; },
                          .tip = "Plays the scene, or the part between In and Out, again and again"});
+    editor.commands.add({.id = "play.range_in",
+                         .title = "Loop range from here",
+                         .group = "Play",
+                         .chord = {ui::key_of('I'), Mods::none},
+                         .run = [&editor] { editor.timeline.begin_range_here(); },
+                         .tip = "The part that plays begins at the current time; it is kept in the scene"});
+    editor.commands.add({.id = "play.range_out",
+                         .title = "Loop range to here",
+                         .group = "Play",
+                         .chord = {ui::key_of('O'), Mods::none},
+                         .run = [&editor] { editor.timeline.end_range_here(); },
+                         .tip = "The part that plays ends at the current time; it is kept in the scene"});
+    editor.commands.add({.id = "play.range_drop",
+                         .title = "No loop range",
+                         .group = "Play",
+                         .run = [&editor] { editor.timeline.drop_range(); },
+                         .enabled = [&editor] { return editor.timeline.has_range; },
+                         .tip = "All of the scene plays",
+                         .missing = "all of the scene plays"});
     editor.commands.add({.id = "event.add",
                          .title = "Add event at the current time",
                          .group = "Play",

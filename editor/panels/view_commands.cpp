@@ -7,8 +7,10 @@
 #include "app/file_filters.h"
 #include "app/keying_bench.h"
 #include "app/layouts.h"
+#include "app/measure_bench.h"
 #include "app/orbit.h"
 #include "app/organ_choice.h"
+#include "app/plate.h"
 #include "app/reference.h"
 #include "app/settings.h"
 #include "lapfx/authoring/organ_report.h"
@@ -54,6 +56,8 @@ void show_whole(app::Editor& editor) {
     const bool view = layouts.seen("View"), reference = layouts.seen("Reference");
     if (panel == "Keying" || (!view && !reference && layouts.seen("Keying")))
         editor.keying().look.state = {};
+    else if (panel == "Measure" || (!view && !reference && layouts.seen("Measure")))
+        editor.measure_bench().look.state = {};
     else if (panel == "Reference" || (!view && reference))
         editor.reference().compare.view = {};
     else
@@ -64,7 +68,7 @@ void show_whole(app::Editor& editor) {
 bool can_show_whole(app::Editor& editor) {
     const app::Layouts& layouts = editor.layouts();
     return editor.preview.ready() || (layouts.seen("Keying") && editor.keying().ready()) ||
-           (layouts.seen("Reference") && editor.reference().video() != nullptr);
+           ((layouts.seen("Reference") || layouts.seen("Measure")) && editor.reference().video() != nullptr);
 }
 
 void add_overlay(app::Editor& editor, const OverlayRow& row) {
@@ -100,6 +104,18 @@ void use_view(app::Editor& editor) {
     editor.looking.endoscope = true;
 }
 
+/// The plate is seen through the endoscope, whose picture it is.
+void turn_plate(app::Editor& editor) {
+    const bool on = !editor.document.scene().plate.use;
+    app::show_plate(editor.document, on);
+    if (on) editor.looking.endoscope = true;
+}
+
+/// One that has lost its reference can still be turned off.
+bool can_turn_plate(const Scene& scene) {
+    return !scene.reference.file.empty() || scene.plate.use;
+}
+
 }  // namespace
 
 void add_view_commands(app::Editor& editor) {
@@ -125,6 +141,26 @@ void add_view_commands(app::Editor& editor) {
                          .run = [&editor] { editor.looking.endoscope = !editor.looking.endoscope; },
                          .checked = [&editor] { return editor.looking.endoscope; },
                          .tip = "The view through the scene's camera, with its round picture; exports use it"});
+    editor.commands.add({.id = "view.plate",
+                         .title = "Plate",
+                         .group = "View",
+                         .chord = {ui::key_of('P'), Mods::none},
+                         .run = [&editor] { turn_plate(editor); },
+                         .enabled = [&editor] { return can_turn_plate(editor.document.scene()); },
+                         .checked = [&editor] { return editor.document.scene().plate.use; },
+                         .tip = "A clear frame of the reference in place of the organ: smoke and blood over the same "
+                                "tissue as in the video",
+                         .missing = "the scene has no reference"});
+    editor.commands.add(
+        {.id = "view.underlay",
+         .title = "Underlay",
+         .group = "View",
+         .chord = {ui::key_of('U'), Mods::none},
+         .run = [&editor] { editor.looking.underlay = !editor.looking.underlay; },
+         .enabled = [&editor] { return editor.reference().video() != nullptr; },
+         .checked = [&editor] { return editor.looking.underlay; },
+         .tip = "Shows the reference over the view, translucent, so that the camera can be placed by it",
+         .missing = "there is no reference that can be shown"});
     editor.commands.add({.id = "view.use_view",
                          .title = "Use this view as the endoscope",
                          .group = "View",

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "app/clip_shelf.h"
 #include "app/editor.h"
 #include "app/events.h"
 #include "app/file_filters.h"
@@ -11,6 +12,7 @@
 #include "app/organ_choice.h"
 #include "app/paths.h"
 #include "app/pick_color.h"
+#include "app/reference.h"
 #include "panels/band_strip.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
@@ -29,6 +31,7 @@ namespace {
 using ui::Key;
 using ui::Mods;
 
+constexpr float low_window = 18;     // em of height
 constexpr float choice_width = 8;    // em
 constexpr float bar_padding = 0.3F;  // em
 constexpr double work_by_key = 0.5;  // s
@@ -97,6 +100,7 @@ class ViewPanel {
             on_.preview.resize(wanted);
             ui_.build_again();
         }
+        underlay(view);
         look_under(view);
         if (on_.edited.eyedropper.wanted_by != 0) {
             pick_color(view);
@@ -106,6 +110,7 @@ class ViewPanel {
             mark(view);
         }
         readout(view);
+        solo();
         loading();
         faults();
         pick_hint(ui_, on_.edited.eyedropper);
@@ -114,7 +119,7 @@ class ViewPanel {
 
   private:
     // --- above the picture ---
-    enum Tools : std::size_t { tool, power, strength, overlay, endoscope, use, whole, tool_count };
+    enum Tools : std::size_t { tool, power, strength, overlay, under, share, endoscope, plate, use, whole, tool_count };
 
     void bar(float room) {
         const ui::Column padded(ui_, {.width = ui::grow(), .padding = bar_padding});
@@ -126,7 +131,14 @@ class ViewPanel {
         items[power] = {.width = hot ? choice : 0, .rank = 1};
         items[strength] = {.width = cutting ? choice : 0, .rank = 2};
         items[overlay] = {.width = choice, .rank = 2, .end = true};
+        // In a very low window the menu of tools would not fit: keys and the View menu have these, too.
+        const bool low = ui_.window().y < ui_.em(low_window);
+        items[under] = {.width = low ? 0 : ui::tool_width(ui_, "Underlay"), .rank = 3};
+        items[share] = {.width = shows_underlay() && !low ? choice : 0, .rank = 3};
         items[endoscope] = {.width = ui::tool_width(ui_, "Endoscope view"), .rank = 1};
+        const Scene& scene = on_.edited.document.scene();
+        const bool has_plate = !low && (scene.plate.use || !scene.reference.file.empty());
+        items[plate] = {.width = has_plate ? ui::tool_width(ui_, "Plate") : 0, .rank = 2};
         items[use] = {.width = on_.looking.endoscope ? 0 : ui::tool_width(ui_, "Use view"), .rank = 3};
         items[whole] = {.width = ui::tool_width(ui_, "Frame the organ"), .rank = 4};
         float others = 0;
@@ -146,8 +158,16 @@ class ViewPanel {
                 return strength_field();
             case overlay:
                 return overlay_choice();
+            case under:
+                ui::command_button(ui_, on_.commands, "view.underlay");
+                return;
+            case share:
+                return underlay_field();
             case endoscope:
                 ui::command_button(ui_, on_.commands, "view.endoscope");
+                return;
+            case plate:
+                ui::command_button(ui_, on_.commands, "view.plate");
                 return;
             case use:
                 return use_view_button();
@@ -182,6 +202,16 @@ class ViewPanel {
             on_.looking.overlay = static_cast<Overlay>(chosen);
     }
 
+    bool shows_underlay() const { return on_.looking.underlay && on_.reference.video() != nullptr; }
+
+    void underlay_field() {
+        ui::ParamOptions options = ui::percent();
+        options.hard_minimum = 0, options.hard_maximum = 100, options.standard = 50;
+        options.tip = "Share of the reference where it is shown over the view";
+        options.width = ui::px(ui_.em(choice_width));
+        ui::number_field(ui_, "Underlay share", on_.looking.underlay_share, options);
+    }
+
     void use_view_button() {
         if (ui::button(ui_, "Use view",
                        {.tip = "Moves the endoscope to where you look from: comparing and exporting use its view"}))
@@ -208,6 +238,47 @@ class ViewPanel {
     }
 
     // --- in the picture ---
+    /// How many times as much of the height is seen as the camera's angle of view says: a plate is shown whole in a
+    /// view that is narrower than it, too.
+    double widened(const ui::ViewportResult& view) const {
+        const Scene& scene = on_.edited.document.scene();
+        const VideoReader* const video = on_.reference.video();
+        const SceneCamera seen = on_.looking.through(scene.camera), &own = scene.camera;
+        const bool own_camera = seen.eye == own.eye && seen.target == own.target && seen.up == own.up &&
+                                seen.field_of_view == own.field_of_view;
+        if (!scene.plate.use || !own_camera || video == nullptr || view.size.x < 1 || !on_.preview.organ_of(scene))
+            return 1;
+        const glm::dvec2 stored(video->info().size);
+        const double aspect = scene.reference.aspect > 0 ? scene.reference.aspect : stored.x / stored.y;
+        return std::max(1.0, aspect * view.size.y / view.size.x);
+    }
+
+    /// The reference of this time as high as the view, in the middle: at the same angle of view it covers what it
+    /// shows.
+    void underlay(const ui::ViewportResult& view) {
+        if (!shows_underlay()) return;
+        on_.reference.follow();
+        const ui::Picture picture = on_.reference.picture();
+        if (picture.image == 0 || view.size.y < 1) return;
+        ui::Node& node = ui_.leaf(ui::Role::image, "Reference picture");
+        const float height = std::round(static_cast<float>(view.size.y / widened(view)));
+        node.placed = true;
+        node.placement = ui_.arena().make(ui::Placement{.fraction = {0.5F, 0.5F}, .pivot = {0.5F, 0.5F}});
+        node.size[0] =
+            ui::px(std::round(height * static_cast<float>(picture.size.x) / static_cast<float>(picture.size.y)));
+        node.size[1] = ui::px(height);
+        const double alpha = std::clamp(on_.looking.underlay_share, 0.0, 1.0);
+        ui_.draw_with<draw_underlay>(node,
+                                     UnderlayLook{picture.image, static_cast<std::uint8_t>(std::lround(255 * alpha))});
+    }
+    struct UnderlayLook {
+        ui::ImageHandle image;
+        std::uint8_t alpha;
+    };
+    static void draw_underlay(ui::Painter& painter, const ui::Node& node, const UnderlayLook& look) {
+        painter.image(node.rect(), look.image, false, {255, 255, 255, look.alpha});
+    }
+
     void look_under(const ui::ViewportResult& view) {
         Under& u = memory_.under;
         const Preview* const preview = on_.preview.preview();
@@ -343,7 +414,7 @@ class ViewPanel {
         const SceneCamera& camera = on_.preview.preview()->camera();
         const double depth = glm::dot(u.hit->position - camera.eye, glm::normalize(camera.target - camera.eye));
         const double px_per_mm =
-            view.size.y / (2 * std::max(depth, 1.0) * std::tan(glm::radians(camera.field_of_view) / 2));
+            view.size.y / (2 * widened(view) * std::max(depth, 1.0) * std::tan(glm::radians(camera.field_of_view) / 2));
         const double reach = reach_of(*on_.tool.action, on_.edited.document.preset());
         const float radius = std::clamp(static_cast<float>(reach * px_per_mm), ui_.em(0.35F), ui_.em(40));
         ui::Node& ring = ui_.leaf(ui::Role::none, {});
@@ -384,6 +455,22 @@ class ViewPanel {
         painter.text(node.rect().inset(painter.em(0.6F), 0), node.text, painter.text_style(), t.text);
     }
 
+    /// Only one clip is shown, which must not be taken for the preset.
+    void solo() {
+        const auto& alone = on_.clips.alone();
+        const auto& clips = on_.edited.document.preset().smoke.clips;
+        if (!alone || *alone >= clips.size()) return;
+        const ui::Panel panel(ui_, "Solo", {.width = ui::fit(), .height = ui::fit(), .padding = 0.4F});
+        place({.fraction = {0, 0}, .offset = {ui_.em(0.6F), ui_.em(0.6F)}, .pivot = {0, 0}});
+        const ui::Row row(ui_, {.cross = ui::ChildAlign::center});
+        ui::label(
+            ui_,
+            ui_.join({"Only ", ui_.copy(std::filesystem::path(clips[*alone].file).filename().string()), " is shown"}),
+            {.tone = ui::Tone::warning});
+        if (ui::button(ui_, "Show all clips", {.tip = "The preview then shows the whole preset again"}))
+            on_.clips.play_alone({});
+    }
+
     /// What is being loaded; the former organ stays until it is ready.
     void loading() {
         const auto loading = on_.preview.loading();
@@ -406,6 +493,7 @@ class ViewPanel {
     void organ_fault(const Fault& fault) {
         const ui::Panel panel(ui_, "Organ fault", {.width = ui::px(ui_.em(30)), .height = ui::fit(), .padding = 1});
         place({.fraction = {0.5F, 0.5F}, .pivot = {0.5F, 0.5F}});
+        if (on_.edited.document.scene().plate.use) return plate_fault(fault);
         const std::string& file = on_.edited.document.scene().organ.file;
         ui::heading(ui_, file.empty() ? "No organ yet" : "The scene cannot be shown");
         ui::label(ui_,
@@ -421,6 +509,13 @@ class ViewPanel {
         if (on_.edited.document.can_undo() &&
             ui::button(ui_, "Undo", {.icon = ui::Icon::undo, .tip = "Undoes the last change"}))
             on_.edited.document.undo();
+    }
+
+    void plate_fault(const Fault& fault) {
+        ui::heading(ui_, "The plate cannot be shown");
+        ui::label(ui_, fault.text(), {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
+        if (ui::button(ui_, "Show the organ", {.tip = "Turns the plate off", .primary = true}))
+            on_.commands.run("view.plate");
     }
 
     /// The picture shows everything except what is wrong.

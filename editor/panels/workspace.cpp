@@ -38,7 +38,9 @@ constexpr PanelRow panel_rows[] = {
     {"Keying", "What in the selected clip is smoke",
      [](Ui& ui, Editor& e) { keying_panel(ui, e.keying(), e.clips(), edited_in(e), e.commands); }},
     {"Reference", "The surgery video to match, alone or against the preview",
-     [](Ui& ui, Editor& e) { reference_panel(ui, e.reference(), edited_in(e), e.files()); }},
+     [](Ui& ui, Editor& e) { reference_panel(ui, e.reference(), edited_in(e), e.files(), e.commands); }},
+    {"Measure", "How much blood and smoke the reference shows",
+     [](Ui& ui, Editor& e) { measure_panel(ui, measure_parts(e)); }},
     {"Timeline", "Time, and what the tools do in it", [](Ui& ui, Editor& e) { timeline_panel(ui, timeline_parts(e)); }},
     {"Curves", "Factors over time on cautery power, bleeding and smoke",
      [](Ui& ui, Editor& e) { curves_panel(ui, e.document, e.timeline, e.toasts); }},
@@ -47,7 +49,9 @@ constexpr PanelRow panel_rows[] = {
     {"Presets", "Presets in folders, with pictures",
      [](Ui& ui, Editor& e) { presets_panel(ui, e.browser(), e.document, e.files(), e.chooser(), e.toasts); }},
     {"Snapshots", "Four states of the preset, and what differs between them",
-     [](Ui& ui, Editor& e) { snapshots_panel(ui, e.snapshots(), e.document); }},
+     [](Ui& ui, Editor& e) {
+         snapshots_panel(ui, e.snapshots(), e.snapshot_previews(), e.reference(), e.layouts(), e.document);
+     }},
     {"History", "All that was done, to go back to",
      [](Ui& ui, Editor& e) { history_panel(ui, e.document, e.commands); }},
     {"Scene", "Organ, tool, camera, light and reference",
@@ -89,10 +93,21 @@ ViewParts view_parts(Editor& e) {
             .tool = e.tool,
             .hold = e.hold,
             .organ_choice = e.organ_choice(),
+            .clips = e.clips(),
+            .reference = e.reference(),
             .jobs = e.jobs,
             .commands = e.commands,
             .toasts = e.toasts,
             .half_resolution = e.settings().half_resolution};
+}
+
+MeasureParts measure_parts(Editor& e) {
+    return {.edited = edited_in(e),
+            .reference = e.reference(),
+            .measuring = e.measuring(),
+            .bench = e.measure_bench(),
+            .timeline = e.timeline,
+            .commands = e.commands};
 }
 
 TimelineParts timeline_parts(Editor& e) {
@@ -142,6 +157,7 @@ void workspace(Ui& ui, Editor& e) {
                  [&](std::size_t panel) { panel_rows[panel].build(ui, e); });
         status_bar(ui, {.document = e.document,
                         .preview = e.preview,
+                        .clips = e.clips(),
                         .reference = e.reference(),
                         .images = e.images,
                         .jobs = e.jobs,

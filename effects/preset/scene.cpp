@@ -178,12 +178,158 @@ constexpr Parameter reference_rows[] = {
         "Width over height at which the reference is shown, for videos that are stored squeezed. 0: as stored."),
 };
 
+constexpr Range mark_time{-1, 86'400, 0.04, "s"};
+using M = ReferenceMarks;
+constexpr Parameter mark_rows[] = {
+    number<&M::smoke_starts>("smoke_starts", "Smoke starts", mark_time,
+                             "When smoke begins, in the reference's time. -1: not marked."),
+    number<&M::smoke_peaks>("smoke_peaks", "Smoke peaks", mark_time,
+                            "When smoke is densest, in the reference's time. -1: not marked."),
+    number<&M::smoke_clears>("smoke_clears", "Smoke clears", mark_time,
+                             "When no smoke is left, in the reference's time. -1: not marked."),
+    number<&M::blood_starts>("blood_starts", "Blood starts", mark_time,
+                             "When blood begins, in the reference's time. -1: not marked."),
+};
+
+template <double M::*Member>
+constexpr Rule set_or_not(std::string_view key) {
+    return {key, [](const void* owner) -> std::string {
+                const double time = static_cast<const M*>(owner)->*Member;
+                return time == -1 || time >= 0 ? "" : number_text(time) + " s is neither -1 nor from 0 on";
+            }};
+}
+constexpr Rule mark_rules[] = {set_or_not<&M::smoke_starts>("smoke_starts"), set_or_not<&M::smoke_peaks>("smoke_peaks"),
+                               set_or_not<&M::smoke_clears>("smoke_clears"),
+                               set_or_not<&M::blood_starts>("blood_starts")};
+
+constexpr Range loop_time{-86'400, 86'400, 0.04, "s"};
+constexpr Parameter loop_rows[] = {
+    number<&ReferenceLoop::from>("from", "From", loop_time, "Where the part begins, in the reference's time."),
+    number<&ReferenceLoop::to>("to", "To", loop_time,
+                               "Where it ends, in the reference's time. The same as from: no part is chosen."),
+};
+constexpr Rule loop_rules[] = {{"to", [](const void* owner) -> std::string {
+                                    const auto& loop = *static_cast<const ReferenceLoop*>(owner);
+                                    return loop.to >= loop.from ? ""
+                                                                : number_text(loop.to) + " s is before " +
+                                                                      number_text(loop.from) + " s, where it begins";
+                                }}};
+
 constexpr double least_aspect = 0.1;
 constexpr Rule reference_rules[] = {{"aspect", [](const void* owner) -> std::string {
                                          const double aspect = static_cast<const SceneReference*>(owner)->aspect;
                                          if (aspect == 0 || aspect >= least_aspect) return "";
                                          return number_text(aspect) + " is neither 0 nor from 0.1 to 10";
                                      }}};
+
+constexpr std::string_view plate_frames[] = {"clearest", "chosen"};
+constexpr std::string_view plate_depths[] = {"bowl", "flat"};
+constexpr unsigned other_body = redo::organ | redo::amounts;
+
+using P = ScenePlate;
+constexpr Parameter plate_rows[] = {
+    again(other_body, boolean<&P::use>("use", "Use",
+                                       "A frame of the reference stands in for the organ: smoke and blood are drawn "
+                                       "over the same tissue that the video shows.")),
+    again(other_body,
+          choice<&P::frame>("frame", "Frame", plate_frames,
+                            "clearest: the frame with the least smoke that is found; chosen: the one at the time.")),
+    again(other_body,
+          number<&P::time>("time", "Time", {0, 86'400, 0.04, "s"}, "Time in the reference video of the chosen frame.")),
+    again(other_body, integer<&P::frames>("frames", "Frames", {1, 25, 1},
+                                          "So many frames are blended: the median of each pixel, after the camera's "
+                                          "motion is taken out, so that instruments and wisps that pass vanish.")),
+    again(other_body, number<&P::span>("span", "Span", {0.1, 60, 0.1, "s"},
+                                       "Length of the video around the frame from which the blended ones are taken.")),
+    again(other_body, choice<&P::depth>("depth", "Depth", plate_depths,
+                                        "bowl: the tissue falls away towards the rim of the round view; flat: all of "
+                                        "it is equally deep.")),
+    again(other_body, number<&P::distance>("distance", "Distance", {0, 1'000, 1, "mm"},
+                                           "Distance of its middle from the camera. 0: that of the camera's target.")),
+};
+
+constexpr double least_plate_distance = 10;
+constexpr Rule plate_rules[] = {{"distance", [](const void* owner) -> std::string {
+                                     const double distance = static_cast<const P*>(owner)->distance;
+                                     if (distance == 0 || distance >= least_plate_distance) return "";
+                                     return number_text(distance) + " mm is neither 0 nor from 10 to 1000 mm";
+                                 }}};
+
+constexpr double longest_video = 86'400;
+using RM = ReferenceMeasure;
+constexpr Parameter measure_rows[] = {
+    number<&RM::baseline>("baseline", "Baseline", {0, longest_video, 0.05, "s"},
+                          "Time of a frame of the reference without smoke and blood, which all others are compared "
+                          "with. 0: the clearest frame is looked for."),
+    number<&RM::from>("from", "From", {0, longest_video, 0.05, "s"}, "Time in the reference where measuring starts."),
+    number<&RM::to>("to", "To", {0, longest_video, 0.05, "s"},
+                    "Time in the reference where measuring ends; 0 goes on to its end."),
+};
+constexpr Rule measure_rules[] = {{"to", [](const void* owner) -> std::string {
+                                       const RM& measure = *static_cast<const RM*>(owner);
+                                       if (measure.to == 0 || measure.to > measure.from) return "";
+                                       return number_text(measure.to) + " s is neither 0 nor after from, " +
+                                              number_text(measure.from) + " s";
+                                   }}};
+
+using Q = BloodQualifier;
+constexpr Parameter blood_rows[] = {
+    number<&Q::redness>("redness", "Redness", {1, 20, 0.05, "", Scale::logarithmic},
+                        "Least redness of blood: red over the mean of green and blue. About 2 is liver, 3 to 15 is "
+                        "blood. Higher finds less blood."),
+    number<&Q::rise>("rise", "Rise", {1, 5, 0.02, "", Scale::logarithmic},
+                     "Least factor by which a place became redder than in the baseline. 1 also counts what was as red "
+                     "before; higher finds less blood."),
+    number<&Q::brightness>("brightness", "Brightness", {0.05, 1, 0.01},
+                           "Largest red of blood: what is brighter is a highlight or tissue. Lower finds less blood."),
+};
+
+constexpr Range part_of_picture{0, 1, 0.005, "of the picture"};
+using MR = MeasuredRegion;
+constexpr Parameter region_rows[] = {
+    number<&MR::x>("x", "X", {0, 0.95, 0.005, "of the picture"}, "The region's left edge."),
+    number<&MR::y>("y", "Y", {0, 0.95, 0.005, "of the picture"}, "The region's upper edge."),
+    number<&MR::width>("width", "Width", {0.05, 1, 0.005, "of the picture"}, "The region's width."),
+    number<&MR::height>("height", "Height", {0.05, 1, 0.005, "of the picture"}, "The region's height."),
+};
+
+constexpr Parameter corner_rows[] = {
+    number<&PartCorner::x>("x", "X", part_of_picture, "Where the corner is, from the left edge."),
+    number<&PartCorner::y>("y", "Y", part_of_picture, "Where the corner is, from the upper edge."),
+};
+constexpr Table part_tables[] = {
+    list<&LeftOutPart::corners, most_part_corners>("corners", "Corners", "The polygon's corners, three or more.",
+                                                   {corner_rows}),
+};
+
+constexpr Table measure_tables[] = {
+    table<&RM::blood>("blood", "Blood", "Which pixels of the reference count as blood, once smoke is taken away.",
+                      {blood_rows}),
+    table<&RM::region>("region", "Region", "The rectangle of the reference's picture that is measured.", {region_rows}),
+    list<&RM::parts, most_left_out_parts>(
+        "parts", "Parts", "Polygons of the reference's picture that are not measured, such as a logo or an instrument.",
+        {{}, part_tables}),
+};
+
+using CR = ComparedRegion;
+constexpr Parameter compared_rows[] = {
+    number<&CR::x>("x", "X", {0, 0.99, 0.005, "of the picture"}, "The region's left edge."),
+    number<&CR::y>("y", "Y", {0, 0.99, 0.005, "of the picture"}, "The region's upper edge."),
+    number<&CR::width>("width", "Width", {0.01, 1, 0.005, "of the picture"}, "The region's width."),
+    number<&CR::height>("height", "Height", {0.01, 1, 0.005, "of the picture"}, "The region's height."),
+};
+
+constexpr Table reference_tables[] = {
+    table<&SceneReference::marks>("marks", "Marks", "What happens in the reference, and when.",
+                                  {mark_rows, {}, mark_rules}),
+    table<&SceneReference::loop>("loop", "Loop", "The part of the reference that is played again and again.",
+                                 {loop_rows, {}, loop_rules}),
+    table<&SceneReference::measure>("measure", "Measure", "How the reference's blood and smoke are measured.",
+                                    {measure_rows, measure_tables, measure_rules}),
+    list<&SceneReference::regions, most_compared_regions>(
+        "regions", "Regions", "Rectangles of the picture that are compared in the reference and the preview.",
+        {compared_rows}),
+};
 
 constexpr Parameter scene_rows[] = {
     text<&Scene::name>("name", "Name", 100, "What the scene is called in lists."),
@@ -213,7 +359,9 @@ constexpr Table scene_tables[] = {
     again(redo::amounts,
           table<&Scene::curves>("curves", "Curves", "Factors over the scene's time.", {{}, curve_tables})),
     table<&Scene::reference>("reference", "Reference", "The surgery video to match.",
-                             {reference_rows, {}, reference_rules}),
+                             {reference_rows, reference_tables, reference_rules}),
+    table<&Scene::plate>("plate", "Plate", "A clear frame of the reference in place of the organ.",
+                         {plate_rows, {}, plate_rules}),
 };
 
 }  // namespace

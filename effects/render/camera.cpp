@@ -31,7 +31,15 @@ View view_of(const SceneCamera& camera, const SceneLight& light, glm::ivec2 size
                  .focus_distance = light.focus_distance,
                  .beam_angle = light.beam_angle,
                  .color = light.color};
+    view.exposure = camera.exposure;
     return view;
+}
+
+SceneCamera fitted(const SceneCamera& camera, double aspect, glm::ivec2 size) {
+    const double wider = std::max(1.0, aspect * size.y / size.x);
+    SceneCamera made = camera;
+    made.field_of_view = glm::degrees(2.0 * std::atan(wider * std::tan(glm::radians(camera.field_of_view) / 2.0)));
+    return made;
 }
 
 glm::dvec3 ray_through(const SceneCamera& camera, glm::dvec2 pixel, glm::ivec2 size) {

@@ -13,6 +13,9 @@ namespace lapfx::render {
 /// The view of a frame of `size` pixels.
 View view_of(const SceneCamera& camera, const SceneLight& light, glm::ivec2 size);
 
+/// The camera of a picture of that aspect (width over height), so wide that a frame of `size` pixels shows all of it.
+SceneCamera fitted(const SceneCamera& camera, double aspect, glm::ivec2 size);
+
 /// Direction from the camera through a pixel (origin top left), organ space, unit.
 glm::dvec3 ray_through(const SceneCamera& camera, glm::dvec2 pixel, glm::ivec2 size);
 

@@ -69,17 +69,23 @@ void Frame::begin_smoke() const noexcept {
     glBindFramebuffer(GL_FRAMEBUFFER, smoke_.name());
 }
 
-void Frame::finish(GLuint framebuffer, float exposure, float vignette) const noexcept {
+void Frame::finish(GLuint framebuffer, float exposure, float vignette, const PlateShown& plate) const noexcept {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_FRAMEBUFFER_SRGB);  // post.frag encodes
     glBindTextureUnit(0, resolved_color_.name());
     glBindSampler(0, 0);  // the host's setting would blend pixels
+    if (plate.picture != 0) {
+        glBindTextureUnit(1, plate.picture);
+        glBindSampler(1, 0);
+    }
     glBindVertexArray(no_attributes_.name());
     post_.set("u_exposure", exposure);
     post_.set("u_vignette", vignette);
     post_.set("u_size", glm::vec2(size_));
+    post_.set("u_over_plate", plate.there ? 1 : 0);
+    post_.set("u_plate", plate.extent);
     post_.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }

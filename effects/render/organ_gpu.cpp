@@ -213,6 +213,8 @@ void OrganGpu::use(const gl::Program& program, const glm::mat4& model) const noe
     program.set("u_model", model);
     program.set("u_tissue", tissue_ ? 1 : 0);
     program.set("u_overlay", static_cast<int>(overlay_));
+    program.set("u_plate", projector_ ? 1 : 0);
+    program.set("u_projector", projector_.value_or(glm::mat4(1.0f)));
     program.use();
 }
 

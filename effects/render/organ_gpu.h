@@ -1,6 +1,7 @@
 // An organ on the GPU and its shader. Render thread, context current; the view block bound at 0, bleeding's at 1.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gl/objects.h"
@@ -38,6 +39,8 @@ class OrganGpu {
     /// vertex.
     void send_density(std::span<const DensityPicture> images, std::span<const glm::vec2> vertices);
     void set_overlay(Overlay overlay) { overlay_ = overlay; }
+    /// The organ is a plate: its base colour is thrown onto it by this matrix (organ/plate.h) and not lit.
+    void set_projector(const glm::mat4& projector) { projector_ = projector; }
     /// Multiplies the colours of all materials; linear.
     void set_color(glm::vec3 color) { color_ = color; }
     std::size_t geometry_memory() const;  ///< bytes on the GPU
@@ -73,6 +76,7 @@ class OrganGpu {
     gl::Buffer vertex_density_;
     Overlay overlay_ = Overlay::none;
     glm::vec3 color_{1.0f};
+    std::optional<glm::mat4> projector_;
     gl::Texture white_, flat_;
     std::vector<Material> materials_;
     std::vector<Part> parts_, unsplit_parts_;

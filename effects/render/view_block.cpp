@@ -18,7 +18,7 @@ struct Block {
 
 ViewBlock::ViewBlock() : buffer_(sizeof(Block)) {}
 
-void ViewBlock::bind(const View& view) const noexcept {
+void ViewBlock::bind(const View& view, bool over_plate) const noexcept {
     const glm::mat4 to_organ = glm::inverse(view.view);
     const glm::vec3 light = gl::to_linear(glm::vec3(view.lamp.color)) * static_cast<float>(view.lamp.intensity);
     const double half_angle = glm::radians(view.lamp.beam_angle) / 2.0;
@@ -28,7 +28,8 @@ void ViewBlock::bind(const View& view) const noexcept {
         .eye = to_organ[3],
         .axis = -to_organ[2],
         .light = glm::vec4(light, static_cast<float>(view.lamp.focus_distance)),
-        .beam = glm::vec4(static_cast<float>(std::cos(half_angle)), static_cast<float>(view.lamp.ambient), 0.0f, 0.0f),
+        .beam = glm::vec4(static_cast<float>(std::cos(half_angle)), static_cast<float>(view.lamp.ambient),
+                          over_plate ? static_cast<float>(view.exposure) : 0.0f, 0.0f),
     };
     buffer_.update(0, sizeof block, &block);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, buffer_.name());

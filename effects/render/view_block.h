@@ -9,7 +9,8 @@ namespace lapfx::render {
 class ViewBlock {
   public:
     ViewBlock();
-    void bind(const View& view) const noexcept;  ///< sends it and binds it at 0
+    /// Sends it and binds it at 0. `over_plate`: the organ of the frame is a plate.
+    void bind(const View& view, bool over_plate = false) const noexcept;
 
   private:
     gl::Buffer buffer_;

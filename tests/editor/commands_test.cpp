@@ -52,6 +52,11 @@ class CommandsTest : public EditorTest {
         e.toasts.clear();
         e.document.open(content_, scene_file_, preset_file_);
         e.forget_document();
+        e.document.change("Marks", [](document::Content& c) {
+            c.scene.reference.marks.smoke_starts = 1;
+            c.scene.reference.loop = {.from = 1, .to = 2};
+            c.scene.reference.measure.baseline = 1;
+        });
         for (const double speed : {5.0, 6.0, 7.0})
             e.document.change("Speed", [&](document::Content& c) { c.preset.bleeding.speed = speed; });
         e.document.undo();
@@ -123,7 +128,9 @@ TEST_F(CommandsTest, EachDoesSomethingWhereItIsOn) {
         if (on && !does) idle.insert(id);
     }
     EXPECT_THAT(idle, IsEmpty());
-    EXPECT_THAT(off, UnorderedElementsAre("clip.copy")) << "copy_clips_test has clips that lie elsewhere";
+    EXPECT_THAT(off,
+                UnorderedElementsAre("clip.copy", "measure.export_csv", "measure.export_json", "measure.export_png"))
+        << "copy_clips_test has clips that lie elsewhere, measure_panel_test measures";
 }
 
 TEST_F(CommandsTest, WhatIsOffSaysWhatIsMissing) {

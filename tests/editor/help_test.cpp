@@ -50,7 +50,7 @@ TEST_F(HelpTest, TheSheetTellsWhatThePointerDoes) {
 TEST_F(HelpTest, AboutTellsVersionPaperAndLicences) {
     editor().commands.run("help.about");
     ui().frame().frame();
-    std::ifstream file(std::string(LAPFX_SOURCE_DIR) + "/CMakeLists.txt");
+    std::ifstream file(std::filesystem::path(LAPFX_SOURCE_DIR) / "CMakeLists.txt");
     std::stringstream project;
     project << file.rdbuf();
     const std::string text = project.str(), mark = "project(lapfx VERSION ";

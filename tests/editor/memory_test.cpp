@@ -165,7 +165,12 @@ TEST_F(EditorMemory, TheKeyingBenchHoldsNothingWhileNobodyLooks) {
     EXPECT_EQ(editor().keying().picture(app::BenchView::matte).pixels->pixel({360, 240}), matte);
 }
 
-TEST_F(EditorMemory, ThePictureIsTheSameFromPixelsThatWereDecodedAgain) {
+class EditorMemoryInFull : public EditorMemory {
+  protected:
+    EditorMemoryInFull() { scene_scale = 1; }
+};
+
+TEST_F(EditorMemoryInFull, ThePictureIsTheSameFromPixelsThatWereDecodedAgain) {
     const Image first = picture(6);
     const auto organ = editor().preview.organ_of(editor().document.scene());
     Preview again(editor().document.scene(), editor().document.preset(), organ,

@@ -254,12 +254,12 @@ TEST_F(ReferencePanel, WhatIsNotSeenIsNotDrawn) {
     EXPECT_FALSE(reference().compares());
     ui().click(in("Compare/Side by side")).frame();
     EXPECT_TRUE(reference().compares());
-    EXPECT_FALSE(reference().draw(1)) << "nothing has changed";
+    EXPECT_FALSE(reference().draw(scene_scale)) << "nothing has changed";
     editor().timeline.seek(3);
-    EXPECT_TRUE(reference().draw(1));
+    EXPECT_TRUE(reference().draw(scene_scale));
     editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 12; });
     editor().preview.follow(editor().document);
-    EXPECT_TRUE(reference().draw(1));
+    EXPECT_TRUE(reference().draw(scene_scale));
     layout("Tune");
     EXPECT_FALSE(reference().compares());
 }

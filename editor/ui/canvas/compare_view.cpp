@@ -300,6 +300,17 @@ std::string_view gain_text(Ui& ui, double gain) {
     return ui.copy(format_number(buffer, gain, gain < 10 && gain != std::round(gain) ? 1 : 0));
 }
 
+/// A node as large as what shows a picture, with what the program builds over it.
+void build_over(Ui& ui, std::string_view name, const Rect& whole, const View& view, const CompareOptions& options) {
+    Node& node = ui.open(Role::group, name, Axis::y);
+    node.placed = true;
+    node.placement = ui.arena().make(Placement{.offset = view.area.at() - whole.at()});
+    node.size[0] = px(view.area.w), node.size[1] = px(view.area.h);
+    node.clips = true;
+    options.over(ui, view, options.over_with);
+    ui.close();
+}
+
 }  // namespace
 
 CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first, const Picture& second,
@@ -359,6 +370,10 @@ CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first,
     }
     if (state.kind == CompareKind::wipe && !result.flicker && !options.eyedropper)
         result.edit |= edit_wipe(ui, view_of(state.view, area, size), state);
+    if (options.over != nullptr && !area.empty()) {
+        build_over(ui, "First", area, view_of(state.view, halves[0], size), options);
+        if (beside) build_over(ui, "Second", area, view_of(state.view, halves[1], size), options);
+    }
     const std::string_view title = ui.join({labels[0], " - ", labels[1], "   x ", gain_text(ui, state.gain)});
     Node& whole = ui.parent();
     if (readout.line_count > 0) whole.tip = {};  // both would be shown at the pointer

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/canvas/pixels.h"
+#include "ui/canvas/view.h"
 
 namespace lapfx::ui {
 
@@ -26,6 +27,10 @@ struct CompareOptions {
     bool eyedropper = false;  ///< a left click, or Enter, takes a colour instead of panning or moving the line
     int sample_box = 1;
     int decimals = 1;
+    /// Builds what lies over the pictures, handles for one, as children of a node that is as large as what shows them:
+    /// side by side once over each, in nodes "First" and "Second"; else once, in "First". `with` is `over_with`.
+    void (*over)(Ui& ui, const View& view, void* with) = nullptr;
+    void* over_with = nullptr;
     std::string_view tip = {};
     Size width = grow(), height = grow();
 };

@@ -18,6 +18,10 @@ double placed(const PlotState& state, double y) {
     return !state.log_y ? y : y > 0 ? std::log10(y) : nothing;
 }
 
+bool has_band(const PlotSeries& series) {
+    return series.low != nullptr && series.high != nullptr;
+}
+
 /// The places of the parts of a plot; `Em` is ui or painter.
 struct Frame {
     Rect title, plot, x_labels, y_labels;
@@ -58,6 +62,7 @@ void fitted_spans(const PlotState& state, std::span<const PlotSeries> series, Sp
         if (hidden(state, i) || data.size() == 0) continue;
         all_x.add(data.x(0)), all_x.add(data.x(data.size() - 1));
         Extremes own = data.extremes();
+        if (has_band(series[i])) own.add(series[i].low->extremes()), own.add(series[i].high->extremes());
         if (state.log_y && own.any && own.low <= 0) own.low = std::min(1.0, own.high * 1e-3);
         if (!own.any || (state.log_y && own.high <= 0)) continue;
         all_y.add(placed(state, own.low)), all_y.add(placed(state, own.high));
@@ -338,9 +343,32 @@ void draw_line(Painter& p, const Frame& f, const PlotState& state, const PlotDat
     if (joined && !drawn) p.line(before, before, width * 2, color);
 }
 
+/// The extremes of a line between two places, of its samples and of its ends there.
+Extremes extremes_between(const PlotData& data, double from, double to) {
+    Extremes e = data.extremes(data.index_from(from), data.index_from(to));
+    for (const double y : {data.value_at(from), data.value_at(to)})
+        if (std::isfinite(y)) e.add(y);
+    return e;
+}
+
+/// A bar for each step along x; steps are of a size that many of them look smooth.
+void draw_band(Painter& p, const Frame& f, const PlotState& state, const PlotSeries& series, Color color) {
+    const float step = 2 * p.hairline();
+    for (float x = f.plot.x; x < f.plot.right(); x += step) {
+        const double from = f.x.value_at(x), to = f.x.value_at(x + step);
+        const Extremes low = extremes_between(*series.low, from, to), high = extremes_between(*series.high, from, to);
+        if (!low.any || !high.any || std::isnan(placed(state, high.high))) continue;
+        const double bottom = placed(state, low.low);
+        const float y = f.y.px_of(placed(state, high.high));
+        const float end = std::isnan(bottom) ? f.plot.bottom() : f.y.px_of(bottom);
+        p.fill({x, y, std::min(step, f.plot.right() - x), std::max(end - y, p.hairline())}, with_alpha(color, 0.25F));
+    }
+}
+
 void draw_series(Painter& p, const Frame& f, const PlotState& state, const PlotSeries& series, Color color) {
     const PlotData& data = *series.data;
     if (data.size() == 0 || f.plot.empty()) return;
+    if (has_band(series)) draw_band(p, f, state, series, color);
     std::size_t first = data.index_from(state.x.low), last = data.index_from(state.x.high);
     if (static_cast<float>(last - first) > 2 * f.plot.w) return draw_columns(p, f, state, series, color, first);
     if (first > 0) --first;  // for the line that comes in from outside

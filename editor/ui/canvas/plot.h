@@ -26,6 +26,8 @@ struct PlotSeries {
     const PlotData* data = nullptr;  ///< not null; must outlive the frame
     int color = -1;                  ///< 0 to 7, of the theme's series; -1: the number of the series
     bool reference = false;          ///< a quiet line that others are compared with; no series of its own to snap to
+    /// Both or none: samples at the same places as those of `data`; between them is a band, as of an interval.
+    const PlotData *low = nullptr, *high = nullptr;
 };
 
 /// What is in sight; kept by the widget unless the program does, to link plots or to store it.

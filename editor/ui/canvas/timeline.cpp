@@ -15,6 +15,7 @@ namespace {
 
 constexpr float catch_distance = 8;  // px at scale 1
 constexpr double fastest = 8;
+constexpr double item_rim = 0.03;    // share of the whole, beyond items outside of the timeline
 constexpr double fewest_frames = 4;  // that are visible
 
 enum class Part : std::uint8_t { none, time, view, range_in, range_out, item, item_start, item_end };
@@ -41,13 +42,23 @@ double frames_of(double seconds, double rate) {
     return std::floor(seconds * rate + 1e-6);
 }
 
-/// The view limited to the timeline and a little around it.
-Span kept(Span view, const TimelineOptions& o) {
-    const double most = o.length * 1.1, least = std::min(most, fewest_frames / o.rate);
+/// From the start to the end, or to the items that lie outside.
+Span whole_of(std::span<const TimelineTrack> tracks, const TimelineOptions& o) {
+    Span whole{0, o.length};
+    for (const TimelineTrack& track : tracks)
+        for (const TimelineItem& item : track.items)
+            whole = {std::min(whole.low, item.start), std::max(whole.high, item.end)};
+    const double rim = item_rim * whole.length();  // so that these are not cut off
+    return {whole.low < 0 ? whole.low - rim : whole.low, whole.high > o.length ? whole.high + rim : whole.high};
+}
+
+/// The view limited to the whole and a little around it.
+Span kept(Span view, const Span& whole, const TimelineOptions& o) {
+    const double most = whole.length() * 1.1, least = std::min(most, fewest_frames / o.rate);
     if (view.length() > most || view.length() < least)
         view.zoom(std::clamp(view.length(), least, most) / view.length(), (view.low + view.high) / 2);
-    view.pan(std::max(0.0, -0.05 * o.length - view.low));
-    view.pan(std::min(0.0, 1.05 * o.length - view.high));
+    view.pan(std::max(0.0, whole.low - 0.05 * whole.length() - view.low));
+    view.pan(std::min(0.0, whole.high + 0.05 * whole.length() - view.high));
     return view;
 }
 
@@ -92,7 +103,7 @@ class Editing {
         if (takes_keys()) item_key(track, index, e);
     }
     void fit() {
-        s_.view = {0, o_.length};
+        s_.view = whole_of(tracks_, o_);
         s_.fitted = true;
     }
     Part part_at(const TimelineItem& item, float x) const {
@@ -210,7 +221,7 @@ class Editing {
     }
     void show(const Span& view) {
         if (!(view.length() > 0) || !std::isfinite(view.length())) return;
-        s_.view = kept(view, o_);
+        s_.view = kept(view, whole_of(tracks_, o_), o_);
         s_.fitted = false;
     }
     void wheel(const Event& e) {
@@ -220,7 +231,9 @@ class Editing {
             view.pan(-sideways * 0.1 * view.length());
         } else {
             const double factor = zoom_of(e.delta.y);
-            if (view.length() * factor < fewest_frames * frame() || view.length() * factor > o_.length * 1.1) return;
+            if (view.length() * factor < fewest_frames * frame() ||
+                view.length() * factor > whole_of(tracks_, o_).length() * 1.1)
+                return;
             view.zoom(factor, f_.x.value_at(ui_.pointer().x));
         }
         show(view);
@@ -312,9 +325,11 @@ class Editing {
         double low = -1e300, high = 1e300;
         each_item([&](const TimelineItem& item) {
             const Memory::Times t = m_.times[i++];
-            if (item.selected) low = std::max(low, -t.start), high = std::min(high, o_.length - t.end);
+            if (!item.selected) return;
+            // One that lies outside may come in, and keeps no other from moving.
+            low = std::max(low, std::min(0.0, -t.start)), high = std::min(high, std::max(0.0, o_.length - t.end));
         });
-        by = low <= high ? std::clamp(by, low, high) : 0;
+        by = std::clamp(by, low, high);
         bool changed = false;
         i = 0;
         each_item([&](TimelineItem& item) {
@@ -483,11 +498,12 @@ TimelineEdit timeline(Ui& ui, std::string_view label, TimelineState& state, std:
     ui.respond(node);
     if (!std::isfinite(state.time)) state.time = 0;
     Memory& m = ui.memory<Memory>(id);
-    if (state.fitted) state.view = {0, options.length};
+    const Span whole = whole_of(tracks, options);
+    if (state.fitted && (m.drag < Part::item || state.view.length() <= 0)) state.view = whole;
     if (m.drag == Part::none && state.speed > 0 && state.time > state.view.high)  // a page further
-        state.view = kept({state.time, state.time + state.view.length()}, options);
+        state.view = kept({state.time, state.time + state.view.length()}, whole, options);
     if (m.drag == Part::none && state.speed < 0 && state.time < state.view.low)
-        state.view = kept({state.time - state.view.length(), state.time}, options);
+        state.view = kept({state.time - state.view.length(), state.time}, whole, options);
     const Frame f = frame_of(ui, ui.rect_before(id), state.view);
     Editing editing(ui, id, m, state, tracks, options, f);
     if (!f.ruler.empty()) {  // all events are handled before anything is built

@@ -49,10 +49,84 @@ struct SceneLight {
     glm::dvec3 color{1.0, 0.97, 0.92};
 };
 
+/// Which pixels of the reference count as blood, once smoke is removed. Redness is (red + 8) / (mean of green and
+/// blue + 8) in 8-bit sRGB code values: about 2 for liver, 3 to 15 for blood.
+struct BloodQualifier {
+    double redness = 2.2;     ///< least redness of blood
+    double rise = 1.3;        ///< least factor of redness over the baseline's at that place
+    double brightness = 0.8;  ///< largest red of blood, 0..1: brighter pixels are highlights or tissue
+};
+
+/// When something happens in the reference, s of its own time; -1 = not marked.
+struct ReferenceMarks {
+    double smoke_starts = -1.0;
+    double smoke_peaks = -1.0;
+    double smoke_clears = -1.0;
+    double blood_starts = -1.0;
+};
+
+/// The part that is looked at again and again, s of the reference's time; none where both are the same.
+struct ReferenceLoop {
+    double from = 0.0;
+    double to = 0.0;
+    bool set() const { return to > from; }
+};
+
+/// A place in the reference's picture: fractions of it from its upper left corner.
+struct PartCorner {
+    double x = 0.0, y = 0.0;
+};
+/// A polygon of the reference's picture that is not measured; with fewer than three corners it is nothing.
+struct LeftOutPart {
+    std::vector<PartCorner> corners = {};
+};
+/// The rectangle of the reference's picture that is measured, fractions of it; what lies beyond the picture is nothing.
+struct MeasuredRegion {
+    double x = 0.0, y = 0.0, width = 1.0, height = 1.0;
+};
+inline constexpr std::size_t most_left_out_parts = 12, most_part_corners = 32;
+
+/// How the reference's blood and smoke are measured. Times in s of the reference.
+struct ReferenceMeasure {
+    double baseline = 0.0;        ///< of a frame without smoke and blood; 0: the clearest one is looked for
+    double from = 0.0, to = 0.0;  ///< what is measured; to 0: up to the end
+    BloodQualifier blood = {};
+    MeasuredRegion region = {};
+    std::vector<LeftOutPart> parts = {};
+};
+
+/// A rectangle that is compared in the pictures of the reference and the preview, fractions of them; what lies beyond
+/// is nothing.
+struct ComparedRegion {
+    double x = 0.4, y = 0.4, width = 0.2, height = 0.2;
+};
+inline constexpr std::size_t most_compared_regions = 8;
+
 struct SceneReference {
     std::string file;
     double offset = 0.0;  ///< s; reference time = scene time + offset
     double aspect = 0.0;  ///< width over height when shown; 0 = as stored
+    ReferenceMarks marks{};
+    ReferenceLoop loop{};
+    ReferenceMeasure measure = {};
+    std::vector<ComparedRegion> regions = {};
+};
+
+/// Which frame of the reference becomes the plate.
+enum class PlateFrame { clearest, chosen };
+/// How far away the tissue of the plate is taken to be.
+enum class PlateDepth { bowl, flat };
+
+/// A clear frame of the reference in place of the organ, made for the scene's camera
+/// (lapfx/authoring/prepared_scene.h).
+struct ScenePlate {
+    bool use = false;
+    PlateFrame frame = PlateFrame::clearest;
+    double time = 0.0;  ///< s in the reference; for PlateFrame::chosen
+    int frames = 1;     ///< as many are blended
+    double span = 2.0;  ///< s around the frame from which they are taken
+    PlateDepth depth = PlateDepth::bowl;
+    double distance = 0.0;  ///< mm from the camera to its middle; 0 = to the camera's target
 };
 
 struct Scene {
@@ -68,6 +142,7 @@ struct Scene {
     std::vector<ToolContact> events;  ///< what the tool does, in any order
     Curves curves;                    ///< factors over the scene's time
     SceneReference reference;
+    ScenePlate plate;
 
     std::filesystem::path folder;  ///< where it was loaded from; not written
 };

@@ -38,6 +38,7 @@ void EditorTest::start(glm::ivec2 size, bool exact) {
                                                                                     .cache = folder_ / "cache",
                                                                                     .documents = folder_},
                                                                         .exact = exact,
+                                                                        .exact_scale = scene_scale,
                                                                         .renderer = "test",
                                                                         .software = true,
                                                                         .clock = clock,

@@ -34,6 +34,9 @@ class EditorTest : public GpuTest {
     void layout(std::string_view name);
 
     std::function<double()> clock;  ///< EditorOptions::clock of the editor that start() makes
+    /// EditorOptions::exact_scale of the editor that start() makes: pixels of the scene take most of a test's time
+    /// without a GPU, and few tests look at single ones. Those ask for 1 in the constructor of their fixture.
+    double scene_scale = 0.5;
 
     app::Editor& editor() { return *editor_; }
     ui::Harness& ui() { return *ui_; }

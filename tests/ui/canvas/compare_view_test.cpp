@@ -398,5 +398,36 @@ TEST(CompareView, TheBoxOfValuesHasThePointerToItself) {
     EXPECT_EQ(c.ui.tip("Takes"), "") << "no tooltip over it";
 }
 
+struct Overs {
+    std::vector<Rect> areas;
+    static void build(Ui& ui, const View& view, void* with) {
+        static_cast<Overs*>(with)->areas.push_back(view.area);
+        Node& node = ui.leaf(Role::handle, "Corner", Sense::hover | Sense::press);
+        node.placed = true;
+        node.placement = ui.arena().make(Placement{.offset = glm::vec2(view.to_screen({0, 0})) - view.area.at()});
+        node.size[0] = node.size[1] = px(6);
+    }
+};
+
+TEST(CompareView, WhatLiesOverThePicturesIsBuiltOverEach) {
+    Compared c;
+    Overs overs;
+    c.options.over = Overs::build, c.options.over_with = &overs;
+    c.state.kind = CompareKind::side_by_side;
+    c.ui.frame().frame();
+    overs.areas.clear();
+    c.ui.frame();
+    ASSERT_EQ(overs.areas.size(), 2U);
+    // One above the other, where they are larger.
+    const Rect first = c.ui.rect("Takes/First/Corner"), second = c.ui.rect("Takes/Second/Corner");
+    EXPECT_EQ(first.y - overs.areas[0].y, second.y - overs.areas[1].y);
+    EXPECT_GT(second.y, first.y + 100);
+    EXPECT_EQ(second.x, first.x);
+    c.state.kind = CompareKind::onion;
+    c.ui.frame().frame();
+    EXPECT_TRUE(c.ui.exists("Takes/First/Corner"));
+    EXPECT_FALSE(c.ui.exists("Takes/Second"));
+}
+
 }  // namespace
 }  // namespace lapfx::ui

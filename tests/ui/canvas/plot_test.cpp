@@ -274,6 +274,38 @@ TEST(Plot, GapsInterruptTheLine) {
     EXPECT_EQ(lines_of(*ui.output().list), 3U) << "one piece, and a dot for each lonely sample";
 }
 
+TEST(Plot, AnIntervalIsABandAroundItsLine) {
+    const double gap = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<double> y = {1, 2, 3, gap, 3}, low = {0, 1, 2, gap, 2}, high = {9, 9, 9, gap, 4};
+    PlotData data, low_data, high_data;
+    data.set(y), low_data.set(low), high_data.set(high);
+    PlotState state;
+    bool band = true;
+    Harness ui([&](Ui& u) {
+        const PlotSeries series[] = {
+            {.name = "", .data = &data, .low = band ? &low_data : nullptr, .high = band ? &high_data : nullptr}};
+        plot(u, "Plot", series, {.state = &state});
+    });
+    const auto bars = [&] {
+        std::vector<Instance> found;
+        const Color color = with_alpha(ui.ui().theme().series[0], 0.25F);
+        for (const Instance& i : ui.output().list->instances)
+            if (i.kind == InstanceKind::fill && i.color == color) found.push_back(i);
+        return found;
+    };
+    EXPECT_GE(state.y.high, 9.0) << "it is in sight";
+    EXPECT_LE(state.y.low, 0.0);
+    const std::vector<Instance> shown = bars();
+    ASSERT_GT(shown.size(), 50U);
+    EXPECT_GT(shown.front().h, 3 * shown.back().h) << "from 0 to 9, but from 2 to 4 at the end";
+    float widest = 0;
+    for (std::size_t i = 1; i < shown.size(); ++i) widest = std::max(widest, shown[i].x - shown[i - 1].x);
+    EXPECT_GT(widest, 100) << "nothing in the gap";
+    band = false;
+    ui.frame();
+    EXPECT_TRUE(bars().empty());
+}
+
 TEST(Plot, AMillionSamplesAreALineForEachPixel) {
     std::vector<float> y(1000000);
     for (std::size_t i = 0; i < y.size(); ++i) y[i] = static_cast<float>(i % 1000) / 1000;

@@ -1,7 +1,8 @@
 #include "ui/widgets/text_field.h"
 
-#include <chrono>
+#include <gtest/gtest.h>
 
+#include "support/thread_time.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 #include "ui/widgets/basic.h"
@@ -340,15 +341,15 @@ TEST_F(TextFieldTest, AMegabyteIsPastedAndWalkedThroughQuickly) {
     std::string big;
     while (big.size() < (1 << 20) - 64) big += "words and \xe6\xbc\xa2 ";
     ui.clipboard().text = big;
-    const auto start = std::chrono::steady_clock::now();
+    const double start = test::thread_seconds();
     ui.focus("Name").key('V', Mods::command);
     EXPECT_EQ(text, big);
     for (const Key key : {Key::home, Key::right, Key::end, Key::left}) ui.key(key);
     for (int i = 0; i < 20; ++i) ui.key(Key::left, Mods::command);
     ui.type("!");
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    const double took = test::thread_seconds() - start;
     EXPECT_EQ(text.size(), big.size() + 1);
-    EXPECT_LT(took.count(), 1.0);  // about 0.05 s alone on the machine
+    EXPECT_LT(took, 1.0);  // about 0.05 s alone on the machine
     EXPECT_LE(ui.text("Name").size(), 65536U);
 }
 

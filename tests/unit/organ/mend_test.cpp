@@ -11,12 +11,12 @@ Organ load(const std::string& text) {
 }
 
 TEST(Mend, EachKindIsCounted) {
-    const Organ organ = load(std::string(cube_obj) +
-                             "v 5 5 5\n"             // unused
-                             "v 20 0 0\nv 30 0 0\n"  // on a line with the first
-                             "f 1 10 11\n"           // no area
-                             "f 4 3 2\nf 3 2 4\n"    // repeated, with its corners rotated
-                             "f 2 3 4\n");           // its back: another triangle
+    const Organ organ =
+        load(std::string(cube_obj).append("v 5 5 5\n"             // unused
+                                          "v 20 0 0\nv 30 0 0\n"  // on a line with the first
+                                          "f 1 10 11\n"           // no area
+                                          "f 4 3 2\nf 3 2 4\n"    // repeated, with its corners rotated
+                                          "f 2 3 4\n"));          // its back: another triangle
     EXPECT_EQ(organ.triangle_count(), 13u);
     EXPECT_TRUE(has_warning(organ.warnings, "1 triangle without area left out"));
     EXPECT_TRUE(has_warning(organ.warnings, "3 vertices belong to no triangle; left out"));

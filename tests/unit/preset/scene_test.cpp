@@ -50,6 +50,25 @@ TEST(Scene, EventPositionIsRequired) {
                 ElementsAre("s.json: /events/0/position: missing; expected [x, y, z], each -10000 to 10000 mm"));
 }
 
+TEST(Scene, TheReferenceIsMeasuredAsItSays) {
+    const Scene plain = parse_scene(scene_text(), "s.json");
+    EXPECT_EQ(plain.reference.measure.baseline, 0.0) << "looked for";
+    const Scene scene = parse_scene(scene_text(organ + R"(, "reference": {"file": "v.mp4", "measure": {
+        "baseline": 2.5, "from": 1, "to": 9, "blood": {"redness": 3}, "region": {"x": 0.5, "width": 0.25},
+        "parts": [{"corners": [{"x": 0, "y": 0}, {"x": 0.5, "y": 0}, {"x": 0, "y": 1}]}]}})"),
+                                    "s.json");
+    const ReferenceMeasure& measure = scene.reference.measure;
+    EXPECT_EQ(measure.baseline, 2.5);
+    EXPECT_EQ(measure.to, 9.0);
+    EXPECT_EQ(measure.blood.redness, 3.0);
+    EXPECT_EQ(measure.blood.rise, BloodQualifier{}.rise);
+    EXPECT_EQ(measure.region.width, 0.25);
+    EXPECT_EQ(measure.region.height, 1.0);
+    ASSERT_EQ(measure.parts.size(), 1U);
+    ASSERT_EQ(measure.parts[0].corners.size(), 3U);
+    EXPECT_EQ(measure.parts[0].corners[1].x, 0.5);
+}
+
 TEST(Scene, NamesFaults) {
     struct Bad {
         const char* members;
@@ -63,6 +82,25 @@ TEST(Scene, NamesFaults) {
          "/camera/eye: y = 99999 is above the maximum 10000 mm (allowed: -10000 to 10000 mm)"},
         {R"(, "reference": {"aspect": 0.05})", "/reference/aspect: 0.05 is neither 0 nor from 0.1 to 10"},
         {R"(, "reference": {"aspect": 11})", "/reference/aspect: 11 is above the maximum 10 (allowed: 0 to 10)"},
+        {R"(, "plate": {"distance": 3})", "/plate/distance: 3 mm is neither 0 nor from 10 to 1000 mm"},
+        {R"(, "plate": {"frames": 0})", "/plate/frames: 0 is below the minimum 1 (allowed: 1 to 25)"},
+        {R"(, "plate": {"time": -1})", "/plate/time: -1 is below the minimum 0 s (allowed: 0 to 86400 s)"},
+        {R"(, "plate": {"frame": "best"})",
+         "/plate/frame: \"best\" is not one of \"clearest\", \"chosen\"; nearest is \"clearest\""},
+        {R"(, "reference": {"marks": {"smoke_peaks": -0.5}})",
+         "/reference/marks/smoke_peaks: -0.5 s is neither -1 nor from 0 on"},
+        {R"(, "reference": {"marks": {"smoke": 2}})",
+         "/reference/marks/smoke: unknown key; nearest is \"smoke_peaks\""},
+        {R"(, "reference": {"loop": {"from": 3, "to": 2}})", "/reference/loop/to: 2 s is before 3 s, where it begins"},
+        {R"(, "reference": {"measure": {"from": 4, "to": 3}})",
+         "/reference/measure/to: 3 s is neither 0 nor after from, 4 s"},
+        {R"(, "reference": {"measure": {"blood": {"redness": 0}}})",
+         "/reference/measure/blood/redness: 0 is below the minimum 1 (allowed: 1 to 20)"},
+        {R"(, "reference": {"measure": {"parts": [{"corners": [{"x": 0, "y": 2}]}]}})",
+         "/reference/measure/parts/0/corners/0/y: 2 is above the maximum 1 of the picture (allowed: 0 to 1 of the "
+         "picture)"},
+        {R"(, "reference": {"regions": [{"x": 0.2}, {"width": 0}]})",
+         "/reference/regions/1/width: 0 is below the minimum 0.01 of the picture (allowed: 0.01 to 1 of the picture)"},
         {R"(, "gravity": [0, 0, 0])", "/gravity: zero: it has no direction"},
         {R"(, "seed": -1)", "/seed: -1 is below the minimum 0 (allowed: 0 to 2147483647)"},
         {R"(, "seed": 2147483648)", "/seed: 2147483648 is not a whole number from 0 to 2147483647"},

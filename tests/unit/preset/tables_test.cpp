@@ -69,7 +69,17 @@ TEST(Tables, EveryMemberOfASceneHasItsRow) {
     expect_complete<Curves>(*scene.find("curves"));
     for (const char* key : {"cautery_power", "bleeding_strength", "emission"})
         expect_complete<CurvePoint>(*scene.find("curves")->find(key));
-    expect_complete<SceneReference>(*scene.find("reference"));
+    expect_complete<ReferenceMarks>(*scene.find("reference")->find("marks"));
+    expect_complete<ReferenceLoop>(*scene.find("reference")->find("loop"));
+    const Table& reference = *scene.find("reference");
+    expect_complete<SceneReference>(reference);
+    expect_complete<ComparedRegion>(*reference.find("regions"));
+    const Table& measure = *reference.find("measure");
+    expect_complete<ReferenceMeasure>(measure);
+    expect_complete<BloodQualifier>(*measure.find("blood"));
+    expect_complete<MeasuredRegion>(*measure.find("region"));
+    expect_complete<LeftOutPart>(*measure.find("parts"));
+    expect_complete<PartCorner>(*measure.find("parts")->find("corners"));
 }
 
 void expect_sound(const Table& root, void* document) {

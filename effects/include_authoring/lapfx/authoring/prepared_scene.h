@@ -16,12 +16,16 @@
 
 namespace lapfx {
 
-/// The scene's organ and instrument; everything else is as for an organ alone. Throws Error (bad_input).
+/// The scene's organ, or the plate that stands in for it, and its instrument; everything else is as for an organ alone.
+/// A plate needs the scene's reference, which is read here; its name says how it came about: "frame at 3.2 s of
+/// operation.mp4, 9 frames blended". Throws Error (bad_input).
 std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const VesselParameters& vessels = {},
                                                    const Progress& progress = {});
 
-/// Whether prepare_organ(scene) would give the same result if no file has changed: same organ and instrument, with the
-/// same scale and rotation.
+/// Whether prepare_organ() gives the same for both if no file has changed: same organ and instrument, with the same
+/// scale and rotation; or the same plate, for the same camera. Exposure and vignette may differ.
+bool same_organ(const Scene& a, const Scene& b);
+/// The same for the scene that it was prepared for.
 bool made_for(const PreparedOrgan& organ, const Scene& scene);
 /// Every file that was read or looked for: organ, textures, materials, the instrument.
 std::vector<std::filesystem::path> files_of(const PreparedOrgan& organ);

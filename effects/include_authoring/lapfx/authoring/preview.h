@@ -9,8 +9,10 @@
 // a host that needs its state uses Effects, which restores everything.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "lapfx/authoring/prepared_scene.h"
 #include "lapfx/effects.h"
@@ -24,6 +26,12 @@ struct PreviewOptions {
     Overlay overlay = Overlay::none;
     StreamingOptions streaming = {};
     std::shared_ptr<ClipCache> clip_cache = nullptr;
+};
+
+/// What is in the pixels of a frame, exactly: for measures that have to be checked. Rows from the top.
+struct Layers {
+    std::vector<std::uint8_t> blood;  ///< 255 where blood changes the light of the tissue by more than a tenth, else 0
+    std::vector<float> veil;          ///< 1 - transmission of the smoke, mean of the three colours, 0..1
 };
 
 class Preview {
@@ -42,6 +50,9 @@ class Preview {
     void draw(double time, glm::ivec2 size, unsigned framebuffer = 0);
     /// The same, read back. Throws Error (runtime) when the driver cannot make the frame.
     Image image(double time, glm::ivec2 size);
+    /// The layers of that image, without the camera's response; the round view is not cut out. Draws the frame four
+    /// times.
+    Layers layers(double time, glm::ivec2 size);
 
     void set_preset(const Preset& preset);
     void set_parameters(const Preset& preset);  ///< as Effects::set_parameters

@@ -1,0 +1,199 @@
+// lapfx measure: amounts of blood and smoke of a surgery video.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "commands/command.h"
+#include "commands/options.h"
+#include "commands/progress.h"
+#include "lapfx/authoring/file.h"
+#include "lapfx/authoring/video.h"
+#include "match/measure.h"
+#include "output/files.h"
+
+namespace lapfx::commands {
+
+namespace {
+
+constexpr int progress_steps = 100;
+
+struct Options {
+    std::string video, output, plot, region;
+    std::vector<std::string> masks;
+    std::optional<double> baseline, to;
+    double from = 0.0;
+    BloodQualifier blood;
+};
+
+/// Corners x,y,x,y,...: fractions of the picture when none is above 1, else pixels.
+match::Part mask_of(const std::string& text, glm::ivec2 size) {
+    std::vector<double> v;
+    std::stringstream in(text);
+    for (std::string cell; std::getline(in, cell, ',');) {
+        char* end = nullptr;
+        v.push_back(std::strtod(cell.c_str(), &end));
+        if (cell.empty() || *end != 0 || !std::isfinite(v.back()))
+            throw wrong_option("--mask", "\"" + text + "\" is not x,y,x,y,x,y");
+    }
+    if (v.size() < 6 || v.size() % 2 != 0 || v.size() > 2 * most_part_corners)
+        throw wrong_option("--mask",
+                           "\"" + text + "\" is not x,y of 3 to " + std::to_string(most_part_corners) + " corners");
+    const bool fractions = std::all_of(v.begin(), v.end(), [](double n) { return n <= 1.0; });
+    const glm::dvec2 whole = fractions ? glm::dvec2(1.0) : glm::dvec2(size);
+    match::Part mask;
+    for (std::size_t i = 0; i < v.size(); i += 2) {
+        const glm::dvec2 corner = glm::dvec2(v[i], v[i + 1]) / whole;
+        if (corner.x < 0.0 || corner.y < 0.0 || corner.x > 1.0 || corner.y > 1.0)
+            throw wrong_option("--mask", "\"" + text + "\" is not inside the picture of " + std::to_string(size.x) +
+                                             "x" + std::to_string(size.y));
+        mask.push_back(corner);
+    }
+    return mask;
+}
+
+/// Four numbers: fractions of the picture when none is above 1, else pixels.
+glm::dvec4 region_of(const std::string& text, glm::ivec2 size) {
+    std::array<double, 4> v{};
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf%c", &v[0], &v[1], &v[2], &v[3], &rest) != 4)
+        throw wrong_option("--roi", "\"" + text + "\" is not x,y,width,height");
+    const bool fractions = std::all_of(v.begin(), v.end(), [](double n) { return n <= 1.0; });
+    const double wide = fractions ? 1.0 : size.x, high = fractions ? 1.0 : size.y;
+    const glm::dvec4 region(v[0] / wide, v[1] / high, v[2] / wide, v[3] / high);
+    constexpr double slack = 1e-9;
+    const bool inside = region.x >= 0.0 && region.y >= 0.0 && region.z > 0.0 && region.w > 0.0 &&
+                        region.x + region.z <= 1.0 + slack && region.y + region.w <= 1.0 + slack;
+    if (!inside)
+        throw wrong_option("--roi", "\"" + text + "\" is not inside the picture of " + std::to_string(size.x) + "x" +
+                                        std::to_string(size.y));
+    return region;
+}
+
+void print(const char* name, const match::Episode& episode) {
+    if (!episode.peak) {
+        std::cout << name << ": not measurable\n";
+        return;
+    }
+    std::cout << name << ": peak " << *episode.peak << ", mean " << *episode.mean << ", area " << *episode.area << " s";
+    const std::pair<const char*, const std::optional<double>*> times[] = {
+        {"onset", &episode.onset}, {"rise", &episode.rise}, {"peak at", &episode.peak_at}, {"decay", &episode.decay}};
+    for (const auto& [word, time] : times)
+        if (*time) std::cout << ", " << word << ' ' << **time << " s";
+    std::cout << '\n';
+}
+
+void print(const match::Measurement& found) {
+    std::cout.precision(3);
+    std::cout << "baseline: " << match::seconds_text(found.baseline) << (found.suggested ? ", suggested" : "") << '\n';
+    print("blood", found.blood);
+    print("smoke", found.smoke);
+}
+
+/// What library faults call by the name of a member is an option here.
+Error at_option(const Error& error, const std::string& file) {
+    std::vector<Fault> faults = error.faults();
+    for (Fault& fault : faults) {
+        if (fault.file.empty()) fault.file = file;
+        if (!fault.place.empty()) fault.place = "--" + fault.place;
+    }
+    return {error.failure(), std::move(faults)};
+}
+
+match::Measurement measure(VideoReader& video, const Options& o) {
+    match::MeasureOptions options{.baseline = o.baseline, .from = o.from, .to = o.to};
+    options.estimator.blood = o.blood;
+    if (!o.region.empty()) options.estimator.region = region_of(o.region, video.info().size);
+    for (const std::string& mask : o.masks) options.estimator.masks.push_back(mask_of(mask, video.info().size));
+    Progress progress("measuring", progress_steps);
+    int done = 0;
+    try {
+        return match::measure(video, options, [&](double share) {
+            for (; done < static_cast<int>(share * progress_steps); ++done) progress.step();
+            return true;
+        });
+    } catch (const Error& error) {
+        throw at_option(error, o.video);
+    }
+}
+
+/// Nothing that is written replaces what is read.
+void check_outputs(const Options& o) {
+    namespace fs = std::filesystem;
+    const std::string extension = fs::path(o.output).extension().string();
+    if (extension != ".csv" && extension != ".json")
+        throw wrong_option("--output", "\"" + o.output + "\" ends neither in .csv nor in .json");
+    std::error_code none;
+    if (!o.plot.empty() && fs::equivalent(o.plot, o.video, none))
+        throw wrong_option("--plot", "\"" + o.plot + "\" is the picture that is measured");
+}
+
+void run(const Options& o) {
+    check_outputs(o);
+    check_folder(o.output);
+    if (!o.plot.empty()) {
+        check_picture_name("--plot", o.plot);
+        check_folder(o.plot);
+    }
+    VideoReader video(o.video);
+    if (!video.info().warning.empty()) std::cerr << "lapfx: " << o.video << ": " << video.info().warning << '\n';
+    const match::Measurement found = measure(video, o);
+    const bool json = std::filesystem::path(o.output).extension() == ".json";
+    write_file(o.output, json ? match::json_of(found) : match::csv_of(found));
+    if (!o.plot.empty()) output::write_png(o.plot, match::plot_of(found));
+    print(found);
+    for (const std::string& note : found.notes) std::cerr << "lapfx: " << o.video << ": " << note << '\n';
+}
+
+/// A row of the scene's qualifier of blood, as an option: its limits and its help.
+void add_blood(CLI::App& verb, const char* key, double& value) {
+    const Parameter& row = *scene_table().find("reference")->find("measure")->find("blood")->find_row(key);
+    std::string_view help = row.help;
+    if (help.ends_with('.')) help.remove_suffix(1);  // the default follows
+    verb.add_option("--" + std::string(key), value, std::string(help))
+        ->option_text("NUMBER")
+        ->check(CLI::Range(row.minimum, row.maximum))
+        ->capture_default_str();
+}
+
+}  // namespace
+
+void add_measure(CLI::App& app) {
+    auto o = std::make_shared<Options>();
+    CLI::App* verb = app.add_subcommand("measure", "Measure how much blood and smoke a surgery video shows");
+    verb->add_option("VIDEO", o->video, "The video, or numbered images: frame_%04d.png")->required();
+    verb->add_option("--baseline", o->baseline,
+                     "Time of a clear frame, s; 0 is the first frame. Left out, the clearest is taken")
+        ->option_text("S")
+        ->check(finite_number());
+    verb->add_option("--roi", o->region, "The part that is measured, in pixels, or in fractions if none is above 1")
+        ->option_text("x,y,w,h");
+    verb->add_option("--mask", o->masks,
+                     "A polygon that is left out, such as an instrument: its corners, as --roi; may be repeated")
+        ->option_text("x,y,x,y,x,y...")
+        ->allow_extra_args(false);
+    verb->add_option("--from", o->from, "First time that is measured, s")->option_text("S")->check(finite_number());
+    verb->add_option("--to", o->to, "Last time that is measured, s")->option_text("S")->check(finite_number());
+    add_blood(*verb, "redness", o->blood.redness);
+    add_blood(*verb, "rise", o->blood.rise);
+    add_blood(*verb, "brightness", o->blood.brightness);
+    verb->add_option("--plot", o->plot, "Draw both amounts over time, with their intervals, into this PNG")
+        ->option_text("FILE");
+    verb->add_option("-o,--output", o->output, "The amounts of each frame: .csv, or .json with all that was found")
+        ->option_text("FILE")
+        ->required();
+    verb->footer(
+        "Blood is an area, smoke a veil density, both as shares of the view, 0 to 1, with an interval that holds the\n"
+        "true one in nine of ten frames of our renders (lapfx bench measure); real videos can be farther off. The\n"
+        "black surround, instruments and burnt-in text are left out.\n\n"
+        "Example:\n  lapfx measure samples/reference/operation.mp4 -o amounts.csv --plot amounts.png");
+    verb->callback([o] { run(*o); });
+}
+
+}  // namespace lapfx::commands

@@ -1,0 +1,36 @@
+// Blood in a frame without its smoke: what is redder than the tissue of the baseline was.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "lapfx/scene.h"
+
+namespace lapfx::match {
+
+/// Pixels that may be blood around those that surely are belong to it when enough are sure; where the veil or the dark
+/// hides the colour, the nearest places that can be read decide.
+class BloodFinder {
+  public:
+    /// `baseline`, `frame`, `light`: linear light, CV_32FC3; `veil`: CV_32F; `valid`: CV_8U.
+    void find(const cv::Mat& baseline, const cv::Mat& baseline_redness, const cv::Mat& frame, const cv::Mat& veil,
+              const cv::Mat& light, const cv::Mat& valid, const BloodQualifier& qualifier);
+
+    const cv::Mat& blood() const { return blood_; }      ///< CV_8U, 255 where there is blood
+    const cv::Mat& redness() const { return redness_; }  ///< of the frame without smoke, CV_32F
+    const cv::Mat& hidden() const { return hidden_; }    ///< CV_8U, 255 where the colour cannot be read
+    /// 255 where the frame is redder than the baseline could be behind any veil: not to be taken for smoke.
+    const cv::Mat& redder() const { return redder_; }
+
+  private:
+    float drift_of(const cv::Mat& baseline_redness, const cv::Mat& veil, const cv::Mat& valid);
+    void reddest_near(const cv::Mat& baseline_redness, const cv::Mat& valid);
+    void grow(const cv::Mat& valid);
+    void fill_hidden(const cv::Mat& valid);
+
+    cv::Mat clear_, redness_, near_, drop_, sure_, maybe_, blood_, hidden_, redder_, labels_;
+    cv::Mat decided_, share_, weight_;
+    std::vector<float> ratios_;
+};
+
+}  // namespace lapfx::match

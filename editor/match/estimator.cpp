@@ -1,0 +1,430 @@
+#include "match/estimator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <string>
+#include <utility>
+
+#include "lapfx/error.h"
+#include "match/blood.h"
+#include "match/colors.h"
+#include "match/interval.h"
+#include "match/overlay.h"
+#include "match/placement.h"
+#include "match/veil.h"
+#include "match/view.h"
+
+namespace lapfx::match {
+
+namespace {
+
+constexpr int working_side = 256;  // px of the longer side
+constexpr double dark_view = 6.0;  // code value: a darker 95th percentile is a black picture
+constexpr float redder = 1.15F, darker = 0.85F, dark_noise = 0.004F;
+constexpr float white = 0.90F;           // linear: highlights say nothing of what is behind
+constexpr double bleached_share = 0.25;  // of the view
+constexpr float foreign_rest = 5.0F;     // residual in units of noise
+constexpr double cut_likeness = 0.12;    // of the frame with the one before it
+constexpr double least_texture = 12.0;   // code values of texture_of, root mean square: less is a plain picture
+constexpr double view_slack = 0.02;      // of the longer side, around the view of the baseline
+
+// What makes a frame not measurable; found on real clips (tests/unit/match/real_frames_test.cpp).
+constexpr double most_rest = 0.18, least_valid = 0.3;
+constexpr double least_red = 0.35, most_foreign = 0.35, unlike = 0.25;
+constexpr float metal_red = 1.3F;    // redness of instruments at most
+constexpr float tissue_red = 1.18F;  // redness of tissue, also behind smoke
+
+constexpr float clear_veil = 0.08F, lit = 0.06F;  // linear
+constexpr double least_tint_share = 0.02, other_tint = 0.18;
+
+constexpr int wide_passes = 3;
+constexpr double telling_veil = 0.03;
+constexpr float unexplained_rest = 1.2F;
+
+cv::Size working_size_of(const Image& image) {
+    const double scale = std::min(1.0, static_cast<double>(working_side) / std::max(image.width, image.height));
+    return {std::max(16, static_cast<int>(std::lround(image.width * scale))),
+            std::max(16, static_cast<int>(std::lround(image.height * scale)))};
+}
+
+double share_of(const cv::Mat& part, const cv::Mat& whole) {
+    const int all = cv::countNonZero(whole);
+    return all == 0 ? 0.0 : static_cast<double>(cv::countNonZero(part & whole)) / all;
+}
+
+/// The code value below which 95 % of the pixels in `mask` are, by their brightest channel.
+double bright_level(const cv::Mat& code, const cv::Mat& mask) {
+    std::vector<int> counts(256, 0);
+    int all = 0;
+    for (int y = 0; y < code.rows; ++y)
+        for (int x = 0; x < code.cols; ++x) {
+            if (mask.at<std::uint8_t>(y, x) == 0) continue;
+            const cv::Vec3b& p = code.at<cv::Vec3b>(y, x);
+            ++counts[std::max({p[0], p[1], p[2]})];
+            ++all;
+        }
+    int so_far = 0;
+    for (int level = 0; level < 256; ++level)
+        if ((so_far += counts[static_cast<std::size_t>(level)]) * 20 >= all * 19) return level;
+    return 255.0;
+}
+
+/// The disc around a view, and a little more: smoke shows dark hollows and rims, nothing beyond.
+cv::Mat around(const cv::Mat& view) {
+    std::vector<cv::Point> inside, hull;
+    cv::findNonZero(view, inside);
+    cv::convexHull(inside, hull);
+    cv::Point2f middle;
+    float radius = 0.0F;
+    cv::minEnclosingCircle(hull, middle, radius);
+    cv::Mat disc = cv::Mat::zeros(view.size(), CV_8U);
+    const double slack = view_slack * std::max(view.cols, view.rows);
+    cv::circle(disc, middle, static_cast<int>(std::lround(radius + slack)), 255, cv::FILLED);
+    return disc;
+}
+
+/// How strong a picture of texture_of is within `view`, root mean square.
+double strength_of(const cv::Mat& texture, const cv::Mat& view) {
+    cv::Scalar mean, deviation;
+    cv::meanStdDev(texture, mean, deviation, view);
+    return deviation[0];
+}
+
+[[noreturn]] void refuse(const std::string& place, const std::string& reason) {
+    throw Error(Failure::bad_input, Fault{.file = "", .place = place, .reason = reason});
+}
+
+}  // namespace
+
+struct Estimator::State {
+    EstimatorOptions options;
+    cv::Size size;
+    HazeLightSurvey light_survey;
+    OverlaySurvey overlay_survey;
+    Survey known;
+    bool overlay_known = true;  ///< of all frames that were surveyed
+    Placement placement;
+    cv::Rect box;       // around the view
+    cv::Mat light_map;  // CV_32FC3
+
+    // the baseline as it is, and as it lies over the frame
+    cv::Mat code, wanted, view, reach, instruments, counted;
+    cv::Mat placed_code, placed_linear, placed_redness, placed_counted;
+
+    VeilSolver veil, free_veil;
+    BloodFinder blood;
+    cv::Mat frame_code, frame_linear, frame_redness, texture, last_texture, counts, rest, valid, foreign, white_part,
+        aside, brighter;
+    bool has_last = false, last_alike = false, laid = false;
+    cv::Matx33d laid_at;
+
+    State(const Image& baseline, const EstimatorOptions& given);
+    void lay_over();
+    void see_light(const HazeLight& found);
+    void take(const Image& frame);
+    void see_view();
+    void see_overlay();
+    void count();
+    void find_foreign();
+    void explain();
+    FrameAmounts amounts_of(double time, bool moved);
+    bool pale() const;
+    bool bleached() const { return share_of(white_part, view) > bleached_share; }
+    bool dark() const { return bright_level(frame_code, view) < dark_view; }
+    bool cut_from_last() const;
+    double rest_share() const;
+    double tint() const;
+    void judge(FrameAmounts& amounts, bool moved) const;
+};
+
+Estimator::State::State(const Image& baseline, const EstimatorOptions& given)
+    : options(given), size(working_size_of(baseline)) {
+    shrink(baseline, size, code);
+    wanted = wanted_part(size, options.region, options.masks);
+    const int least = static_cast<int>(0.01 * static_cast<double>(size.area()));
+    view = view_of(code);
+    if (cv::countNonZero(view) < least) refuse("baseline", "has no view to measure: it is black");
+    reach = around(view);
+    view &= wanted;
+    if (cv::countNonZero(view) < least) refuse("roi", "leaves nothing of the view, with the parts that are left out");
+    instruments = instruments_of(code, view);
+    HazeLight assumed;
+    const double bright = linear_of(static_cast<float>(bright_level(code, view & ~instruments)));
+    assumed.color *= std::clamp(bright / 0.4, 0.3, 1.6);
+    light_survey = HazeLightSurvey(assumed);
+    known.light = assumed;
+    if (options.survey) known = *options.survey;
+    if (known.brightest.empty()) code.copyTo(known.brightest);
+    see_view();
+    cv::Mat of_baseline;
+    texture_of(code, of_baseline);
+    placement = Placement(of_baseline, counted);
+    lay_over();
+    see_light(known.light);
+}
+
+void Estimator::State::see_light(const HazeLight& found) {
+    known.light = found;
+    light_map = found.over(size, box);
+}
+
+void Estimator::State::lay_over() {
+    if (laid && placement.place() == laid_at) return;
+    laid = true;
+    laid_at = placement.place();
+    if (placement.still()) {
+        code.copyTo(placed_code);
+        counted.copyTo(placed_counted);
+    } else {
+        cv::warpPerspective(code, placed_code, placement.place(), size, cv::INTER_LINEAR);
+        cv::warpPerspective(counted, placed_counted, placement.place(), size, cv::INTER_NEAREST);
+        placed_counted &= view;
+    }
+    to_linear(placed_code, placed_linear);
+    redness_of(placed_linear, placed_redness);
+}
+
+void Estimator::State::take(const Image& frame) {
+    shrink(frame, size, frame_code);
+    to_linear(frame_code, frame_linear);
+    texture_of(frame_code, texture);
+    redness_of(frame_linear, frame_redness);
+}
+
+/// Hollows that are black in the clear frame show when smoke is in them; the surround stays black.
+void Estimator::State::see_view() {
+    const cv::Mat whole = view_of(known.brightest);
+    view = whole & wanted;
+    if (!known.overlay.empty()) view &= ~known.overlay;
+    counted = view & ~instruments;
+    box = cv::boundingRect(whole);
+    laid = false;
+}
+
+void Estimator::State::see_overlay() {
+    if (std::exchange(overlay_known, true)) return;
+    known.overlay = overlay_survey.found(size);
+    see_view();
+}
+
+void Estimator::State::count() {
+    counts.create(size, CV_32F);
+    white_part.create(size, CV_8U);
+    aside.create(size, CV_8U);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const cv::Vec3f &b = placed_linear.at<cv::Vec3f>(y, x), &f = frame_linear.at<cv::Vec3f>(y, x);
+            const bool bright = std::max({b[0], b[1], b[2], f[0], f[1], f[2]}) >= white;
+            white_part.at<std::uint8_t>(y, x) = std::min({f[0], f[1], f[2]}) >= white ? 255 : 0;
+            // Smoke makes nothing redder: what is redder than the baseline was is blood.
+            const bool red = frame_redness.at<float>(y, x) > redder * placed_redness.at<float>(y, x);
+            // Nor does it make anything darker than both tissue and smoke are.
+            const cv::Vec3f& h = light_map.at<cv::Vec3f>(y, x);
+            bool dark = false;
+            for (int k = 0; k < 3; ++k) dark = dark || f[k] < darker * std::min(b[k], h[k]) - dark_noise;
+            aside.at<std::uint8_t>(y, x) = red || dark ? 255 : 0;
+            counts.at<float>(y, x) = placed_counted.at<std::uint8_t>(y, x) != 0 && !bright ? 1.0F : 0.0F;
+        }
+    cv::dilate(aside, aside, cv::Mat());
+    counts.setTo(0.0F, aside);
+}
+
+/// Instruments that came into view: what no veil before the baseline explains, and is not red.
+void Estimator::State::find_foreign() {
+    veil.residual(placed_linear, frame_linear, light_map, rest);
+    foreign.create(size, CV_8U);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            foreign.at<std::uint8_t>(y, x) =
+                rest.at<float>(y, x) > foreign_rest && blood.redness().at<float>(y, x) < metal_red ? 255 : 0;
+    foreign &= placed_counted;
+    const cv::Mat small = cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5});
+    cv::morphologyEx(foreign, foreign, cv::MORPH_OPEN, small);
+    cv::morphologyEx(foreign, foreign, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
+}
+
+/// Veil and blood depend on each other: blood is no smoke, and its colour shows without the smoke. First what
+/// most of the picture says about the veil; then what is red behind that, unless a veil of its own explains it as well.
+void Estimator::State::explain() {
+    count();
+    foreign.create(size, CV_8U);
+    foreign.setTo(0);
+    veil.solve_wide(placed_linear, frame_linear, counts, light_map, wide_passes);
+    blood.find(placed_linear, placed_redness, frame_linear, veil.veil(), light_map, placed_counted, options.blood);
+    find_foreign();
+    free_veil.solve_narrow(placed_linear, frame_linear, counts, light_map, veil.veil());
+    free_veil.residual(placed_linear, frame_linear, light_map, rest);
+    aside = (blood.redder() | blood.blood()) & (rest > unexplained_rest);
+    cv::dilate(aside | foreign, aside, cv::Mat());
+    counts.setTo(0.0F, aside);
+    veil.refine(placed_linear, frame_linear, counts, light_map);
+    valid = placed_counted & ~foreign;
+    blood.find(placed_linear, placed_redness, frame_linear, veil.veil(), light_map, valid, options.blood);
+}
+
+/// Whether the frame has neither the texture nor the colour of tissue. Dense smoke hides the texture as well, but some
+/// of the colour comes through.
+bool Estimator::State::pale() const {
+    return placement.likeness() < unlike && share_of(frame_redness >= tissue_red, placed_counted) < least_red;
+}
+
+/// Where both frames show the baseline, the camera moved; a plain picture (black, white, dense smoke) shows no view.
+bool Estimator::State::cut_from_last() const {
+    if (!has_last || (last_alike && placement.likeness() >= unlike)) return false;
+    if (strength_of(last_texture, view) < least_texture || strength_of(texture, view) < least_texture) return false;
+    Placement before(last_texture, view);
+    before.follow(texture);
+    return before.likeness() < cut_likeness;
+}
+
+/// Light that is left over the valid view without blood, in shares of its light.
+double Estimator::State::rest_share() const {
+    double off = 0.0, all = 1e-6;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            if (counts.at<float>(y, x) <= 0.0F || valid.at<std::uint8_t>(y, x) == 0) continue;
+            const cv::Vec3f &b = placed_linear.at<cv::Vec3f>(y, x), &f = frame_linear.at<cv::Vec3f>(y, x);
+            const cv::Vec3f gone = f - b - (light_map.at<cv::Vec3f>(y, x) - b) * veil.veil().at<float>(y, x);
+            off += std::sqrt(gone.dot(gone));
+            all += std::sqrt(f.dot(f));
+        }
+    return off / all;
+}
+
+/// How far the colours of bright tissue behind little smoke have gone apart from the baseline's, the smoke's own colour
+/// removed: natural logarithm of the largest ratio between two channels.
+double Estimator::State::tint() const {
+    cv::Vec3d before(0, 0, 0), now(0, 0, 0);
+    int pixels = 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const cv::Vec3f &b = placed_linear.at<cv::Vec3f>(y, x), &f = frame_linear.at<cv::Vec3f>(y, x);
+            const float density = veil.veil().at<float>(y, x);
+            if (counts.at<float>(y, x) <= 0.0F || density > clear_veil || b[2] < lit) continue;
+            before += b * (1.0F - density);
+            now += f - light_map.at<cv::Vec3f>(y, x) * density;
+            ++pixels;
+        }
+    if (pixels < least_tint_share * size.area()) return 0.0;
+    double least = 1e9, most = -1e9;
+    for (int k = 0; k < 3; ++k) {
+        const double gain = std::log(std::max(now[k], 1e-6) / std::max(before[k], 1e-6));
+        least = std::min(least, gain);
+        most = std::max(most, gain);
+    }
+    return most - least;
+}
+
+void Estimator::State::judge(FrameAmounts& amounts, bool moved) const {
+    if (moved) amounts.flags |= told::moved;
+    if (cut_from_last()) amounts.flags |= told::cut;
+    if (tint() > other_tint) amounts.flags |= told::tinted;
+    if (bleached()) amounts.flags |= told::bleached;
+    if (dark()) {
+        amounts.flags |= told::dark;
+        return;
+    }
+    const bool covered = share_of(valid, placed_counted) < least_valid || share_of(counted, view) < least_valid;
+    const bool strange = pale() || (amounts.likeness < unlike && share_of(foreign, placed_counted) > most_foreign);
+    if (strange || covered || amounts.rest > most_rest || amounts.valid < 0.05) amounts.flags |= told::not_measurable;
+}
+
+FrameAmounts Estimator::State::amounts_of(double time, bool moved) {
+    FrameAmounts amounts;
+    amounts.time = time;
+    const double area = cv::countNonZero(valid);
+    amounts.valid = area / size.area();
+    amounts.likeness = placement.likeness();
+    amounts.rest = rest_share();
+    amounts.hidden = share_of(blood.hidden(), valid);
+    if (area > 0.0) {
+        amounts.blood.value = share_of(blood.blood(), valid);
+        amounts.smoke.value = cv::mean(veil.veil(), valid)[0];
+    }
+    judge(amounts, moved);
+    set_intervals(amounts);
+    return amounts;
+}
+
+Estimator::Estimator(const Image& baseline, const EstimatorOptions& options)
+    : state_(std::make_unique<State>(baseline, options)) {}
+Estimator::Estimator(Estimator&&) noexcept = default;
+Estimator& Estimator::operator=(Estimator&&) noexcept = default;
+Estimator::~Estimator() = default;
+
+void Estimator::set_blood(const BloodQualifier& blood) {
+    state_->options.blood = blood;
+}
+
+bool Estimator::survey(const Image& frame) {
+    State& s = *state_;
+    if (s.options.survey) return false;
+    s.take(frame);
+    s.placement.follow(s.texture);
+    s.lay_over();
+    s.count();
+    // What no veil explains says nothing yet: the light of the veil is what is looked for.
+    if (s.dark() || s.bleached() || s.pale()) return false;
+    s.overlay_survey.add(frame);
+    s.overlay_known = false;
+    cv::max(s.known.brightest, s.frame_code, s.brighter);
+    s.brighter.copyTo(s.known.brightest, s.reach);
+    s.see_view();
+    s.lay_over();
+    s.count();
+    s.veil.solve_wide(s.placed_linear, s.frame_linear, s.counts, s.light_map, 2);
+    if (cv::mean(s.veil.veil(), s.placed_counted)[0] < telling_veil) return true;  // too little smoke to learn from
+    s.light_survey.add(s.placed_linear, s.frame_linear, s.counts, s.box);
+    s.see_light(s.light_survey.found());
+    return true;
+}
+
+std::shared_ptr<const Survey> Estimator::surveyed() const {
+    State& s = *state_;
+    if (s.options.survey) return s.options.survey;
+    s.see_overlay();
+    Survey found = s.known;
+    found.brightest = s.known.brightest.clone();  // which the next frame changes
+    return std::make_shared<const Survey>(std::move(found));
+}
+
+FrameAmounts Estimator::measure(const Image& frame, double time) {
+    State& s = *state_;
+    s.see_overlay();
+    s.take(frame);
+    const bool moved = s.placement.follow(s.texture);
+    s.lay_over();
+    s.explain();
+    const FrameAmounts amounts = s.amounts_of(time, moved);
+    s.texture.copyTo(s.last_texture);
+    s.has_last = true;
+    s.last_alike = amounts.likeness >= unlike;
+    return amounts;
+}
+
+void Estimator::forget() {
+    state_->placement.forget();
+    state_->has_last = false;
+}
+
+cv::Size Estimator::working_size() const {
+    return state_->size;
+}
+const cv::Mat& Estimator::blood() const {
+    return state_->blood.blood();
+}
+const cv::Mat& Estimator::veil() const {
+    return state_->veil.veil();
+}
+const cv::Mat& Estimator::valid() const {
+    return state_->valid;
+}
+const cv::Mat& Estimator::light() const {
+    return state_->light_map;
+}
+const cv::Mat& Estimator::baseline() const {
+    return state_->placed_code;
+}
+
+}  // namespace lapfx::match

@@ -1,0 +1,132 @@
+// Measures how much blood and how much smoke one frame of a surgery video shows, against a clear frame of the same
+// view, its baseline.
+//
+//     match::Estimator estimator(clear_frame, {.blood = scene.reference.measure.blood});
+//     match::FrameAmounts amounts = estimator.measure(frame, 12.5);
+//     draw(estimator.blood(), estimator.veil());  // the layers of the frame measured last
+//
+// Blood: share of the valid view whose colour became redder than the qualifier asks, with the veil removed.
+// Smoke: mean veil density of the valid view, 1 - transmission. The model is that of scattering: a frame is
+// baseline * (1 - veil) + light * veil, where `light` is the colour of dense smoke at each place (haze_light.h).
+// The valid view has no black surround, no instruments, no masked parts and no burnt-in text.
+// One thread at a time, any thread; no OpenGL. Pictures are measured at working_size(), whatever their own size.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "lapfx/organ.h"
+#include "lapfx/scene.h"
+#include "match/haze_light.h"
+
+namespace lapfx::match {
+
+/// A measured share, 0..1, and its interval: it holds the true one in nine of ten frames of our own renders, to which
+/// it was fitted (interval.cpp). How often it does in real videos, whose true amounts nobody knows, is not known.
+struct Amount {
+    double value = 0.0, low = 0.0, high = 0.0;
+};
+
+/// What is told about a frame besides its amounts: bits of FrameAmounts::flags.
+namespace told {
+enum : unsigned {
+    cut = 1U << 0,             ///< another view than in the frame before, which showed one
+    moved = 1U << 1,           ///< the camera moved strongly since the frame before
+    not_measurable = 1U << 2,  ///< the tissue of the baseline is not in view: amounts mean nothing
+    dark = 1U << 3,            ///< the picture is black: amounts mean nothing
+    missing = 1U << 4,         ///< the file could not give this frame: the one before it was measured
+    bleached = 1U << 5,        ///< large parts are at full white: nothing can be read there
+    tinted = 1U << 6,          ///< the white balance differs from the baseline's
+};
+}
+
+/// One row for each bit, in their order.
+struct ToldRow {
+    unsigned bit;
+    std::string_view key;   ///< in CSV and JSON: "not_measurable"
+    std::string_view help;  ///< for people, as the end of "12 frames: ..."
+};
+inline constexpr ToldRow told_rows[] = {
+    {told::cut, "cut", "another view than in the frame before"},
+    {told::moved, "moved", "the camera moves strongly; the baseline is laid over the new place"},
+    {told::not_measurable, "not_measurable",
+     "not measurable, because the tissue of the baseline is not in view: another view, something before it, or liquid "
+     "on the lens"},
+    {told::dark, "dark", "not measurable, because the picture is black"},
+    {told::missing, "missing", "the file cannot give them; the frame before each was measured"},
+    {told::bleached, "bleached", "a quarter or more of the view is at full white, where nothing can be read"},
+    {told::tinted, "tinted",
+     "the white balance differs from that of the baseline, which a measure of colour takes for smoke or blood"},
+};
+
+struct FrameAmounts {
+    double time = 0.0;      ///< s of the video
+    Amount blood;           ///< area fraction of the valid view
+    Amount smoke;           ///< mean veil density of the valid view
+    double valid = 0.0;     ///< share of the picture that is the valid view, 0..1
+    double likeness = 0.0;  ///< how much of the baseline's texture is there, 0 none .. 1 all
+    double rest = 0.0;      ///< share of the frame's light that neither tissue, smoke nor blood explain
+    double hidden = 0.0;    ///< share of the valid view where smoke or the dark hides the colour
+    unsigned flags = 0;     ///< bits of told::
+    bool measurable() const { return (flags & (told::not_measurable | told::dark)) == 0; }
+};
+
+/// A part of the picture that is not measured: corners as fractions of the picture, from its upper left corner.
+using Part = std::vector<glm::dvec2>;
+
+/// What several frames of a video say about its view; found by Estimator::survey.
+struct Survey {
+    HazeLight light;    ///< of dense smoke
+    cv::Mat brightest;  ///< CV_8UC3, BGR: the most that each pixel showed, which has the widest view; empty: not seen
+    cv::Mat overlay;    ///< CV_8U, 255: burnt-in text and logos; empty: none
+};
+
+struct EstimatorOptions {
+    BloodQualifier blood = {};
+    /// The part that is measured: x, y, width, height as fractions of the picture.
+    glm::dvec4 region{0.0, 0.0, 1.0, 1.0};
+    std::vector<Part> masks = {};               ///< drawn by the user: left out
+    std::shared_ptr<const Survey> survey = {};  ///< of the same baseline, when it is known already
+};
+
+class Estimator {
+  public:
+    /// `baseline`: a frame without smoke and blood. Throws Error (bad_input) when it is black or the region is empty.
+    Estimator(const Image& baseline, const EstimatorOptions& options);
+    Estimator(Estimator&&) noexcept;
+    Estimator& operator=(Estimator&&) noexcept;
+    ~Estimator();
+
+    /// Another qualifier, from the next frame on; cheap.
+    void set_blood(const BloodQualifier& blood);
+    /// Takes in what another frame of the video, with smoke for one, says about the view. Gives whether it did: not
+    /// from a frame that is black, white or does not show the tissue of the baseline, nor when the options gave the
+    /// survey.
+    bool survey(const Image& frame);
+    std::shared_ptr<const Survey> surveyed() const;
+
+    /// `frame` has the shape of the baseline, at any size. Frames follow each other in time: cuts and strong motion are
+    /// found from one to the next; forget() begins again.
+    FrameAmounts measure(const Image& frame, double time);
+    void forget();
+
+    // --- the layers of the frame measured last, at working_size() ---------------------------------------------------
+    cv::Size working_size() const;
+    const cv::Mat& blood() const;     ///< CV_8U, 255 where there is blood
+    const cv::Mat& veil() const;      ///< CV_32F, veil density 0..1
+    const cv::Mat& valid() const;     ///< CV_8U, 255 in the valid view
+    const cv::Mat& light() const;     ///< CV_32FC3, BGR, linear light of dense smoke at each place
+    const cv::Mat& baseline() const;  ///< CV_8UC3, BGR, as it was laid over the frame
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace lapfx::match

@@ -1,0 +1,70 @@
+// Measures a whole video: amounts over time, their episodes, and what should be known about them.
+//
+//     lapfx::VideoReader video("operation.mp4");
+//     match::Measurement found = match::measure(video, {.baseline = 2.5}, progress);   // throws lapfx::Error
+//     write(csv_of(found));
+//
+// Any thread. Reads the video twice: once in coarse steps (baseline, light of the smoke, burnt-in text), once frame by
+// frame.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lapfx/authoring/video.h"
+#include "lapfx/progress.h"
+#include "match/episode.h"
+#include "match/estimator.h"
+
+namespace lapfx::match {
+
+struct MeasureOptions {
+    EstimatorOptions estimator = {};
+    std::optional<double> baseline = {};  ///< s; none: the clearest frame is taken (suggest_baseline)
+    double from = 0.0;                    ///< s, the first that is measured
+    std::optional<double> to = {};        ///< s, the last; none: to the end
+    int every = 1;                        ///< measures every n-th frame
+};
+
+struct Measurement {
+    std::vector<FrameAmounts> frames;                                         ///< ascending times
+    double baseline = 0.0;                                                    ///< s of the frame that was taken
+    bool suggested = false;                                                   ///< the baseline was found, not given
+    std::shared_ptr<const Survey> survey = std::make_shared<const Survey>();  ///< never null
+    Episode blood, smoke;            ///< without figures where most frames are not measurable
+    std::vector<std::string> notes;  ///< what a reader of the figures should know, one line each
+};
+
+/// The time of the clearest frame: most texture, least veil, no instrument close by. Throws Error.
+double suggest_baseline(VideoReader& video, double from, double to, const Progress& progress = {});
+
+inline constexpr int surveyed_frames = 10;
+/// Lets the estimator survey so many frames, evenly spread, between two times (s). Gives the least hazeness
+/// (hazeness_of) of those that it took; 1 when it took none. Throws Error (runtime) when `progress` stopped it.
+double survey(VideoReader& video, Estimator& estimator, double from, double to, const Progress& progress = {});
+
+/// The mean dark channel of a picture's view, 0..1: 0.04 to 0.08 in clear frames of dark tissue, above 0.13 behind haze
+/// or of pale tissue.
+double hazeness_of(const Image& image);
+/// "12.50 s".
+std::string seconds_text(double time);
+
+/// Throws Error: bad_input for a baseline or a part outside the video, a baseline that the file cannot give, or a video
+/// without a measurable frame; runtime
+/// when `progress` stopped it.
+Measurement measure(VideoReader& video, const MeasureOptions& options, const Progress& progress = {});
+
+/// One row a frame: "time,blood,blood_low,blood_high,smoke,smoke_low,smoke_high,valid,likeness,told".
+std::string csv_of(const Measurement& measurement);
+/// The same with baseline, light, episodes and notes.
+std::string json_of(const Measurement& measurement);
+/// Blood and smoke over time with their intervals and episodes, 1280x720.
+Image plot_of(const Measurement& measurement);
+/// Reads what csv_of wrote. `name` stands in messages. Throws Error (bad_input) for missing or foreign columns and
+/// values, naming the line.
+std::vector<FrameAmounts> read_amounts(std::string_view csv, const std::string& name);
+
+}  // namespace lapfx::match

@@ -1,0 +1,24 @@
+// Burnt-in text and logos of a video: what keeps its value while the picture around it changes.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "lapfx/organ.h"
+
+namespace lapfx::match {
+
+/// Sees frames from all over a video. Text that changes, such as a clock, is found as far as it stays.
+class OverlaySurvey {
+  public:
+    /// Frames of one shape and size.
+    void add(const Image& frame);
+    /// CV_8U of `size`, 255 where there is text or a logo. Nothing before four frames were seen, or where the whole
+    /// picture stands still.
+    cv::Mat found(cv::Size size) const;
+
+  private:
+    cv::Mat least_, most_;  ///< BGR code values of each pixel, at up to 1280 px: strokes are thin
+    int frames_ = 0;
+};
+
+}  // namespace lapfx::match

@@ -1,0 +1,40 @@
+// Where the baseline lies in a frame: the camera of an operation is never quite still.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace lapfx::match {
+
+/// The baseline's own texture (texture_of) and the points in it that can be found again.
+class Placement {
+  public:
+    Placement() = default;
+    /// `texture`: CV_8U of texture_of. `counts`: CV_8U, where there is tissue.
+    Placement(cv::Mat texture, const cv::Mat& counts);
+
+    /// Looks for the baseline in a frame's texture, near where it was last; keeps that place when nothing better is
+    /// found. Gives whether it moved by more than a few pixels against the frame before.
+    bool follow(const cv::Mat& texture);
+    void forget();
+
+    /// From the baseline's pixels to the frame's, 3x3.
+    const cv::Matx33d& place() const { return place_; }
+    bool still() const { return still_; }  ///< the place is where the baseline was taken
+    /// How alike the textures are, mean of both signs: 1 the same, 0 as two pictures of other things.
+    double likeness() const { return likeness_; }
+
+  private:
+    double likeness_at(const cv::Matx33d& place, const cv::Mat& texture);
+    cv::Matx33d found_in(const cv::Mat& texture, const cv::Matx33d& start);
+
+    cv::Mat texture_, counts_, warped_, warped_counts_;
+    std::vector<cv::Point2f> points_, moved_, from_, to_;
+    std::vector<unsigned char> found_;
+    std::vector<float> errors_;
+    cv::Matx33d place_ = cv::Matx33d::eye();
+    bool still_ = true;
+    double likeness_ = 1.0;
+};
+
+}  // namespace lapfx::match

@@ -1,0 +1,49 @@
+// The veil of a frame: at each place the share of its light that is smoke's and not tissue's.
+//
+// Model (scattering, as in He, Sun and Tang, "Single image haze removal using dark channel prior", 2009, with the clear
+// frame known): frame = (1 - veil) * baseline + veil * light. With the light of dense smoke known (haze_light.h), one
+// number is fitted by least squares over a window around each pixel, from wide to narrow windows, each held to the one
+// before as far as it says little. Pixels that no veil explains (blood, instruments) stand out and count less.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace lapfx::match {
+
+/// Reused from frame to frame.
+class VeilSolver {
+  public:
+    /// `scale`: size of the pictures over that of the estimator's, for which the windows are meant.
+    explicit VeilSolver(double scale = 1.0) : scale_(scale) {}
+    /// `baseline`, `frame`: linear light, CV_32FC3. `counts`: CV_32F, 0..1, how much a pixel counts; 0 where there is
+    /// blood, an instrument or white. `light`: linear light of dense smoke at each pixel, CV_32FC3.
+    void solve(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& counts, const cv::Mat& light);
+    /// Continues from the veil that was solved last, of the same frame, when other pixels count now.
+    void refine(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& counts, const cv::Mat& light);
+    /// Only the widest windows: what most of the picture says.
+    void solve_wide(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& counts, const cv::Mat& light,
+                    int passes);
+
+    /// Only the narrowest windows, every pixel in full: what a veil could explain at most. `start`: where nothing
+    /// counts.
+    void solve_narrow(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& counts, const cv::Mat& light,
+                      const cv::Mat& start);
+
+    const cv::Mat& veil() const { return veil_; }      ///< CV_32F, 0..1
+    const cv::Mat& weight() const { return weight_; }  ///< CV_32F, how much each pixel counted at last
+    /// What the model leaves unexplained: distance of frame and model over what their noise allows, CV_32F.
+    void residual(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& light, cv::Mat& into) const;
+
+  private:
+    void weigh(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& counts, const cv::Mat& light, bool robust);
+    void bound(const cv::Mat& frame, const cv::Mat& light);
+    void solve_window(int reach, double hold);
+    void solve_widest();
+
+    double scale_;
+    cv::Mat veil_, weight_;
+    cv::Mat smooth_, bound_;  // the frame, and the most that the veil can be
+    cv::Mat normal_, sums_;   // CV_32FC2: weighted (light - baseline)^2 and (frame - baseline) * (light - baseline)
+};
+
+}  // namespace lapfx::match

@@ -1,0 +1,195 @@
+#include "panels/measure_results.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "app/measure_bench.h"
+#include "app/measuring.h"
+#include "app/reference.h"
+#include "panels/parts.h"
+#include "ui/canvas/plot.h"
+#include "ui/widgets/basic.h"
+
+namespace lapfx::panels {
+
+namespace {
+
+using match::FrameAmounts;
+namespace told = match::told;
+
+constexpr unsigned never_measured = told::not_measurable | told::dark;
+constexpr float name_width = 6.5F, figure_width = 5.5F;  // em
+
+template <typename... Values>
+std::string_view formatted(ui::Ui& ui, const char* form, Values... values) {
+    char text[96];
+    std::snprintf(text, sizeof text, form, values...);
+    return ui.copy(text);
+}
+
+/// A line of three columns.
+void line(ui::Ui& ui, std::string_view name, std::string_view first, std::string_view second, std::string_view tip,
+          bool dim = false) {
+    const ui::Tone tone = dim ? ui::Tone::dim : ui::Tone::normal;
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
+    ui::label(ui, name, {.tone = ui::Tone::dim, .width = ui::px(ui.em(name_width))});
+    if (!tip.empty()) ui.last().tip = tip;
+    ui::label(ui, first, {.tone = tone, .number = true, .width = ui::px(ui.em(figure_width))});
+    ui::label(ui, second, {.tone = tone, .number = true, .width = ui::grow()});
+}
+
+void wrapped(ui::Ui& ui, std::string_view text, ui::Tone tone) {
+    ui::label(ui, text, {.tone = tone, .wrap = true, .width = ui::grow()});
+}
+
+void amount_line(ui::Ui& ui, std::string_view name, const match::Amount& amount, std::string_view tip) {
+    line(ui, name, formatted(ui, "%.1f %%", 100 * amount.value),
+         formatted(ui, "%.1f to %.1f %%", 100 * amount.low, 100 * amount.high), tip);
+}
+
+// --- the whole reference ---------------------------------------------------------------------------------------------
+
+std::string_view seconds(ui::Ui& ui, const std::optional<double>& time) {
+    return time ? formatted(ui, "%.2f s", *time) : "-";
+}
+
+std::string_view percent(ui::Ui& ui, const std::optional<double>& share) {
+    return share ? formatted(ui, "%.1f %%", 100 * *share) : "-";
+}
+
+void episodes(ui::Ui& ui, const match::Episode& blood, const match::Episode& smoke) {
+    line(ui, "", "Blood", "Smoke", "", true);
+    line(ui, "Peak", percent(ui, blood.peak), percent(ui, smoke.peak), "The largest amount, smoothed over 0.2 s");
+    line(ui, "Peak at", seconds(ui, blood.peak_at), seconds(ui, smoke.peak_at),
+         "Nothing where the amount stays within its own uncertainty");
+    line(ui, "Onset", seconds(ui, blood.onset), seconds(ui, smoke.onset),
+         "When a tenth of the way from the least to the largest amount is passed for the last time before the peak");
+    line(ui, "Rise", seconds(ui, blood.rise), seconds(ui, smoke.rise), "From a tenth to nine tenths of that way");
+    line(ui, "Decay", seconds(ui, blood.decay), seconds(ui, smoke.decay),
+         "From the peak until half of that way is left");
+    line(ui, "Mean", percent(ui, blood.mean), percent(ui, smoke.mean),
+         "Over the time that can be measured; nothing where most of it cannot");
+    line(ui, "Area", seconds(ui, blood.area), seconds(ui, smoke.area), "Area under the curve: shares times seconds");
+}
+
+// --- curves ----------------------------------------------------------------------------------------------------------
+
+/// Value, low and high, of blood and of smoke, in %.
+struct Curves {
+    std::uint64_t version = 0;
+    std::vector<double> times;
+    std::array<std::vector<double>, 6> values;
+    std::array<ui::PlotData, 6> data;
+    ui::PlotState state;
+};
+
+void take_curves(Curves& curves, const app::Measuring& measuring) {
+    if (curves.version == measuring.version()) return;
+    curves.version = measuring.version();
+    const std::vector<FrameAmounts>& frames = measuring.found()->frames;
+    curves.times.clear();
+    for (auto& values : curves.values) values.clear();
+    for (const FrameAmounts& frame : frames) {
+        curves.times.push_back(frame.time);
+        const double unit = frame.measurable() ? 100 : std::numeric_limits<double>::quiet_NaN();
+        const std::array<double, 6> all = {frame.blood.value, frame.blood.low, frame.blood.high,
+                                           frame.smoke.value, frame.smoke.low, frame.smoke.high};
+        for (std::size_t i = 0; i < all.size(); ++i) curves.values[i].push_back(unit * all[i]);
+    }
+    for (std::size_t i = 0; i < curves.data.size(); ++i) curves.data[i].set(curves.values[i], curves.times);
+    curves.state = {};
+}
+
+/// Shows that time of the reference: with the scene where it is part of it, else held.
+void go_to(const MeasureParts& on, double time) {
+    const double at = time - on.edited.document.scene().reference.offset;
+    if (at < 0 || at > on.timeline.duration()) return on.reference.hold(on.reference.video()->frame_at(time));
+    on.reference.let_go();
+    on.timeline.seek(at);
+}
+
+}  // namespace
+
+std::string_view not_measurable_text(const FrameAmounts& amounts) {
+    const unsigned which = (amounts.flags & told::dark) != 0 ? told::dark : told::not_measurable;
+    for (const match::ToldRow& row : match::told_rows)
+        if (row.bit == which) return row.help;
+    return {};
+}
+
+void frame_figures(ui::Ui& ui, const app::MeasureBench& bench) {
+    if (!bench.ready()) return ui::label(ui, "-", {.tone = ui::Tone::dim});
+    const FrameAmounts& found = bench.amounts();
+    if (found.measurable()) {
+        amount_line(ui, "Blood", found.blood,
+                    "Share of the valid view that is blood, and where the true one is in nine of ten frames of our own "
+                    "renders; of real video it is not known");
+        amount_line(ui, "Smoke", found.smoke,
+                    "Mean density of the smoke in the valid view, and where the true one is in nine of ten frames of "
+                    "our own renders; of real video it is not known");
+    } else {
+        wrapped(ui, ui.join({"Here: ", not_measurable_text(found), "."}), ui::Tone::warning);
+    }
+    line(ui, "Valid view", formatted(ui, "%.0f %%", 100 * found.valid), "",
+         "Share of the picture that is measured: without the black surround, instruments and what is left out");
+    line(ui, "Likeness", formatted(ui, "%.2f", found.likeness), "",
+         "How well the baseline explains this frame: 0 not at all, 1 fully");
+    for (const match::ToldRow& row : match::told_rows)
+        if ((found.flags & row.bit & ~never_measured) != 0)
+            wrapped(ui, ui.join({"Here: ", row.help, "."}), ui::Tone::warning);
+}
+
+void whole_figures(ui::Ui& ui, const MeasureParts& on) {
+    const app::Measuring& measuring = on.measuring;
+    for (const Fault& fault : measuring.faults()) wrapped(ui, ui.copy(fault.text()), ui::Tone::error);
+    const match::Measurement* const found = measuring.found();
+    if (found == nullptr) {
+        if (measuring.faults().empty())
+            wrapped(ui, measuring.running() ? "Being measured." : "Not measured yet: press Measure.", ui::Tone::dim);
+        return;
+    }
+    if (measuring.stale()) {
+        const bool other = measuring.file() != on.reference.file();
+        wrapped(ui,
+                other ? ui.join({"Of ", measuring.file().filename().string(), ": measure again."})
+                      : "From before the last change: measure again.",
+                ui::Tone::warning);
+    }
+    episodes(ui, found->blood, found->smoke);
+    for (const std::string& note : found->notes) wrapped(ui, note, ui::Tone::warning);
+    const ui::Row buttons(ui, {.width = ui::grow()});
+    for (const char* id : {"measure.export_csv", "measure.export_json", "measure.export_png"})
+        ui::command_button(ui, on.commands, id);
+}
+
+void amounts_plot(ui::Ui& ui, const MeasureParts& on, ui::Size height) {
+    Curves& curves = ui.memory<Curves>(ui.id_of("measured curves"));
+    take_curves(curves, on.measuring);
+    const std::array<ui::PlotSeries, 2> series = {{{.name = "Blood",
+                                                    .data = &curves.data[0],
+                                                    .color = app::blood_series,
+                                                    .low = &curves.data[1],
+                                                    .high = &curves.data[2]},
+                                                   {.name = "Smoke",
+                                                    .data = &curves.data[3],
+                                                    .color = app::smoke_series,
+                                                    .low = &curves.data[4],
+                                                    .high = &curves.data[5]}}};
+    const ui::PlotResult result =
+        ui::plot(ui, "Amounts", series,
+                 {.x_name = "Reference",
+                  .x_unit = "s",
+                  .y_name = on.measuring.stale() ? "From before the last change" : "Amount",
+                  .y_unit = "%",
+                  .width = ui::grow(),
+                  .height = height,
+                  .tip = "Amounts with their intervals; nothing where it cannot be measured. Click: go to that time. "
+                         "Ctrl+C copies the visible values as CSV",
+                  .state = &curves.state,
+                  .mark = on.reference.time()});
+    if (result.clicked) go_to(on, result.x);
+}
+
+}  // namespace lapfx::panels

@@ -1,0 +1,100 @@
+// Haze that the core makes of known smoke, and the smoke found in it.
+#include "match/emission.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "smoke/haze.h"
+
+namespace lapfx::match {
+namespace {
+
+struct Known {
+    double accumulation = 0.2, ventilation = 0.15;
+    std::vector<smoke::Emission> bursts = {{2.0, 5.0, 1.0}};
+    std::vector<CurvePoint> factor = {};
+    double noise = 0.0;
+};
+
+std::vector<HazePoint> points_of(const Known& known, double seconds = 14.0) {
+    HazeParameters haze;
+    haze.accumulation = known.accumulation, haze.ventilation = known.ventilation;
+    smoke::HazeCurve curve;
+    curve.set(known.bursts, {}, haze, FactorCurve(known.factor));
+    std::mt19937 random(3);
+    std::normal_distribution<double> noise(0.0, 1.0);
+    std::vector<HazePoint> points;
+    for (double time = 0.0; time <= seconds; time += 0.04)
+        points.push_back(
+            {time, std::max(curve.density(time) + known.noise * noise(random), 0.0), std::max(known.noise, 0.01)});
+    return points;
+}
+
+SmokeFound found_in(const Known& known, double usual = 0.05) {
+    return smoke_of(points_of(known), usual);
+}
+
+TEST(Emission, OfOneBurstIsFound) {
+    const SmokeFound found = found_in({});
+    ASSERT_EQ(found.bursts.size(), 1U);
+    EXPECT_NEAR(found.bursts[0].start, 2.0, 0.2);
+    EXPECT_NEAR(found.bursts[0].end, 5.0, 0.2);
+    EXPECT_NEAR(found.ventilation, 0.15, 0.02);
+    EXPECT_NEAR(found.accumulation, 0.2, 0.02);
+    EXPECT_TRUE(found.emission.empty()) << "it is even";
+}
+
+TEST(Emission, ExplainsTheHazeThatItWasFoundIn) {
+    const std::vector<HazePoint> points = points_of({.bursts = {{1.0, 2.0, 1.0}, {6.0, 9.0, 0.5}}});
+    const std::vector<Burst> bursts = smoke_of(points, 0.05).bursts;
+    ASSERT_EQ(bursts.size(), 2U);
+    EXPECT_NEAR(bursts[0].emission * (bursts[0].end - bursts[0].start), 0.2 * 1.0, 0.01);
+    EXPECT_NEAR(bursts[1].emission * (bursts[1].end - bursts[1].start), 0.1 * 3.0, 0.015);
+    const EmissionFound found = emission_within(points, emission_of(points, 0.05), bursts);
+    for (const HazePoint& p : points) EXPECT_NEAR(found.density(p.time), p.density, 0.02) << p.time;
+    EXPECT_LT(found.error, 1.0);
+}
+
+TEST(Emission, SurvivesNoise) {
+    const SmokeFound found = found_in({.bursts = {{2.0, 5.0, 1.0}, {8.0, 10.0, 1.0}}, .noise = 0.02});
+    ASSERT_EQ(found.bursts.size(), 2U);
+    EXPECT_NEAR(found.bursts[1].start, 8.0, 0.4);
+    EXPECT_NEAR(found.bursts[1].end, 10.0, 0.4);
+    EXPECT_NEAR(found.accumulation, 0.2, 0.04);
+    EXPECT_NEAR(found.ventilation, 0.15, 0.05);
+}
+
+TEST(Emission, ThatChangesWithinABurstIsACurve) {
+    const SmokeFound found = found_in({.bursts = {{2.0, 8.0, 1.0}}, .factor = {{2.0, 0.2}, {8.0, 1.8}}});
+    ASSERT_GE(found.emission.size(), 4U);
+    EXPECT_LT(found.emission.front().value, 0.6);
+    EXPECT_GT(found.emission.back().value, 1.4);
+    for (std::size_t i = 1; i < found.emission.size(); ++i) {
+        EXPECT_GT(found.emission[i].time, found.emission[i - 1].time);
+        EXPECT_GE(found.emission[i].value, found.emission[i - 1].value - 0.1);
+    }
+}
+
+TEST(Emission, HazeThatNeverFallsDoesNotTellTheVentilation) {
+    const Known still{.ventilation = 0.0, .bursts = {{2.0, 14.0, 1.0}}};
+    const EmissionFound found = emission_of(points_of(still), 0.07);
+    EXPECT_FALSE(found.falls);
+    EXPECT_EQ(found.ventilation, 0.07);
+    EXPECT_LT(found.error, 1.0);
+}
+
+TEST(Emission, IsNotThereWithoutHaze) {
+    EXPECT_TRUE(found_in({.accumulation = 0.0}).bursts.empty());
+    EXPECT_TRUE(smoke_of({}, 0.05).bursts.empty());
+    const HazePoint one{1.0, 0.5, 0.01};
+    EXPECT_TRUE(smoke_of({&one, 1}, 0.05).bursts.empty());
+}
+
+TEST(Emission, IsNeverBelowNothing) {
+    for (const double e : emission_of(points_of({.noise = 0.05}), 0.05).emission) EXPECT_GE(e, 0.0);
+}
+
+}  // namespace
+}  // namespace lapfx::match

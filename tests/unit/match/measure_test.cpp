@@ -1,0 +1,200 @@
+// Whole videos, as numbered pictures that are painted here.
+#include "match/measure.h"
+
+#include <gtest/gtest.h>
+
+#include "output/files.h"
+#include "unit/match/pictures.h"
+#include "unit/preset/support.h"
+
+namespace lapfx::match {
+namespace {
+
+class MeasureTest : public ::testing::Test {
+  protected:
+    lapfx::test::Folder folder;
+
+    void add(const cv::Mat& linear) {
+        char name[32];
+        std::snprintf(name, sizeof name, "f_%04d.png", count_++);
+        output::write_png(folder / name, test::image_of(linear));
+    }
+    std::filesystem::path video() const { return folder / "f_%04d.png"; }
+    /// Smoke rises from 0 to 0.5 and blood spreads.
+    void add_operation(int frames) {
+        const cv::Mat clear = test::tissue();
+        for (int i = 0; i < frames; ++i) {
+            cv::Mat frame = clear.clone();
+            const double share = std::clamp((i - 4) / (frames - 8.0), 0.0, 1.0);
+            test::bleed(frame, {150, 130}, static_cast<int>(40 * share));
+            add(test::veiled(frame, cv::Mat(clear.size(), CV_32F, cv::Scalar(0.5 * share)), test::light_of({})));
+        }
+    }
+    static std::vector<std::string> faults(const std::filesystem::path& path, const MeasureOptions& options) {
+        return lapfx::test::faults_of([&] {
+            VideoReader reader(path);
+            measure(reader, options);
+        });
+    }
+
+  private:
+    int count_ = 0;
+};
+
+TEST_F(MeasureTest, FindsTheClearFrameAndBothEpisodes) {
+    add_operation(30);
+    VideoReader reader(video());
+    const Measurement found = measure(reader, {});
+    const double frame = 1.0 / reader.info().frames_per_second;
+    EXPECT_TRUE(found.suggested);
+    EXPECT_LT(found.baseline, 6 * frame);
+    ASSERT_EQ(found.frames.size(), 30U);
+    EXPECT_NEAR(found.frames.back().smoke.value, 0.5, 0.06);
+    EXPECT_NEAR(found.frames.back().blood.value, 3.14159 * 1600 / (test::width * test::height), 0.015);
+    EXPECT_NEAR(found.frames.front().smoke.value, 0.0, 0.02);
+    ASSERT_TRUE(found.smoke.onset);
+    EXPECT_NEAR(*found.smoke.onset, 6 * frame, 3 * frame);
+    EXPECT_NEAR(*found.smoke.rise, 17.6 * frame, 3 * frame);
+    EXPECT_FALSE(found.smoke.decay);
+}
+
+TEST_F(MeasureTest, MeasuresPartOfAVideoAtTheStepAsked) {
+    add_operation(30);
+    VideoReader reader(video());
+    const double frame = 1.0 / reader.info().frames_per_second;
+    const Measurement found = measure(reader, {.baseline = 0.0, .from = 10 * frame, .to = 20 * frame, .every = 2});
+    EXPECT_FALSE(found.suggested);
+    ASSERT_EQ(found.frames.size(), 6U);
+    EXPECT_NEAR(found.frames[1].time, 12 * frame, 1e-6);
+}
+
+TEST_F(MeasureTest, TellsThatNothingHappens) {
+    for (int i = 0; i < 12; ++i) add(test::tissue());
+    VideoReader reader(video());
+    const Measurement found = measure(reader, {});
+    EXPECT_FALSE(found.blood.peak_at);
+    EXPECT_FALSE(found.smoke.peak_at);
+    EXPECT_EQ(found.notes, (std::vector<std::string>{"Blood: no change beyond the error of measuring.",
+                                                     "Smoke: no change beyond the error of measuring."}));
+}
+
+TEST_F(MeasureTest, TellsThatMostIsNotMeasurable) {
+    for (int i = 0; i < 4; ++i) add(test::tissue());
+    cv::Mat bag = test::tissue(3), white;
+    cv::transform(bag, white, cv::Matx33f(0, 0, 1.2F, 0, 0, 1.15F, 0, 0, 1.25F));
+    for (int i = 0; i < 12; ++i) add(white);
+    VideoReader reader(video());
+    const Measurement found = measure(reader, {.baseline = 0.0});
+    ASSERT_FALSE(found.notes.empty());
+    EXPECT_EQ(
+        found.notes.front(),
+        "Most of this video is not measurable with the baseline at 0.00 s: no peak, mean, onset or decay is given. "
+        "Choose a baseline or a part of one view.");
+    for (const Episode* episode : {&found.blood, &found.smoke})
+        for (const auto& figure : {episode->peak, episode->mean, episode->area, episode->onset, episode->decay})
+            EXPECT_FALSE(figure);
+    EXPECT_NE(json_of(found).find("\"peak\": null"), std::string::npos);
+}
+
+TEST_F(MeasureTest, RefusesAVideoInWhichNothingIsMeasurable) {
+    for (int i = 0; i < 2; ++i) add(test::tissue());
+    for (int i = 0; i < 6; ++i) add(cv::Mat(test::height, test::width, CV_32FC3, cv::Scalar::all(0.5)));
+    EXPECT_EQ(faults(video(), {.baseline = 0.0, .from = 0.08}),
+              std::vector<std::string>{"has no frame that is measurable with the baseline at 0.00 s: none shows its "
+                                       "tissue; choose a baseline or a part of one view"});
+}
+
+TEST_F(MeasureTest, TellsASmokyBaseline) {
+    add_operation(30);
+    VideoReader reader(video());
+    const Measurement found = measure(reader, {.baseline = reader.time_of(29)});
+    ASSERT_FALSE(found.notes.empty());
+    EXPECT_NE(found.notes.front().find("may be hazy itself"), std::string::npos) << found.notes.front();
+}
+
+TEST_F(MeasureTest, TakesNoPaleTissueForAHazyBaseline) {
+    cv::Mat pale;
+    cv::add(0.5 * test::tissue(), cv::Scalar(0.12, 0.12, 0.14), pale);
+    for (int i = 0; i < 12; ++i) add(pale);
+    ASSERT_GT(hazeness_of(test::image_of(pale)), 0.2);
+    VideoReader reader(video());
+    for (const std::string& note : measure(reader, {}).notes) EXPECT_EQ(note.find("hazy"), std::string::npos) << note;
+}
+
+TEST_F(MeasureTest, RefusesWhatIsOutsideTheVideoOrShowsNothing) {
+    add_operation(10);
+    EXPECT_EQ(faults(video(), {.baseline = 99.0}),
+              std::vector<std::string>{"baseline: 99.00 s is outside the video (allowed: 0 to 0.40 s)"});
+    EXPECT_EQ(faults(video(), {.from = 0.3, .to = 0.1}), std::vector<std::string>{"to: 0.10 s is before from, 0.30 s"});
+    EXPECT_EQ(faults(folder / "f_0001.png", {}),
+              std::vector<std::string>{"has one frame; measuring compares frames with a clear one of the same view"});
+}
+
+TEST_F(MeasureTest, RefusesABlackVideo) {
+    for (int i = 0; i < 3; ++i) add(cv::Mat(test::height, test::width, CV_32FC3, cv::Scalar::all(0)));
+    EXPECT_EQ(faults(video(), {}),
+              std::vector<std::string>{"has no frame that shows anything: all are black or missing"});
+}
+
+TEST_F(MeasureTest, StopsWhenItIsTold) {
+    add_operation(10);
+    VideoReader reader(video());
+    EXPECT_EQ(lapfx::test::faults_of([&] { measure(reader, {}, [](double share) { return share < 0.5; }); },
+                                     Failure::runtime),
+              std::vector<std::string>{"measuring was stopped"});
+}
+
+TEST_F(MeasureTest, ItsPlotHasBothCurves) {
+    add_operation(20);
+    VideoReader reader(video());
+    const Measurement found = measure(reader, {});
+    const Image plot = plot_of(found);
+    EXPECT_EQ(plot.width, 1280);
+    EXPECT_EQ(plot.height, 720);
+    int red = 0, blue = 0;
+    for (std::size_t i = 0; i < plot.pixels.size(); i += 4) {
+        red += plot.pixels[i] == 190 && plot.pixels[i + 1] == 40 ? 1 : 0;
+        blue += plot.pixels[i] == 60 && plot.pixels[i + 2] == 150 ? 1 : 0;
+    }
+    EXPECT_GT(red, 500);
+    EXPECT_GT(blue, 500);
+}
+
+TEST(AmountsFile, CsvIsReadAsItWasWritten) {
+    Measurement m;
+    m.frames.resize(2);
+    m.frames[0].blood = {0.1, 0.05, 0.2};
+    m.frames[0].smoke = {0.3, 0.2, 0.4};
+    m.frames[1].time = 0.04;
+    m.frames[1].flags = told::cut | told::not_measurable;
+    const std::vector<FrameAmounts> read = read_amounts(csv_of(m), "a.csv");
+    ASSERT_EQ(read.size(), 2U);
+    EXPECT_DOUBLE_EQ(read[0].blood.high, 0.2);
+    EXPECT_DOUBLE_EQ(read[1].time, 0.04);
+    EXPECT_EQ(read[1].flags, told::cut | told::not_measurable);
+    EXPECT_NE(json_of(m).find("\"told\": \"cut|not_measurable\""), std::string::npos);
+}
+
+TEST(AmountsFile, FaultsNameLineValueAndWhatIsAllowed) {
+    const std::string head = "time,blood,blood_low,blood_high,smoke,smoke_low,smoke_high,valid,likeness,told\n";
+    const auto fault = [](const std::string& csv) {
+        const auto lines = lapfx::test::faults_of([&] { read_amounts(csv, "a.csv"); });
+        return lines.size() == 1 ? lines[0] : "";
+    };
+    EXPECT_EQ(fault("time,blood\n0,1\n"),
+              "a.csv: line 1: the columns are \"time,blood\" instead of " + head.substr(0, head.size() - 1));
+    EXPECT_EQ(fault(head + "0,0.1,0,0.2\n"),
+              "a.csv: line 2: has 4 values instead of 10 (" + head.substr(0, head.size() - 1) + ")");
+    EXPECT_EQ(fault(head + "0,x,0,0,0,0,0,1,1,\n"), "a.csv: line 2: blood: \"x\" is not a number");
+    EXPECT_EQ(fault(head + "0,nan,0,0,0,0,0,1,1,\n"), "a.csv: line 2: blood: \"nan\" is not a number");
+    EXPECT_EQ(fault(head + "0,1.5,0,0,0,0,0,1,1,\n"), "a.csv: line 2: blood: 1.5 is outside the allowed 0 to 1");
+    EXPECT_EQ(fault(head + "0,0.5,0.6,0.7,0,0,0,1,1,\n"), "a.csv: line 2: blood: its interval does not hold it");
+    EXPECT_NE(fault(head + "0,0,0,0,0,0,0,1,1,foggy\n").find("told: \"foggy\" is not known (allowed: cut, moved, "),
+              std::string::npos);
+    EXPECT_EQ(fault(head + "1,0,0,0,0,0,0,1,1,\n1,0,0,0,0,0,0,1,1,\n"),
+              "a.csv: line 3: time: 1.00 s is not after that of the line before");
+    EXPECT_EQ(fault(head), "a.csv: line 2: has no amounts");
+}
+
+}  // namespace
+}  // namespace lapfx::match
