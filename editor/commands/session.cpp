@@ -1,14 +1,50 @@
 #include "commands/session.h"
 
+#include <cstdlib>
+
 #include "lapfx/authoring/file.h"
 
 namespace lapfx::commands {
 
-std::filesystem::path data_folder() {
-    return LAPFX_DATA_DIR;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Empty if there is none. Throws Error (bad_input) if LAPFX_DATA names what is not a folder.
+fs::path find_data_folder() {
+    std::error_code code;
+    if (const char* told = std::getenv("LAPFX_DATA"); told != nullptr && *told != '\0') {
+        fs::path folder = fs::canonical(told, code);
+        if (code || !fs::is_directory(folder, code))
+            throw Error(Failure::bad_input, Fault{.file = told, .place = "LAPFX_DATA", .reason = "is not a folder"});
+        return folder;
+    }
+    const fs::path program = fs::read_symlink("/proc/self/exe", code).parent_path();
+    for (const char* beside : {"../share/lapfx", "share/lapfx"})
+        if (fs::path folder = fs::canonical(program / beside, code); !code && fs::is_directory(folder, code))
+            return folder;
+    return {};
 }
 
-std::vector<std::filesystem::path> clip_folders() {
+const fs::path& found_data_folder() {
+    static const fs::path folder = find_data_folder();
+    return folder;
+}
+
+}  // namespace
+
+fs::path data_folder() {
+    if (found_data_folder().empty())
+        throw Error(Failure::bad_input,
+                    Fault{.file = "share/lapfx",
+                          .place = "",
+                          .reason = "there is no such folder beside the program, so the presets and samples that come "
+                                    "with it are not found; set LAPFX_DATA to their folder"});
+    return found_data_folder();
+}
+
+std::vector<fs::path> clip_folders() {
+    if (found_data_folder().empty()) return {};
     return {data_folder() / "samples" / "clips"};
 }
 

@@ -8,10 +8,12 @@
 
 namespace lapfx::commands {
 
-/// The folder of the shipped files: clips, presets, samples, shaders.
+/// The folder of the shipped files: clips, presets, samples, shaders. It is named by LAPFX_DATA in the environment, or
+/// lies beside the program: ../share/lapfx where it is installed, share/lapfx in a build folder. Throws Error
+/// (bad_input) where there is none.
 std::filesystem::path data_folder();
 
-/// The folders where bare clip names of presets are looked up: the shipped clips.
+/// The folders where bare clip names of presets are looked up: the shipped clips, if they are there.
 std::vector<std::filesystem::path> clip_folders();
 
 /// The preset that the scene names, or `preset` when that is not empty; then each `KEY=VALUE` of `settings`.

@@ -81,8 +81,8 @@ void sum_up(Measurement& found) {
     }
     found.blood = episode_of(found.frames, Curve::blood);
     found.smoke = episode_of(found.frames, Curve::smoke);
-    if (!found.blood.peak_at) found.notes.push_back("Blood: no change beyond the error of measuring.");
-    if (!found.smoke.peak_at) found.notes.push_back("Smoke: no change beyond the error of measuring.");
+    if (!found.blood.peak_at) found.notes.emplace_back("Blood: no change beyond the error of measuring.");
+    if (!found.smoke.peak_at) found.notes.emplace_back("Smoke: no change beyond the error of measuring.");
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ constexpr double seconds = 8.0;
 constexpr double later = 0.5;  // s, the offset of the scene's reference
 
 struct Options {
-    std::filesystem::path output, samples = LAPFX_SAMPLES;
+    std::filesystem::path output, samples = "samples";
     int width = 640, height = 512;
     int frames = static_cast<int>(seconds * frames_per_second);
     std::string quality = "-crf 24 -preset slow";

@@ -24,6 +24,7 @@
 #include <queue>
 
 #include "bleeding/bleed_cpu.h"
+#include "support/folders.h"
 #include "support/meshes.h"
 
 namespace lapfx::bleeding {
@@ -273,7 +274,7 @@ void run(const char* json) {
         return 30.0 * std::acos(std::clamp(cosine, -1.0, 1.0));
     });
     if (!short_form) {  // the exact distances alone take many seconds
-        const Surface stomach = largest_part(load_organ(LAPFX_SOURCE_DIR "/samples/lagb.glb"));
+        const Surface stomach = largest_part(load_organ(test::source_folder() / "samples/lagb.glb"));
         bench.run("sample_organ", stomach, nearest(stomach, {20, 0, 10}), nullptr);
     }
     bench.sweep();

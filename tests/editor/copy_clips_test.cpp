@@ -4,6 +4,7 @@
 #include "app/keying_bench.h"
 #include "editor/support/editor_test.h"
 #include "support/clips.h"
+#include "support/folders.h"
 
 namespace lapfx::test {
 namespace {
@@ -18,7 +19,7 @@ class CopyClips : public EditorTest {
         open_sample();
         layout("Key");
         fs::create_directories(folder() / "elsewhere");
-        fs::copy_file(fs::path(LAPFX_SOURCE_DIR) / "samples/clips/wisps_thin.mp4", folder() / "elsewhere/mine.mp4");
+        fs::copy_file(source_folder() / "samples/clips/wisps_thin.mp4", folder() / "elsewhere/mine.mp4");
         editor().document.change("Add clip", [&](document::Content& c) {
             c.preset.smoke.clips.push_back({.file = (folder() / "elsewhere/mine.mp4").string()});
         });
@@ -37,8 +38,8 @@ TEST_F(CopyClips, NothingIsCopiedToWhereTheProgramLies) {
 
 TEST_F(CopyClips, OnlyFoldersOfTheUserTakeFiles) {
     EXPECT_TRUE(editor().chooser().takes_files(folder()));
-    EXPECT_FALSE(editor().chooser().takes_files(fs::path(LAPFX_SOURCE_DIR) / "presets"));
-    EXPECT_FALSE(editor().chooser().takes_files(fs::path(LAPFX_SOURCE_DIR) / "samples/clips"));
+    EXPECT_FALSE(editor().chooser().takes_files(source_folder() / "presets"));
+    EXPECT_FALSE(editor().chooser().takes_files(source_folder() / "samples/clips"));
     EXPECT_FALSE(editor().chooser().takes_files(folder() / "not there"));
     EXPECT_FALSE(editor().chooser().takes_files({}));
 }

@@ -16,6 +16,7 @@
 #include "editor/support/held_jobs.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
+#include "support/folders.h"
 
 namespace lapfx::test {
 namespace {
@@ -119,8 +120,8 @@ TEST_F(EditorDocument, RecentFilesAreThoseThatWereOpened) {
         EXPECT_THAT(recent, testing::ElementsAre(own.string())) << file;
         ui().key(Key::escape).frame();
     }
-    const fs::path clip = fs::path(LAPFX_SOURCE_DIR) / "samples" / "clips" / "wisps_thin.mp4";
-    const fs::path video = fs::path(LAPFX_SOURCE_DIR) / "samples" / "reference" / "operation.mp4";
+    const fs::path clip = source_folder() / "samples" / "clips" / "wisps_thin.mp4";
+    const fs::path video = source_folder() / "samples" / "reference" / "operation.mp4";
     editor().clips().add({broken.string(), clip.string()});
     ui().frame().frame();
     EXPECT_THAT(recent, testing::ElementsAre(clip.string(), own.string()));
@@ -303,7 +304,7 @@ TEST_F(EditorDocument, OpeningOverUnsavedWorkAsks) {
 TEST_F(EditorDocument, ASecondEditorOnTheSameFileIsTold) {
     const fs::path file = own_preset();
     const fs::path state = folder() / "state";
-    open({(fs::path(LAPFX_SOURCE_DIR) / "presets" / "slow_ooze.json").string()});
+    open({(source_folder() / "presets" / "slow_ooze.json").string()});
     const auto other = document::Lock::take(document::lock_file(state, file));
     ASSERT_TRUE(other.has_value()) << "leaving a file releases it";
     open({file.string()});

@@ -11,6 +11,7 @@
 #include "editor/support/editor_test.h"
 #include "editor/support/held_jobs.h"
 #include "lapfx/authoring/documents.h"
+#include "support/folders.h"
 #include "ui/core/tree.h"
 
 namespace lapfx::test {
@@ -179,7 +180,7 @@ TEST_F(ExportTest, WhatIsThereIsAskedFor) {
 
 TEST_F(ExportTest, APresetThatCannotStandAloneBecomesABundle) {
     fs::create_directories(folder() / "clips");
-    fs::copy_file(fs::path(LAPFX_SOURCE_DIR) / "samples/clips/wisps_thin.mp4", folder() / "clips/mine.mp4");
+    fs::copy_file(source_folder() / "samples/clips/wisps_thin.mp4", folder() / "clips/mine.mp4");
     fs::create_directories(folder() / "out");
     editor().document.change("Clip", [&](document::Content& c) {
         c.preset.folder = folder();
@@ -380,7 +381,7 @@ TEST_F(ExportTest, ABundleIsOpenedFromItsNotice) {
     open_dialog("export.bundle");
     set_file(path("together"));
     export_it();
-    EXPECT_EQ(editor().document.scene_file(), fs::path(LAPFX_SOURCE_DIR) / "samples" / "lagb.scene.json");
+    EXPECT_EQ(editor().document.scene_file(), source_folder() / "samples" / "lagb.scene.json");
     ui().click("**/Open the bundle").frame();
     EXPECT_EQ(editor().document.scene_file(), folder() / "together" / "together.scene.json");
     EXPECT_EQ(editor().document.preset_file(), folder() / "together" / "together.json");

@@ -10,6 +10,7 @@
 #include "app/layouts.h"
 #include "editor/support/editor_test.h"
 #include "output/files.h"
+#include "support/folders.h"
 
 namespace lapfx::test {
 namespace {
@@ -32,10 +33,10 @@ class FilePreviewsTest : public EditorTest {
         return files() / name;
     }
     fs::path copy(const fs::path& from) {
-        fs::copy_file(fs::path(LAPFX_SOURCE_DIR) / from, files() / from.filename());
+        fs::copy_file(source_folder() / from, files() / from.filename());
         return files() / from.filename();
     }
-    fs::path program() const { return fs::path(LAPFX_BINARY_DIR) / "lapfx"; }
+    fs::path program() const { return build_folder() / "lapfx"; }
     fs::path script(const std::string& lines) {
         const fs::path file = folder() / "make.sh";
         std::ofstream(file) << "#!/bin/sh\n" << lines << '\n';
@@ -79,7 +80,7 @@ TEST_F(FilePreviewsTest, EveryKindOfFileHasItsPicture) {
     copy("presets/slow_ooze.json");
     write("organ.obj", "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nf 1 2 3\n");
     fs::path clip;
-    for (const auto& each : fs::directory_iterator(fs::path(LAPFX_SOURCE_DIR) / "samples" / "clips"))
+    for (const auto& each : fs::directory_iterator(source_folder() / "samples" / "clips"))
         if (app::has_picture(each.path().string())) clip = each.path();
     ASSERT_FALSE(clip.empty());
     fs::copy_file(clip, files() / ("clip" + clip.extension().string()));

@@ -5,6 +5,7 @@
 
 #include "app/layouts.h"
 #include "editor/support/editor_test.h"
+#include "support/folders.h"
 
 namespace lapfx::test {
 namespace {
@@ -50,7 +51,7 @@ TEST_F(HelpTest, TheSheetTellsWhatThePointerDoes) {
 TEST_F(HelpTest, AboutTellsVersionPaperAndLicences) {
     editor().commands.run("help.about");
     ui().frame().frame();
-    std::ifstream file(std::filesystem::path(LAPFX_SOURCE_DIR) / "CMakeLists.txt");
+    std::ifstream file(source_folder() / "CMakeLists.txt");
     std::stringstream project;
     project << file.rdbuf();
     const std::string text = project.str(), mark = "project(lapfx VERSION ";

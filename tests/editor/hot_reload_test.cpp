@@ -9,6 +9,7 @@
 
 #include "editor/support/editor_test.h"
 #include "lapfx/authoring/documents.h"
+#include "support/folders.h"
 
 namespace lapfx::test {
 namespace {
@@ -22,7 +23,7 @@ class HotReloading : public EditorTest {
     void SetUp() override {
         EditorTest::SetUp();
         if (IsSkipped()) return;
-        const fs::path samples = fs::path(LAPFX_SOURCE_DIR) / "samples";
+        const fs::path samples = source_folder() / "samples";
         for (const char* name : {"lagb.glb", "hook_cautery.glb"}) fs::copy_file(samples / name, folder() / name);
         fs::copy_file(samples / "clips" / "plume_thick.mp4", folder() / "mine.mp4");
         Preset preset;
@@ -103,12 +104,12 @@ TEST_F(HotReloading, FilesThatVanishAreToldOnceAndThePictureStays) {
 
 TEST_F(HotReloading, AClipAndAnOrganThatChangeChangeThePicture) {
     const Image before = picture(3);
-    fs::copy_file(fs::path(LAPFX_SOURCE_DIR) / "samples" / "clips" / "wisps_thin.mp4", folder() / "part");
+    fs::copy_file(source_folder() / "samples" / "clips" / "wisps_thin.mp4", folder() / "part");
     fs::rename(folder() / "part", folder() / "mine.mp4");
     change("mine.mp4");
     const Image other_clip = picture(3);
     EXPECT_GT(differing(before, other_clip, 2), 20U);
-    fs::copy_file(fs::path(LAPFX_SOURCE_DIR) / "samples" / "liver_lobe.glb", folder() / "part");
+    fs::copy_file(source_folder() / "samples" / "liver_lobe.glb", folder() / "part");
     fs::rename(folder() / "part", folder() / "lagb.glb");
     change("lagb.glb");
     EXPECT_GT(differing(other_clip, picture(3)), 1000U);
@@ -137,7 +138,7 @@ class PreviewLoading : public EditorTest {
     void SetUp() override {
         EditorTest::SetUp();
         if (IsSkipped()) return;
-        const fs::path samples = fs::path(LAPFX_SOURCE_DIR) / "samples";
+        const fs::path samples = source_folder() / "samples";
         content.scene = load_scene(samples / "lagb.scene.json");
         document.open(content);
         host.resize({160, 120});
@@ -164,7 +165,7 @@ class PreviewLoading : public EditorTest {
     document::Document document;
     app::Jobs jobs;
     app::Shot shot;
-    app::PreviewHost host{{.clip_folders = {fs::path(LAPFX_SOURCE_DIR) / "samples" / "clips"}}, jobs};
+    app::PreviewHost host{{.clip_folders = {source_folder() / "samples" / "clips"}}, jobs};
 };
 
 TEST_F(PreviewLoading, TheFormerOrganIsDrawnWhileTheNextOneLoads) {

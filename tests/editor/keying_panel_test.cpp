@@ -9,6 +9,7 @@
 
 #include "app/keying_bench.h"
 #include "editor/support/editor_test.h"
+#include "support/folders.h"
 
 namespace lapfx::test {
 namespace {
@@ -503,7 +504,7 @@ TEST_F(KeyingPanel, BehindTheSmokeThePreviewIsWhole) {
 }
 
 TEST_F(KeyingPanel, ASourceThatIsFoundIsNotOfTheNextDocument) {
-    open_clip(fs::path(LAPFX_SOURCE_DIR) / "samples/clips/plume_thick.mp4");
+    open_clip(source_folder() / "samples/clips/plume_thick.mp4");
     editor().keying().find_source();
     ASSERT_TRUE(editor().keying().finding_source());
     editor().forget_document(false);

@@ -5,6 +5,7 @@
 #include "app/timeline.h"
 #include "editor/support/editor_test.h"
 #include "support/clips.h"
+#include "support/folders.h"
 
 namespace lapfx::test {
 namespace {
@@ -198,7 +199,7 @@ TEST_F(MarksTest, TheLoopRangeIsDraggedInOneStep) {
 TEST_F(MarksTest, AnotherDocumentHasItsOwn) {
     at(2);
     ui().key('I').frame();
-    editor().files().open_anyway({(std::filesystem::path(LAPFX_SOURCE_DIR) / "samples/lagb.scene.json").string()});
+    editor().files().open_anyway({(source_folder() / "samples/lagb.scene.json").string()});
     ui().frame().frame();
     EXPECT_FALSE(editor().timeline.has_range);
 }

@@ -6,6 +6,7 @@
 #include "app/settings.h"
 #include "editor/support/editor_test.h"
 #include "panels/panels.h"
+#include "support/folders.h"
 #include "ui/support/count_allocations.h"
 
 namespace lapfx::test {
@@ -105,7 +106,7 @@ TEST_F(PresetsPanel, WhatIsNotSavedIsNotLost) {
     ui().click("**/Open preset/Take its values");
     EXPECT_EQ(editor().document.preset().name, "Gastric banding") << "it is another's values only";
     EXPECT_EQ(editor().document.preset().bleeding.speed,
-              load_preset(fs::path(LAPFX_SOURCE_DIR) / "presets" / "slow_ooze.json").bleeding.speed);
+              load_preset(source_folder() / "presets" / "slow_ooze.json").bleeding.speed);
     EXPECT_EQ(editor().document.steps().back().name, "Values of Slow ooze");
     editor().document.undo();
     EXPECT_EQ(editor().document.preset().bleeding.speed, 9);
@@ -134,7 +135,7 @@ TEST_F(PresetsPanel, AStillPanelAllocatesNothing) {
 }
 
 TEST_F(PresetsPanel, ThumbnailsAreRenderedOnceAndKept) {
-    const fs::path program = fs::path(LAPFX_BINARY_DIR) / "lapfx";
+    const fs::path program = build_folder() / "lapfx";
     if (!fs::exists(program)) GTEST_SKIP() << program << " is not built";
     for (const app::PresetFile& file : browser().files()) EXPECT_EQ(file.image, 0U) << "pictures do not wait for them";
     browser().render_with(program);

@@ -8,6 +8,7 @@
 #include "app/settings.h"
 #include "editor/support/editor_test.h"
 #include "support/clips.h"
+#include "support/folders.h"
 
 namespace lapfx::test {
 namespace {
@@ -238,7 +239,7 @@ TEST_F(ReferencePanel, ThePreviewBesideIsTheOneOfTheViewPanel) {
 }
 
 TEST_F(ReferencePanel, ThePreviewBesideIsThereAsSoonAsThereIsOne) {
-    app::Opened opened = app::open_sample(LAPFX_SOURCE_DIR);
+    app::Opened opened = app::open_sample(source_folder());
     start();
     EXPECT_TRUE(editor().layouts().choose("Compare"));
     editor().document.open(std::move(opened.content), opened.scene_file, opened.preset_file);

@@ -11,6 +11,7 @@
 #include "app/target.h"
 #include "editor/support/editor_test.h"
 #include "output/files.h"
+#include "support/folders.h"
 
 namespace lapfx::test {
 namespace {
@@ -75,7 +76,7 @@ class WholeTest : public EditorTest {
 };
 
 TEST_F(WholeTest, LoadTuneUndoExportAndRenderTheSamePixels) {
-    const fs::path data = LAPFX_SOURCE_DIR;
+    const fs::path data = source_folder();
     open_sample();
     editor().timeline.speed = 0;
 
@@ -112,7 +113,7 @@ TEST_F(WholeTest, LoadTuneUndoExportAndRenderTheSamePixels) {
     run_export(output::OutputKind::bundle, folder() / "whole", time);
 
     // The program renders the exported bundle without a window.
-    const fs::path program = fs::path(LAPFX_BINARY_DIR) / "lapfx";
+    const fs::path program = build_folder() / "lapfx";
     ASSERT_TRUE(fs::exists(program));
     const fs::path rendered = folder() / "rendered.png";
     const std::string command = program.string() + " render " + (folder() / "whole/whole.scene.json").string() +

@@ -2,6 +2,7 @@
 #include "lapfx/amounts.h"
 #include "lapfx/effects.h"
 #include "parity/render/scene_fixture.h"
+#include "support/folders.h"
 #include "support/meshes.h"
 
 namespace lapfx {
@@ -32,7 +33,7 @@ class CurvesTest : public test::SceneTest {
         Preset p;
         p.bleeding.speed = 2.0;
         p.smoke.clips = {{.file = "wisps_thin.mp4"}};
-        p.folder = LAPFX_SOURCE_DIR "/samples/clips";
+        p.folder = test::source_folder() / "samples/clips";
         return p;
     }();
 };

@@ -6,6 +6,7 @@
 #include "app/layouts.h"
 #include "app/open.h"
 #include "panels/panels.h"
+#include "support/folders.h"
 
 namespace lapfx::test {
 
@@ -30,7 +31,7 @@ void EditorTest::TearDown() {
 void EditorTest::start(glm::ivec2 size, bool exact) {
     editor_.reset();
     ui_.reset();
-    const fs::path data = LAPFX_SOURCE_DIR;
+    const fs::path data = source_folder();
     editor_ = std::make_unique<app::Editor>(images_, app::EditorOptions{.data_folder = data,
                                                                         .clip_folders = {data / "samples" / "clips"},
                                                                         .folders = {.config = folder_ / "config",
@@ -50,7 +51,7 @@ void EditorTest::start(glm::ivec2 size, bool exact) {
 }
 
 void EditorTest::open_sample() {
-    app::Opened opened = app::open_sample(LAPFX_SOURCE_DIR);
+    app::Opened opened = app::open_sample(source_folder());
     editor_->document.open(std::move(opened.content), opened.scene_file, opened.preset_file);
     editor_->looking.camera = editor_->document.scene().camera;
     ui_->frame().frame();

@@ -10,6 +10,7 @@
 
 #include "media/clip_player.h"
 #include "support/clips.h"
+#include "support/folders.h"
 #include "support/gpu_test.h"
 #include "unit/preset/support.h"
 
@@ -384,7 +385,7 @@ TEST_F(ClipSetOnce, InAndOutChangeWhatIsKept) {
 }
 
 TEST_F(ClipSetOnce, AShorterLoopGivesMemoryBack) {
-    const std::filesystem::path samples = std::filesystem::path(LAPFX_SOURCE_DIR) / "samples/clips";
+    const std::filesystem::path samples = test::source_folder() / "samples/clips";
     std::vector<SmokeClip> one = clips({"plume_thick.mp4"});  // 150 frames, 30 a second
     ClipSet set({.scheme = Scheme::resident});
     set.set(one, samples, {});

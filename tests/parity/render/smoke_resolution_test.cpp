@@ -1,6 +1,7 @@
 // The sample scene with its smoke composited off-screen equals shading each layer at the frame's resolution, to 0.1/255
 // on average.
 #include "lapfx/authoring/preview.h"
+#include "support/folders.h"
 #include "support/gpu_test.h"
 
 namespace lapfx {
@@ -29,7 +30,7 @@ Difference difference(const Image& a, const Image& b) {
 class SmokeResolutionTest : public test::GpuTest, public testing::WithParamInterface<const char*> {};
 
 TEST_P(SmokeResolutionTest, DiffersLittleFromShadingAtTheFramesResolution) {
-    const std::filesystem::path root = LAPFX_SOURCE_DIR;
+    const std::filesystem::path root = test::source_folder();
     const Scene scene = load_scene(root / "samples/lagb.scene.json");
     const Preset preset = load_preset(root / "presets" / (std::string(GetParam()) + ".json"));
     const auto picture = [&](SmokeResolution resolution, double time, const Preset& of) {

@@ -5,6 +5,7 @@
 #include "media/decoder.h"
 #include "parity/smoke/smoke_fixture.h"
 #include "smoke/plume.h"
+#include "support/folders.h"
 
 namespace lapfx::smoke {
 namespace {
@@ -111,7 +112,7 @@ class KeyingPictureParity : public SmokeGpuTest {
 
 TEST_F(KeyingPictureParity, CompositeIsThePlumeAsDrawn) {
     for (const Case& tested : cases()) {
-        const std::filesystem::path path = std::filesystem::path(LAPFX_SOURCE_DIR) / "samples" / "clips" / tested.clip;
+        const std::filesystem::path path = test::source_folder() / "samples" / "clips" / tested.clip;
         media::Decoder decoder(path, media::Layout::planar);
         const Uploaded clip(decoder, number);
         set_size(clip.format.size);

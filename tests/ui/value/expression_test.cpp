@@ -1,4 +1,5 @@
 #include "ui/value/expression.h"
+#include "support/folders.h"
 
 #include <gtest/gtest.h>
 
@@ -131,7 +132,7 @@ TEST(Expression, TheFieldsOwnUnitChangesNothing) {
 TEST(Expression, TakesEveryUnitOfTheEffectsParameters) {
     std::set<std::string> found;
     const std::regex row(R"re(\{[-0-9., ]+, "([^"]+)"[,}])re");
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(LAPFX_SOURCE_DIR "/effects")) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(test::source_folder() / "effects")) {
         if (entry.path().filename() != "parameters.cpp") continue;
         std::stringstream text;
         text << std::ifstream(entry.path()).rdbuf();

@@ -1,6 +1,7 @@
 // Vessel and fat density on real organs. The folder is not a part of the project; set LAPFX_TEST_DATA to its path.
 #include "bleeding/tissue_density.h"
 #include "lapfx/authoring/tissue_report.h"
+#include "support/folders.h"
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::test {
@@ -84,7 +85,7 @@ TEST_F(TissueData, FaintVesselsOfRealFatAreFoundWithALowerBand) {
 
 /// The sample organ is part of the project.
 TEST(TissueOfTheSample, VesselsAndFatAreWhereTheyWerePainted) {
-    const Organ organ = load_organ(fs::path(LAPFX_SOURCE_DIR) / "samples/lagb.glb");
+    const Organ organ = load_organ(source_folder() / "samples/lagb.glb");
     const Surface surface(organ);
     const bleeding::TissueDensity tissue(organ, surface);
     const TissueReport report = tissue.report();

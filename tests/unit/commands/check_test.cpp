@@ -4,6 +4,7 @@
 
 #include "lapfx/authoring/documents.h"
 #include "support/clips.h"
+#include "support/folders.h"
 #include "unit/preset/support.h"
 
 namespace lapfx {
@@ -17,8 +18,8 @@ struct Result {
 };
 
 Result run_lapfx(const test::Folder& folder, const std::string& arguments) {
-    const std::string command =
-        "cd '" + folder.path().string() + "' && '" LAPFX_BINARY_DIR "/lapfx' " + arguments + " > out.txt 2> err.txt";
+    const std::string command = "cd '" + folder.path().string() + "' && '" + (test::build_folder() / "lapfx").string() +
+                                "' " + arguments + " > out.txt 2> err.txt";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, test::read_text(folder / "out.txt"),
             test::read_text(folder / "err.txt")};
@@ -27,7 +28,7 @@ Result run_lapfx(const test::Folder& folder, const std::string& arguments) {
 class CheckCommand : public testing::Test {
   protected:
     void SetUp() override {
-        if (!std::filesystem::exists(LAPFX_BINARY_DIR "/lapfx")) GTEST_SKIP() << "the program is not built";
+        if (!std::filesystem::exists(test::build_folder() / "lapfx")) GTEST_SKIP() << "the program is not built";
         folder.write("good.json", test::preset_text(R"(, "name": "Ooze")"));
         folder.write("scene.json", test::scene_text());
         folder.write(

@@ -7,6 +7,7 @@
 #include "lapfx/preset.h"
 #include "media/decoder.h"
 #include "media/playhead.h"
+#include "support/folders.h"
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::test {
@@ -26,11 +27,11 @@ std::string read_text(const fs::path& file) {
 class InspectCommand : public testing::Test {
   protected:
     void SetUp() override {
-        if (!fs::exists(LAPFX_BINARY_DIR "/lapfx")) GTEST_SKIP() << "the program is not built";
+        if (!fs::exists(build_folder() / "lapfx")) GTEST_SKIP() << "the program is not built";
     }
     Result run(const std::string& arguments) {
-        const std::string command = "cd '" + folder.path().string() +
-                                    "' && timeout 20 '" LAPFX_BINARY_DIR "/lapfx' inspect " + arguments +
+        const std::string command = "cd '" + folder.path().string() + "' && timeout 20 '" +
+                                    (build_folder() / "lapfx").string() + "' inspect " + arguments +
                                     " > out.txt 2> err.txt < /dev/null";
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(folder.path() / "out.txt"),

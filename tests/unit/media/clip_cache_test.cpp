@@ -7,6 +7,7 @@
 
 #include "media/clip_file.h"
 #include "media/known_clips.h"
+#include "support/folders.h"
 #include "unit/preset/support.h"
 
 namespace lapfx {
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 class ClipCacheTest : public testing::Test {
   protected:
     void SetUp() override {
-        fs::copy_file(fs::path(LAPFX_SOURCE_DIR) / "samples/clips/wisps_thin.mp4", folder_ / "a.mp4");
+        fs::copy_file(test::source_folder() / "samples/clips/wisps_thin.mp4", folder_ / "a.mp4");
         preset_.folder = folder_.path();
         preset_.smoke.clips = {{.file = "a.mp4"}};
     }

@@ -2,6 +2,7 @@
 #include <limits>
 #include <sstream>
 
+#include "support/folders.h"
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::test {
@@ -138,7 +139,7 @@ TEST_F(Counts, DoNotDependOnTheScale) {
 
 TEST_F(Counts, SampleFiles) {
     for (const char* name : {"lagb.glb", "liver_lobe.glb", "hook_cautery.glb"}) {
-        const Organ organ = load_organ(fs::path(LAPFX_SOURCE_DIR) / "samples" / name);
+        const Organ organ = load_organ(source_folder() / "samples" / name);
         EXPECT_GT(row_of(organ)[0], 0u) << name;
         EXPECT_EQ(organ.counts.dropped(), 0u) << name;
     }

@@ -15,6 +15,7 @@
 
 #include "lapfx/error.h"
 #include "lapfx/organ.h"
+#include "support/folders.h"
 
 namespace lapfx::test {
 
@@ -123,7 +124,7 @@ constexpr const char* cube_obj =
 /// The folder of real meshes, which is not part of the project; empty when it is missing.
 inline fs::path data_folder() {
     const char* given = std::getenv("LAPFX_TEST_DATA");
-    const fs::path folder = given ? fs::path(given) : fs::path(LAPFX_SOURCE_DIR) / ".." / "shared" / "data";
+    const fs::path folder = given ? fs::path(given) : source_folder() / ".." / "shared" / "data";
     return fs::is_directory(folder / "organs") ? folder : fs::path();
 }
 

@@ -12,6 +12,7 @@
 
 #include "lapfx/authoring/clip.h"
 #include "output/files.h"
+#include "support/folders.h"
 #include "unit/preset/support.h"
 
 namespace lapfx::output {
@@ -22,7 +23,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::UnorderedElementsAre;
 
-const fs::path samples = fs::path(LAPFX_SOURCE_DIR) / "samples";
+const fs::path samples = test::source_folder() / "samples";
 
 Image picture() {
     Image image{.width = 8, .height = 4, .pixels = {}, .name = ""};

@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "support/folders.h"
 #include "unit/preset/support.h"
 
 namespace lapfx {
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 class ShippedPreset : public testing::TestWithParam<const char*> {};
 
 TEST_P(ShippedPreset, LoadsAndIsWrittenAsItIs) {
-    const fs::path path = fs::path(LAPFX_SOURCE_DIR) / "presets" / GetParam();
+    const fs::path path = test::source_folder() / "presets" / GetParam();
     const Preset preset = load_preset(path);
     EXPECT_FALSE(preset.name.empty());
     EXPECT_FALSE(preset.description.empty());
@@ -39,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedPreset,
 
 TEST(ShippedPresets, AreAllTested) {
     int presets = 0;
-    for (const auto& entry : fs::directory_iterator(fs::path(LAPFX_SOURCE_DIR) / "presets"))
+    for (const auto& entry : fs::directory_iterator(test::source_folder() / "presets"))
         if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema") ++presets;
     EXPECT_EQ(presets, 5);
 }

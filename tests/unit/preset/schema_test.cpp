@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lapfx/authoring/documents.h"
+#include "support/folders.h"
 #include "unit/preset/support.h"
 
 namespace lapfx {
@@ -14,7 +15,7 @@ using nlohmann::json;
 
 void expect_current(const std::string& kind, const std::string& schema) {
     const std::string file = "presets/" + kind + ".schema.json";
-    EXPECT_TRUE(test::read_text(std::filesystem::path(LAPFX_SOURCE_DIR) / file) == schema)
+    EXPECT_TRUE(test::read_text(test::source_folder() / file) == schema)
         << file << " is out of date; renew it with: build/lapfx check --schema " << kind << " > " << file;
 }
 

@@ -5,6 +5,7 @@
 #include "lapfx/authoring/video.h"
 #include "lapfx/scene.h"
 #include "reference/camera.h"
+#include "support/folders.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ glm::dvec3 at_the_wound(const Image& image) {
 }
 
 TEST(SampleReference, IsTheSceneReferenceAndBleeds) {
-    const Scene scene = load_scene(fs::path(LAPFX_SOURCE_DIR) / "samples" / "lagb.scene.json");
+    const Scene scene = load_scene(test::source_folder() / "samples" / "lagb.scene.json");
     const fs::path file = scene.folder / scene.reference.file;
     EXPECT_DOUBLE_EQ(scene.reference.offset, 0.5);
     EXPECT_LT(fs::file_size(file), 600'000U);

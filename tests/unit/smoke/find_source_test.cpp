@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lapfx/authoring/suggest.h"
+#include "support/folders.h"
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::smoke {
@@ -75,7 +76,7 @@ TEST(Source, WithoutSmokeThereIsNone) {
 }
 
 TEST(Source, OfTheSampleClipsIsWhereTheyWereSolvedToStart) {
-    const std::filesystem::path clips = std::filesystem::path(LAPFX_SOURCE_DIR) / "samples" / "clips";
+    const std::filesystem::path clips = test::source_folder() / "samples" / "clips";
     const SourceSuggestion thick = suggest_source(clips / "plume_thick.mp4");
     std::printf("    plume_thick: %.3f %.3f\n", thick.place.x, thick.place.y);
     EXPECT_TRUE(thick.found);

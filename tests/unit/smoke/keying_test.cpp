@@ -9,6 +9,7 @@
 #include "lapfx/authoring/keying.h"
 #include "smoke/keying_pixel.h"
 #include "support/clips.h"
+#include "support/folders.h"
 #include "unit/preset/support.h"
 
 namespace lapfx {
@@ -212,7 +213,7 @@ TEST(KeyingReader, AStopIsHeeded) {
 }
 
 TEST(FindPublicClip, LooksInThePresetsFolderThenOnTheSearchPath) {
-    const fs::path clips = fs::path(LAPFX_SOURCE_DIR) / "samples" / "clips";
+    const fs::path clips = test::source_folder() / "samples" / "clips";
     const fs::path folders[] = {clips};
     EXPECT_EQ(find_clip("wisps_thin.mp4", "/nowhere", folders), clips / "wisps_thin.mp4");
     EXPECT_EQ(find_clip("wisps_thin.mp4", clips, {}), clips / "wisps_thin.mp4");

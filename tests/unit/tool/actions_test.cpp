@@ -12,6 +12,7 @@
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
 #include "lapfx/view.h"
+#include "support/folders.h"
 
 namespace lapfx {
 namespace {
@@ -63,7 +64,7 @@ TEST(Overlays, RowsFollowTheEnumeratorsAndTheShadersKnowThem) {
 }
 
 TEST(Overlays, TheShaderAsksForEachByName) {
-    std::ifstream file(std::filesystem::path(LAPFX_SOURCE_DIR) / "shaders" / "overlay.glsl");
+    std::ifstream file(test::source_folder() / "shaders" / "overlay.glsl");
     const std::string shader(std::istreambuf_iterator<char>(file), {});
     std::istringstream names(gl::generated_text("overlays.glsl").value());
     int rows = 0;
