@@ -73,6 +73,20 @@ std::shared_ptr<EarlyLoad> load_early(const Scene& scene, const Preset& preset,
     return early;
 }
 
+std::shared_ptr<EarlyLoad> loaded_already(const Scene& scene, const std::shared_ptr<const PreparedOrgan>& organ,
+                                          const std::shared_ptr<ClipCache>& clips) {
+    auto early = std::make_shared<EarlyLoad>();
+    early->scene = scene;
+    early->clips = clips;
+    std::promise<std::shared_ptr<const PreparedOrgan>> ready;
+    early->organ = ready.get_future();
+    ready.set_value(organ);
+    std::promise<void> known;
+    early->clips_known = known.get_future();
+    known.set_value();
+    return early;
+}
+
 PreviewHost::PreviewHost(const PreviewOptions& options, Jobs& jobs, std::shared_ptr<EarlyLoad> early)
     : options_(options), jobs_(jobs), early_(std::move(early)) {
     options_.clip_cache = early_ ? early_->clips : std::make_shared<ClipCache>();
@@ -120,7 +134,8 @@ void PreviewHost::follow(const document::Document& document) {
 
 void PreviewHost::load_organ() {
     if (organ_job_) organ_job_->cancel();
-    std::shared_ptr<EarlyLoad> early = std::exchange(early_, nullptr);
+    // A document without an organ, which an editor begins with, is not the one that it was for.
+    std::shared_ptr<EarlyLoad> early = organ_name(wanted_.scene).empty() ? nullptr : std::exchange(early_, nullptr);
     const bool in_time = early && same_organ(early->scene, wanted_.scene);
     if (early && !in_time) early->stopped = true;  // the job keeps it until it has ended
     ready_organ_ = nullptr;

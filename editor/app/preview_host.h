@@ -54,6 +54,9 @@ struct EarlyLoad {
 };
 std::shared_ptr<EarlyLoad> load_early(const Scene& scene, const Preset& preset,
                                       const std::vector<std::filesystem::path>& clip_folders);
+/// For a host that begins with an organ and clips that another one has loaded; they are shared.
+std::shared_ptr<EarlyLoad> loaded_already(const Scene& scene, const std::shared_ptr<const PreparedOrgan>& organ,
+                                          const std::shared_ptr<ClipCache>& clips);
 
 /// What is being loaded for the preview.
 struct Loading {

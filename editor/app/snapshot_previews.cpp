@@ -1,28 +1,11 @@
 #include "app/snapshot_previews.h"
 
-#include <future>
-
 #include "app/screen.h"
 #include "app/timeline.h"
 
 namespace lapfx::app {
 
 namespace {
-
-/// For a host that begins with an organ that is loaded already.
-std::shared_ptr<EarlyLoad> loaded(const Scene& scene, const PreviewHost& shared,
-                                  const std::shared_ptr<const PreparedOrgan>& organ) {
-    auto early = std::make_shared<EarlyLoad>();
-    early->scene = scene;
-    early->clips = shared.clip_cache();
-    std::promise<std::shared_ptr<const PreparedOrgan>> ready;
-    early->organ = ready.get_future();
-    ready.set_value(organ);
-    std::promise<void> known;
-    early->clips_known = known.get_future();
-    known.set_value();
-    return early;
-}
 
 /// Whether the document's preview shows what is kept in the slot, and all of it.
 bool shows_whole(const PreviewHost& preview, const Snapshots& snapshots, std::size_t slot) {
@@ -33,7 +16,7 @@ bool shows_whole(const PreviewHost& preview, const Snapshots& snapshots, std::si
 
 SnapshotPreviews::Beside::Beside(const PreviewOptions& options, Jobs& jobs, const Scene& scene,
                                  const PreviewHost& shared, const std::shared_ptr<const PreparedOrgan>& shared_organ)
-    : host(options, jobs, loaded(scene, shared, shared_organ)), organ(shared_organ) {}
+    : host(options, jobs, loaded_already(scene, shared_organ, shared.clip_cache())), organ(shared_organ) {}
 
 SnapshotPreviews::SnapshotPreviews(const document::Document& document, const Snapshots& snapshots, PreviewHost& preview,
                                    const Timeline& timeline, Jobs& jobs, ui::ImageStore& images, const Screen& screen,

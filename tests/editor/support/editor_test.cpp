@@ -5,12 +5,40 @@
 #include "app/files.h"
 #include "app/layouts.h"
 #include "app/open.h"
+#include "app/preview_host.h"
+#include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/prepared_scene.h"
 #include "panels/panels.h"
 #include "support/folders.h"
 
 namespace lapfx::test {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<fs::path> clip_folders() {
+    return {source_folder() / "samples" / "clips"};
+}
+
+/// The sample scene's organ and the facts about its clips, which the editors of all tests share: to load them takes a
+/// second.
+std::shared_ptr<app::EarlyLoad> sample_loaded() {
+    struct Loaded {
+        Scene scene;
+        std::shared_ptr<const PreparedOrgan> organ;
+        std::shared_ptr<ClipCache> clips = std::make_shared<ClipCache>();
+    };
+    static const Loaded loaded = [] {
+        const document::Content content = app::open_sample(source_folder()).content;
+        Loaded l{.scene = content.scene, .organ = prepare_organ(content.scene, content.preset.vessels)};
+        l.clips->look_through(content.preset, clip_folders());
+        return l;
+    }();
+    return app::loaded_already(loaded.scene, loaded.organ, loaded.clips);
+}
+
+}  // namespace
 
 void EditorTest::SetUp() {
     GpuTest::SetUp();
@@ -33,7 +61,7 @@ void EditorTest::start(glm::ivec2 size, bool exact) {
     ui_.reset();
     const fs::path data = source_folder();
     editor_ = std::make_unique<app::Editor>(images_, app::EditorOptions{.data_folder = data,
-                                                                        .clip_folders = {data / "samples" / "clips"},
+                                                                        .clip_folders = clip_folders(),
                                                                         .folders = {.config = folder_ / "config",
                                                                                     .state = folder_ / "state",
                                                                                     .cache = folder_ / "cache",
@@ -43,7 +71,8 @@ void EditorTest::start(glm::ivec2 size, bool exact) {
                                                                         .renderer = "test",
                                                                         .software = true,
                                                                         .clock = clock,
-                                                                        .files = nullptr});
+                                                                        .files = nullptr,
+                                                                        .early = sample_loaded()});
     panels::set_up(*editor_);
     ui_ = std::make_unique<ui::Harness>([this](ui::Ui& u) { panels::workspace(u, *editor_); }, size, 1.0F,
                                         &editor_->commands, &images_);
