@@ -2,9 +2,9 @@
 
 #include <cstdlib>
 
-#include "app/files.h"
-#include "app/layouts.h"
-#include "app/open.h"
+#include "app/base/layouts.h"
+#include "app/files/files.h"
+#include "app/files/open.h"
 #include "panels/panels.h"
 #include "support/folders.h"
 
