@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # lapfx inspect on files of the third-party test data but meshes, which organ_walk.py inspects: no crash, no hang; exit
 # 0, or exit 2 and at least one line that begins with "lapfx: ". Skips (77) where that data is not there. It looks at
-# one file in four, or with LAPFX_WALK=all in the environment at every one, which takes some minutes.
+# one file in four, or with `tests/run --deep` (LAPFX_DEEP=1) at every one, which takes some minutes.
 #
 #   inspect_walk.sh LAPFX DATA_FOLDER
 set -euo pipefail
@@ -23,7 +23,7 @@ inspect() {
 }
 export -f inspect
 step=4
-[ "${LAPFX_WALK:-}" != all ] || step=1
+[ -z "${LAPFX_DEEP:-}" ] || step=1
 files() {
     find "$data/" -type f -not -iregex '.*\.\(glb\|gltf\|obj\|off\|ply\|stl\)' -print0 | sort -z |
         sed -z -n "1~${step}p"

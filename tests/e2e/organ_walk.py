@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """lapfx inspect on meshes of the third-party test data, and what became of their triangles: of each folder and format
-the first and every fourth after it, or with LAPFX_WALK=all in the environment every one, which takes some minutes.
+the first and every fourth after it, or with `tests/run --deep` (LAPFX_DEEP=1) every one, which takes some minutes.
 
     organ_walk.py LAPFX DATA_FOLDER
 
@@ -28,7 +28,7 @@ class Sum:
 
 
 def meshes(folder):
-    step = 1 if os.environ.get("LAPFX_WALK") == "all" else 4
+    step = 1 if os.environ.get("LAPFX_DEEP") else 4
     for path, _, names in sorted(os.walk(folder)):
         for kind in FORMATS:
             of_kind = sorted(name for name in names if name.rsplit(".", 1)[-1].lower() == kind)

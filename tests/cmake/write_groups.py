@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""write_groups.py PROGRAM TESTS_FOLDER LIST LABEL [BY_FILE]: asks a program of tests for its cases and writes into LIST,
+for ctest, one test for each folder of test files (unit.smoke), or with BY_FILE for each file (editor.document).
+
+Each writes what became of its cases to results/GROUP.xml beside the program, which tests/support/run_tests.py reads.
+"""
+import collections
+import os
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree
+
+TIMEOUT_S = 1800  # ten times what the slowest group takes alone, and more
+
+
+def cases(program):
+    """(suite, file) of every case."""
+    with tempfile.TemporaryDirectory() as folder:
+        listed = os.path.join(folder, "list.xml")
+        done = subprocess.run([program, "--gtest_list_tests", "--gtest_output=xml:" + listed], capture_output=True, text=True,
+                              check=False)
+        if done.returncode != 0:
+            sys.exit(f"{program} --gtest_list_tests: {done.returncode}\n{done.stdout}{done.stderr}")
+        for suite in xml.etree.ElementTree.parse(listed).getroot():
+            for case in suite:
+                yield suite.get("name"), os.path.join(os.path.dirname(program), case.get("file"))
+
+
+def group_of(file, tests, by_file):
+    parts = os.path.relpath(os.path.realpath(file), tests).split(os.sep)
+    if by_file:
+        return parts[0] + "." + parts[-1].removesuffix("_test.cpp")
+    return ".".join(parts[:2]) if len(parts) > 2 else parts[0] + ".top"
+
+
+def labels_of(group, label):
+    """`tests/run --quick` runs what is labelled quick."""
+    return [label, "quick"] if label in ("unit", "ui") or group == "editor.document" else [label]
+
+
+def quoted(text):
+    return f"[==[{text}]==]"
+
+
+def main(program, tests, out, label, by_file=""):
+    group = {}  # of each suite; one that several files share is of the first
+    for suite, file in cases(program):
+        group.setdefault(suite, group_of(file, os.path.realpath(tests), by_file))
+    groups = collections.defaultdict(list)
+    for suite, name in group.items():
+        groups[name].append(suite)
+    results = os.path.join(os.path.dirname(program), "results")
+    lines = []
+    for group, suites in sorted(groups.items()):
+        words = [program, "--gtest_filter=" + ":".join(suite + ".*" for suite in suites),
+                 f"--gtest_output=xml:{os.path.join(results, group)}.xml"]
+        lines.append(f"add_test({quoted(group)} {' '.join(map(quoted, words))})\n"
+                     f"set_tests_properties({quoted(group)} PROPERTIES TIMEOUT {TIMEOUT_S} "
+                     f"LABELS {quoted(';'.join([*labels_of(group, label), *suites]))})\n")
+    with open(out, "w", encoding="utf-8") as file:
+        file.writelines(lines)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
