@@ -7,27 +7,27 @@
 #include <cmath>
 #include <tuple>
 
-#include "app/amounts.h"
-#include "app/autosave.h"
-#include "app/browser.h"
-#include "app/clip_shelf.h"
-#include "app/exports.h"
-#include "app/file_chooser.h"
-#include "app/file_previews.h"
-#include "app/files.h"
-#include "app/hot_reload.h"
-#include "app/keying_bench.h"
-#include "app/layouts.h"
-#include "app/measure_bench.h"
-#include "app/measuring.h"
+#include "app/base/file_chooser.h"
+#include "app/base/layouts.h"
+#include "app/base/saved.h"
+#include "app/base/settings.h"
+#include "app/browser/browser.h"
+#include "app/browser/file_previews.h"
+#include "app/clips/clip_shelf.h"
+#include "app/clips/keying_bench.h"
+#include "app/files/autosave.h"
+#include "app/files/exports.h"
+#include "app/files/files.h"
+#include "app/files/hot_reload.h"
+#include "app/files/organ_choice.h"
+#include "app/measure/amounts.h"
+#include "app/measure/measure_bench.h"
+#include "app/measure/measuring.h"
 #include "app/meter.h"
-#include "app/organ_choice.h"
-#include "app/reference.h"
-#include "app/saved.h"
-#include "app/settings.h"
-#include "app/snapshot_previews.h"
-#include "app/snapshots.h"
-#include "app/tuning.h"
+#include "app/reference/reference.h"
+#include "app/tuning/snapshot_previews.h"
+#include "app/tuning/snapshots.h"
+#include "app/tuning/tuning.h"
 
 namespace lapfx::app {
 
@@ -37,8 +37,8 @@ constexpr double longest_step = 0.5;  // s; a frame that took longer (a stopped 
 
 }  // namespace
 
-Editor::Editor(ui::ImageStore& image_store, EditorOptions options)
-    : preview({.clip_folders = options.clip_folders, .wait_for_clips = options.exact}, jobs, std::move(options.early)),
+Editor::Editor(ui::ImageStore& image_store, EditorOptions options, std::shared_ptr<EarlyLoad> early)
+    : preview({.clip_folders = options.clip_folders, .wait_for_clips = options.exact}, jobs, std::move(early)),
       hold(document, preview, timeline, selected, toasts),
       images(image_store),
       options_(std::move(options)),
@@ -63,10 +63,26 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options)
       measuring_(std::make_unique<Measuring>(document, *reference_, jobs, toasts)),
       measure_bench_(
           std::make_unique<MeasureBench>(document, *reference_, *measuring_, jobs, images, toasts, options_.exact)),
-      files_(std::make_unique<Files>(*this)),
       exports_(std::make_unique<Exports>(document, timeline, looking, preview, jobs, *settings_, *chooser_, toasts,
                                          screen_, options_.clip_folders,
                                          [this](const std::vector<std::string>& made) { files_->open(made); })),
+      files_(std::make_unique<Files>(
+          Files::Parts{.document = document,
+                       .selected = selected,
+                       .looking = looking,
+                       .autosave = *autosave_,
+                       .clips = *clips_,
+                       .exports = *exports_,
+                       .chooser = *chooser_,
+                       .layouts = *layouts_,
+                       .organ_choice = *organ_choice_,
+                       .reference = *reference_,
+                       .settings = *settings_,
+                       .snapshots = *snapshots_,
+                       .commands = commands,
+                       .notices = toasts,
+                       .options = options_,
+                       .forget_document = [this](bool scene_too) { forget_document(scene_too); }})),
       file_previews_(std::make_unique<FilePreviews>(options_, document, images, screen_)),
       hot_reload_(std::make_unique<HotReload>(document, preview, jobs, toasts, options_.data_folder)),
       meter_(std::make_unique<Meter>()) {

@@ -16,15 +16,15 @@
 #include <memory>
 #include <vector>
 
-#include "app/editor_options.h"
-#include "app/jobs.h"
-#include "app/looking.h"
-#include "app/notices.h"
-#include "app/preview_host.h"
-#include "app/scene_pace.h"
-#include "app/screen.h"
-#include "app/timeline.h"
-#include "app/tool_hold.h"
+#include "app/base/editor_options.h"
+#include "app/base/jobs.h"
+#include "app/base/notices.h"
+#include "app/base/screen.h"
+#include "app/preview/looking.h"
+#include "app/preview/preview_host.h"
+#include "app/preview/scene_pace.h"
+#include "app/preview/timeline.h"
+#include "app/preview/tool_hold.h"
 #include "document/document.h"
 #include "ui/shell/commands.h"
 #include "ui/widgets/color_field.h"
@@ -63,7 +63,8 @@ struct FrameOptions {
 
 class Editor {
   public:
-    Editor(ui::ImageStore& images, EditorOptions options);
+    /// `early`: what load_early() has begun of the document that will be opened first, or null.
+    Editor(ui::ImageStore& images, EditorOptions options, std::shared_ptr<EarlyLoad> early = nullptr);
     ~Editor();
     Editor(const Editor&) = delete;
     Editor& operator=(const Editor&) = delete;
@@ -74,10 +75,10 @@ class Editor {
     ToolInHand tool;
     Timeline timeline{document};
     std::vector<std::size_t> selected;  ///< of the scene's events, ascending
-    ui::Eyedropper eyedropper;          ///< while wanted_by, pictures give a colour for a click (app/pick_color.h)
+    ui::Eyedropper eyedropper;  ///< while wanted_by, pictures give a colour for a click (app/preview/pick_color.h)
 
     // --- parts ------------------------------------------------------------------------------------------------------
-    // Each is constructed with what it works on, and reaches nothing else; only Files has the whole editor.
+    // Each is constructed with what it works on, and reaches nothing else.
     Jobs jobs;
     PreviewHost preview;
     ui::CommandTable commands;
@@ -160,8 +161,8 @@ class Editor {
     std::unique_ptr<Reference> reference_;
     std::unique_ptr<Measuring> measuring_;
     std::unique_ptr<MeasureBench> measure_bench_;
-    std::unique_ptr<Files> files_;
     std::unique_ptr<Exports> exports_;
+    std::unique_ptr<Files> files_;
     std::unique_ptr<FilePreviews> file_previews_;
     std::unique_ptr<HotReload> hot_reload_;
     std::unique_ptr<Meter> meter_;

@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
-#include "app/preview_host.h"
-#include "app/reference.h"
+#include "app/preview/preview_host.h"
+#include "app/reference/reference.h"
 
 namespace lapfx::app {
 

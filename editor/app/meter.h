@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "app/gpu_timer.h"
 #include "app/memory.h"
+#include "app/preview/gpu_timer.h"
 
 namespace lapfx::app {
 

@@ -16,8 +16,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "app/layouts.h"
-#include "app/open.h"
+#include "app/base/layouts.h"
+#include "app/files/open.h"
 #include "commands/bench.h"
 #include "commands/headless_editor.h"
 #include "commands/progress.h"

@@ -5,14 +5,14 @@
 #include <iostream>
 #include <utility>
 
-#include "app/autosave.h"
-#include "app/files.h"
-#include "app/hot_reload.h"
-#include "app/layouts.h"
+#include "app/base/layouts.h"
+#include "app/base/settings.h"
+#include "app/files/autosave.h"
+#include "app/files/files.h"
+#include "app/files/hot_reload.h"
+#include "app/files/open.h"
 #include "app/memory.h"
 #include "app/meter.h"
-#include "app/open.h"
-#include "app/settings.h"
 #include "commands/command.h"
 #include "commands/dump.h"
 #include "commands/headless_editor.h"
@@ -136,15 +136,15 @@ void show_window(const Options& o) {
                              .log = o.statistics ? &std::cerr : nullptr});
     // Destroyed before the window, because its pictures are in the window's context and its threads wake the window's
     // UI.
-    const auto editor =
-        std::make_unique<app::Editor>(images, app::EditorOptions{.data_folder = data_folder(),
-                                                                 .clip_folders = clip_folders(),
-                                                                 .folders = document::Folders::of_user(),
-                                                                 .exact = false,
-                                                                 .renderer = window.context().renderer(),
-                                                                 .software = window.context().software(),
-                                                                 .files = nullptr,
-                                                                 .early = early});
+    const auto editor = std::make_unique<app::Editor>(images,
+                                                      app::EditorOptions{.data_folder = data_folder(),
+                                                                         .clip_folders = clip_folders(),
+                                                                         .folders = document::Folders::of_user(),
+                                                                         .exact = false,
+                                                                         .renderer = window.context().renderer(),
+                                                                         .software = window.context().software(),
+                                                                         .files = nullptr},
+                                                      early);
     panels::set_up(*editor);
     set_up(*editor, std::move(opened), o);
     window.ui().set_shortcuts(&editor->commands);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "app/target.h"
+#include "app/preview/target.h"
 #include "commands/command.h"
 #include "commands/dump.h"
 #include "commands/options.h"

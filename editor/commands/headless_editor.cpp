@@ -1,6 +1,6 @@
 #include "commands/headless_editor.h"
 
-#include "app/settings.h"
+#include "app/base/settings.h"
 #include "commands/session.h"
 #include "lapfx/authoring/command_line.h"
 #include "panels/panels.h"
@@ -21,8 +21,8 @@ HeadlessEditor::HeadlessEditor(glm::ivec2 size, float scale, const std::string& 
                              .exact = exact,
                              .renderer = context_.renderer(),
                              .software = context_.software(),
-                             .files = nullptr,
-                             .early = std::move(early)})),
+                             .files = nullptr},
+          std::move(early))),
       ui_(std::make_unique<ui::Ui>(
           fonts_, ui::UiOptions{.images = &images_, .shortcuts = &editor_->commands, .reduced_motion = true})),
       target_(size) {

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "app/editor.h"
-#include "app/target.h"
+#include "app/preview/target.h"
 #include "ui/gl/renderer.h"
 
 namespace lapfx::commands {

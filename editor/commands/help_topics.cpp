@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/parameters.h"
+#include "app/tuning/parameters.h"
 #include "commands/session.h"
 #include "lapfx/authoring/formats.h"
 #include "lapfx/preset.h"

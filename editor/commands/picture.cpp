@@ -3,8 +3,8 @@
 #include <new>
 #include <opencv2/imgproc.hpp>
 
-#include "app/open.h"
-#include "app/thumbnail_maker.h"
+#include "app/browser/thumbnail_maker.h"
+#include "app/files/open.h"
 #include "commands/command.h"
 #include "commands/options.h"
 #include "commands/session.h"

@@ -1,5 +1,5 @@
 // The amounts over the scene's time: what the preset gives, beside what it is compared with. A click goes to that time.
-#include "app/amounts.h"
+#include "app/measure/amounts.h"
 #include "panels/panels.h"
 #include "ui/canvas/plot.h"
 #include "ui/widgets/basic.h"

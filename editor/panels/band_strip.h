@@ -4,7 +4,7 @@
 //     panels::band_strip(ui, looking.overlay, edited, preview, jobs);
 #pragma once
 
-#include "app/preview_host.h"
+#include "app/preview/preview_host.h"
 #include "panels/edited.h"
 #include "ui/core/ui.h"
 

@@ -1,6 +1,6 @@
 #include "panels/clip_parameters.h"
 
-#include "app/file_filters.h"
+#include "app/base/file_filters.h"
 
 namespace lapfx::panels {
 

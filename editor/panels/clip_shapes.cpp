@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/keying_bench.h"
+#include "app/clips/keying_bench.h"
 #include "panels/clip_parameters.h"
 #include "panels/parts.h"
 #include "panels/place_handle.h"

@@ -2,7 +2,7 @@
 // picture of the keying bench, and as rows.
 #pragma once
 
-#include "app/keying_bench.h"
+#include "app/clips/keying_bench.h"
 #include "panels/edited.h"
 #include "ui/canvas/view.h"
 #include "ui/shell/commands.h"

@@ -5,10 +5,10 @@
 #include <cctype>
 #include <cmath>
 
+#include "app/base/file_chooser.h"
+#include "app/base/layouts.h"
+#include "app/clips/keying_bench.h"
 #include "app/editor.h"
-#include "app/file_chooser.h"
-#include "app/keying_bench.h"
-#include "app/layouts.h"
 #include "lapfx/authoring/smoke_notes.h"
 #include "panels/clip_parameters.h"
 #include "panels/panels.h"

@@ -1,5 +1,5 @@
-// What files ask (app/files.h): unsaved work, a file that another editor has, a disk that is full.
-#include "app/files.h"
+// What files ask (app/files/files.h): unsaved work, a file that another editor has, a disk that is full.
+#include "app/files/files.h"
 #include "panels/panels.h"
 #include "ui/shell/dialog.h"
 #include "ui/widgets/scroll.h"

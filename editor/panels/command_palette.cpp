@@ -1,8 +1,8 @@
 // Ctrl+P: commands, and the parameters of preset and scene, from their tables; the same words find them as in the
 // Preset panel.
-#include "app/layouts.h"
-#include "app/parameters.h"
-#include "app/tuning.h"
+#include "app/base/layouts.h"
+#include "app/tuning/parameters.h"
+#include "app/tuning/tuning.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "panels/table_rows.h"

@@ -1,7 +1,7 @@
 // What the program can do that belongs to no single panel: files, undo, the window.
 #include "app/editor.h"
-#include "app/files.h"
-#include "app/hot_reload.h"
+#include "app/files/files.h"
+#include "app/files/hot_reload.h"
 #include "panels/panels.h"
 #include "ui/shell/key_editor.h"
 #include "ui/shell/palette.h"

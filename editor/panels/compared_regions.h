@@ -1,7 +1,7 @@
 // Figures of the scene's regions in the two pictures that are compared, and their curves over the reference's time.
 #pragma once
 
-#include "app/reference.h"
+#include "app/reference/reference.h"
 #include "panels/edited.h"
 
 namespace lapfx::panels {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/reference.h"
+#include "app/reference/reference.h"
 #include "panels/compared_regions.h"
 #include "panels/parts.h"
 #include "ui/canvas/histogram.h"

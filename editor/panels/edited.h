@@ -3,8 +3,8 @@
 //     panels::table_row(ui, {document, saved, eyedropper, chooser}, row, owner);
 #pragma once
 
-#include "app/file_chooser.h"
-#include "app/saved.h"
+#include "app/base/file_chooser.h"
+#include "app/base/saved.h"
 #include "document/document.h"
 #include "ui/widgets/color_field.h"
 

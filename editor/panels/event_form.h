@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "app/events.h"
+#include "app/preview/events.h"
 #include "panels/edited.h"
 #include "ui/core/ui.h"
 

@@ -1,9 +1,9 @@
 // What is exported, to which file, and what is wrong with that: one dialog for all kinds. While an export runs it shows
 // the progress; so does the status bar, since the dialog can be closed.
+#include "app/base/file_chooser.h"
+#include "app/base/file_filters.h"
 #include "app/editor.h"
-#include "app/exports.h"
-#include "app/file_chooser.h"
-#include "app/file_filters.h"
+#include "app/files/exports.h"
 #include "panels/panels.h"
 #include "ui/shell/dialog.h"
 #include "ui/shell/progress.h"

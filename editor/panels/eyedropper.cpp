@@ -1,5 +1,5 @@
 // A colour that a picker wants is taken from the pictures of the view and of the reference panel.
-#include "app/layouts.h"
+#include "app/base/layouts.h"
 #include "panels/parts.h"
 #include "ui/widgets/basic.h"
 

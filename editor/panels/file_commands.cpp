@@ -1,9 +1,9 @@
 // Commands of files, and the menu of those opened last.
 #include <filesystem>
 
+#include "app/base/settings.h"
 #include "app/editor.h"
-#include "app/files.h"
-#include "app/settings.h"
+#include "app/files/files.h"
 #include "panels/panels.h"
 #include "ui/widgets/menu.h"
 

@@ -1,4 +1,4 @@
-#include "app/settings.h"
+#include "app/base/settings.h"
 #include "panels/parts.h"
 #include "ui/widgets/basic.h"
 

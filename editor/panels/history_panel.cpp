@@ -1,5 +1,5 @@
 // All steps since the document was opened, in words. A click, or Enter, goes back or forth to the state after a step.
-#include "app/layouts.h"
+#include "app/base/layouts.h"
 #include "panels/panels.h"
 #include "ui/widgets/table.h"
 

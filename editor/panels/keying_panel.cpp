@@ -1,6 +1,6 @@
 // The keying bench: a frame of the selected clip on its way to smoke, and the thresholds beside what they do:
 // as handles on a histogram and a vectorscope, as numbers, by eyedropper, by suggestion.
-#include "app/keying_bench.h"
+#include "app/clips/keying_bench.h"
 
 #include <algorithm>
 #include <array>

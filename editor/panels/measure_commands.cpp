@@ -1,10 +1,10 @@
 // Commands of measuring the reference.
+#include "app/base/file_chooser.h"
+#include "app/base/layouts.h"
 #include "app/editor.h"
-#include "app/file_chooser.h"
-#include "app/layouts.h"
-#include "app/measure_bench.h"
-#include "app/measuring.h"
-#include "app/reference.h"
+#include "app/measure/measure_bench.h"
+#include "app/measure/measuring.h"
+#include "app/reference/reference.h"
 #include "panels/panels.h"
 
 namespace lapfx::panels {

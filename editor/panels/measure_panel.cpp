@@ -1,16 +1,16 @@
 // Measure: how much blood and smoke the reference shows, in the frame that is seen and over all of it; what that is
 // compared with, what counts as blood, and what is left out.
-#include "app/measuring.h"
+#include "app/measure/measuring.h"
 
 #include <array>
 #include <cmath>
 #include <cstdio>
 
+#include "app/base/layouts.h"
 #include "app/editor.h"
-#include "app/layouts.h"
-#include "app/measure_bench.h"
-#include "app/pick_color.h"
-#include "app/reference.h"
+#include "app/measure/measure_bench.h"
+#include "app/preview/pick_color.h"
+#include "app/reference/reference.h"
 #include "panels/measure_results.h"
 #include "panels/measure_shapes.h"
 #include "panels/panels.h"

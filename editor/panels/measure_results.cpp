@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <limits>
 
-#include "app/measure_bench.h"
-#include "app/measuring.h"
-#include "app/reference.h"
+#include "app/measure/measure_bench.h"
+#include "app/measure/measuring.h"
+#include "app/reference/reference.h"
 #include "panels/parts.h"
 #include "ui/canvas/plot.h"
 #include "ui/widgets/basic.h"

@@ -2,7 +2,7 @@
 // taken out again.
 #pragma once
 
-#include "app/measure_bench.h"
+#include "app/measure/measure_bench.h"
 #include "panels/edited.h"
 #include "ui/canvas/view.h"
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdio>
 
-#include "app/organ_choice.h"
+#include "app/files/organ_choice.h"
 #include "lapfx/authoring/organ_report.h"
 #include "panels/panels.h"
 #include "ui/shell/dialog.h"

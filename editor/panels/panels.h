@@ -10,9 +10,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "app/looking.h"
-#include "app/timeline.h"
-#include "app/tool_hold.h"
+#include "app/preview/looking.h"
+#include "app/preview/timeline.h"
+#include "app/preview/tool_hold.h"
 #include "panels/edited.h"
 #include "ui/core/ui.h"
 #include "ui/shell/commands.h"

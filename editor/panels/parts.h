@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/editor_options.h"
+#include "app/base/editor_options.h"
 #include "ui/core/ui.h"
 #include "ui/shell/commands.h"
 #include "ui/widgets/color_field.h"

@@ -2,9 +2,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/base/layouts.h"
 #include "app/editor.h"
-#include "app/layouts.h"
-#include "app/tuning.h"
+#include "app/tuning/tuning.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "panels/preset_rows.h"

@@ -1,6 +1,6 @@
 #include "panels/preset_rows.h"
 
-#include "app/tuning.h"
+#include "app/tuning/tuning.h"
 #include "panels/table_rows.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/menu.h"

@@ -5,7 +5,7 @@
 // A lower and an upper bound share a row. What is wrong with a value is told below its row.
 #pragma once
 
-#include "app/tuning.h"
+#include "app/tuning/tuning.h"
 #include "panels/edited.h"
 
 namespace lapfx::panels {

@@ -1,7 +1,7 @@
 // Presets with thumbnails: found by name, tag and star, opened or taken over with one press.
-#include "app/browser.h"
-#include "app/file_chooser.h"
-#include "app/files.h"
+#include "app/base/file_chooser.h"
+#include "app/browser/browser.h"
+#include "app/files/files.h"
 #include "panels/panels.h"
 #include "ui/shell/dialog.h"
 #include "ui/widgets/basic.h"

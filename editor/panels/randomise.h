@@ -7,7 +7,7 @@
 // Groups are those of app::parameters(); null stands for all.
 #pragma once
 
-#include "app/tuning.h"
+#include "app/tuning/tuning.h"
 #include "ui/shell/toast.h"
 
 namespace lapfx::panels {

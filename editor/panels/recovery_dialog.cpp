@@ -1,6 +1,6 @@
 // After a crash: what the editor that ended had not saved.
-#include "app/autosave.h"
-#include "app/files.h"
+#include "app/files/autosave.h"
+#include "app/files/files.h"
 #include "panels/panels.h"
 #include "ui/shell/dialog.h"
 #include "ui/shell/file_system.h"

@@ -1,10 +1,10 @@
 // Commands of the reference.
 #include <cctype>
 
+#include "app/base/layouts.h"
 #include "app/editor.h"
-#include "app/layouts.h"
-#include "app/plate.h"
-#include "app/reference.h"
+#include "app/reference/plate.h"
+#include "app/reference/reference.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 

@@ -1,15 +1,15 @@
 // The reference: the surgery video that is to be matched, alone or against the preview.
-#include "app/plate.h"
-#include "app/reference.h"
+#include "app/reference/plate.h"
+#include "app/reference/reference.h"
 
 #include <array>
 #include <cmath>
 #include <cstdio>
 
-#include "app/file_filters.h"
-#include "app/files.h"
-#include "app/open.h"
-#include "app/pick_color.h"
+#include "app/base/file_filters.h"
+#include "app/files/files.h"
+#include "app/files/open.h"
+#include "app/preview/pick_color.h"
 #include "panels/compared_scopes.h"
 #include "panels/panels.h"
 #include "panels/parts.h"

@@ -4,7 +4,7 @@
 //     ui::compare_view(ui, ..., {.over = RegionShapes::build, .over_with = &shapes});
 #pragma once
 
-#include "app/reference.h"
+#include "app/reference/reference.h"
 #include "panels/edited.h"
 #include "ui/canvas/view.h"
 

@@ -1,9 +1,9 @@
 // The scene on which the preset is seen: rows from the scene's table, with what is wrong below each.
 #include <algorithm>
 
-#include "app/file_filters.h"
-#include "app/measuring.h"
-#include "app/orbit.h"
+#include "app/base/file_filters.h"
+#include "app/measure/measuring.h"
+#include "app/preview/orbit.h"
 #include "panels/panels.h"
 #include "panels/table_rows.h"
 #include "ui/widgets/basic.h"

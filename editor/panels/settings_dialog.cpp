@@ -1,6 +1,6 @@
 #include <array>
 
-#include "app/settings.h"
+#include "app/base/settings.h"
 #include "panels/panels.h"
 #include "panels/titles.h"
 #include "ui/shell/dialog.h"

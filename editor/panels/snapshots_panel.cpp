@@ -1,11 +1,11 @@
 // Snapshots A to D of the preset: kept, shown with one key, and compared, in words here and as pictures in the
 // Reference panel.
-#include "app/snapshots.h"
+#include "app/tuning/snapshots.h"
 
+#include "app/base/layouts.h"
 #include "app/editor.h"
-#include "app/layouts.h"
-#include "app/reference.h"
-#include "app/snapshot_previews.h"
+#include "app/reference/reference.h"
+#include "app/tuning/snapshot_previews.h"
 #include "document/words.h"
 #include "panels/panels.h"
 #include "ui/shell/file_system.h"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/layouts.h"
+#include "app/base/layouts.h"
 
 namespace lapfx::panels {
 

@@ -2,14 +2,14 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/clip_shelf.h"
-#include "app/exports.h"
-#include "app/hot_reload.h"
-#include "app/jobs.h"
-#include "app/layouts.h"
+#include "app/base/jobs.h"
+#include "app/base/layouts.h"
+#include "app/clips/clip_shelf.h"
+#include "app/files/exports.h"
+#include "app/files/hot_reload.h"
 #include "app/memory.h"
 #include "app/meter.h"
-#include "app/preview_host.h"
+#include "app/preview/preview_host.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "ui/shell/progress.h"

@@ -5,9 +5,9 @@
 #include <string>
 #include <unordered_map>
 
-#include "app/parameter_text.h"
-#include "app/parameters.h"
-#include "app/paths.h"
+#include "app/base/paths.h"
+#include "app/tuning/parameter_text.h"
+#include "app/tuning/parameters.h"
 #include "document/tables.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/color_field.h"

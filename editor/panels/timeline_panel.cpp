@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "app/editor.h"
-#include "app/events.h"
-#include "app/reference.h"
+#include "app/preview/events.h"
+#include "app/reference/reference.h"
 #include "panels/event_form.h"
 #include "panels/panels.h"
 #include "panels/table_rows.h"

@@ -4,15 +4,15 @@
 #include <cstdio>
 #include <numbers>
 
-#include "app/clip_shelf.h"
+#include "app/base/file_filters.h"
+#include "app/base/paths.h"
+#include "app/clips/clip_shelf.h"
 #include "app/editor.h"
-#include "app/events.h"
-#include "app/file_filters.h"
-#include "app/orbit.h"
-#include "app/organ_choice.h"
-#include "app/paths.h"
-#include "app/pick_color.h"
-#include "app/reference.h"
+#include "app/files/organ_choice.h"
+#include "app/preview/events.h"
+#include "app/preview/orbit.h"
+#include "app/preview/pick_color.h"
+#include "app/reference/reference.h"
 #include "panels/band_strip.h"
 #include "panels/panels.h"
 #include "panels/parts.h"

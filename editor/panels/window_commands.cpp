@@ -1,7 +1,7 @@
 // The window itself: panels, layouts, themes, settings, help.
+#include "app/base/layouts.h"
+#include "app/base/settings.h"
 #include "app/editor.h"
-#include "app/layouts.h"
-#include "app/settings.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "ui/shell/dialog.h"

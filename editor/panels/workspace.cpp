@@ -1,12 +1,12 @@
 // The window: the one table of panels, and which parts of the editor each panel and each dialog takes.
 #include <string>
 
-#include "app/autosave.h"
+#include "app/base/file_chooser.h"
+#include "app/base/layouts.h"
+#include "app/base/settings.h"
 #include "app/editor.h"
-#include "app/file_chooser.h"
-#include "app/files.h"
-#include "app/layouts.h"
-#include "app/settings.h"
+#include "app/files/autosave.h"
+#include "app/files/files.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "panels/standard_layouts.h"

@@ -17,7 +17,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/window_place.h"
+#include "app/base/window_place.h"
 #include "lapfx/context.h"
 #include "ui/core/ui.h"
 #include "ui/gl/renderer.h"

@@ -5,6 +5,7 @@
                        effects/include_authoring/lapfx/authoring/*.h
     samples/host, as any host -> effects/include/lapfx/*.h alone
     editor: commands -> window, panels -> app -> document -> lapfx/*.h
+    editor/app: browser -> files -> measure -> {clips, reference} -> tuning -> preview -> base
     effects/*.{h,cpp} -> render -> {bleeding, smoke, cautery} -> organ -> {media, tool} -> {preset, gl, work}
                       -> effects/include/lapfx/*.h
     lapfx::simulation (all of effects/ that does not draw, by the list in effects/CMakeLists.txt) -> nothing that draws,
@@ -30,6 +31,8 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|<([^>]+)>)', re.M
 STANDARD = re.compile(r"[a-z_0-9]+")
 # Of editor/, but its toolkit: a folder may include those below it, and those that share its number and are itself.
 EDITOR_LEVELS = {"document": 0, "output": 0, "app": 1, "panels": 2, "gallery": 2, "window": 2, "commands": 3}
+# Of editor/app/: what lies in no room is above all rooms.
+APP_LEVELS = {"base": 0, "preview": 1, "tuning": 2, "clips": 3, "reference": 3, "measure": 4, "files": 5, "browser": 6, "": 7}
 # Of its toolkit, editor/ui/: events in, list of shapes out; gl/ draws that list.
 TOOLKIT_LEVELS = {"value": 0, "draw": 1, "text": 2, "paint": 3, "gl": 4, "core": 4, "widgets": 5, "canvas": 6, "shell": 7}
 GL = ("glad/", "GL/", "EGL/", "GLES", "KHR/")
@@ -113,6 +116,24 @@ def toolkit_fault(path, target, name):
     return None
 
 
+def room(path):
+    """The room of editor/app/ that a file lies in, '' in none of them."""
+    pieces = path.split("/")
+    return pieces[2] if len(pieces) > 3 else ""
+
+
+def app_fault(path, target):
+    """Inside editor/app/: downwards only."""
+    here, there = room(path), room(target)
+    if here == there:
+        return None
+    if here not in APP_LEVELS or there not in APP_LEVELS:
+        return f"editor/app/{here if here not in APP_LEVELS else there} has no level in {os.path.basename(__file__)}"
+    if APP_LEVELS[there] >= APP_LEVELS[here]:
+        return f"editor/app/{there} is above or beside editor/app/{here}"
+    return None
+
+
 def outside_fault(path, target):
     """The editor and the samples see of the core what any simulator sees, and what there is for them; the sample host
     no more."""
@@ -132,6 +153,8 @@ def editor_fault(path, target, name):
     if target is None or not target.startswith("editor/") or here not in EDITOR_LEVELS:
         return None
     there = target.split("/")[1]
+    if here == there == "app":
+        return app_fault(path, target)
     if there == "ui" and here == "document":
         return "what is edited knows nothing of the UI"
     if there in EDITOR_LEVELS and there != here and EDITOR_LEVELS[there] >= EDITOR_LEVELS[here]:
@@ -273,6 +296,16 @@ EXAMPLES = [
      {"editor/app/a.cpp": '#include "panels/b.h"', "editor/panels/b.h": ""}),
     (None, {"editor/panels/a.cpp": '#include "app/b.h"\n#include "ui/c.h"', "editor/app/b.h": "",
             "editor/ui/c.h": ""}),
+    ("editor/app/files is above or beside editor/app/clips",
+     {"editor/app/clips/a.cpp": '#include "app/files/b.h"', "editor/app/files/b.h": ""}),
+    ("editor/app/clips is above or beside editor/app/reference",
+     {"editor/app/reference/a.cpp": '#include "app/clips/b.h"', "editor/app/clips/b.h": ""}),
+    ("editor/app/ is above or beside editor/app/files",
+     {"editor/app/files/a.cpp": '#include "app/editor.h"', "editor/app/editor.h": ""}),
+    ("editor/app/new has no level",
+     {"editor/app/new/a.cpp": '#include "app/base/b.h"', "editor/app/base/b.h": ""}),
+    (None, {"editor/app/editor.cpp": '#include "app/files/a.h"', "editor/app/files/a.h": '#include "app/base/b.h"',
+            "editor/app/base/b.h": '#include "c.h"', "editor/app/base/c.h": "", "editor/panels/d.cpp": '#include "app/base/b.h"'}),
     ("only lapfx/*.h may be included here",
      {"editor/app.cpp": '#include "../effects/render/frame.h"', "effects/render/frame.h": ""}),
     ("only lapfx/*.h may be included here", {"samples/make.cpp": '#include "gl/b.h"', "effects/gl/b.h": ""}),

@@ -1,6 +1,6 @@
 // The amounts panel: it shows the preview's amounts over the scene's time, computes them again after each change, and a
 // click goes to a time.
-#include "app/amounts.h"
+#include "app/measure/amounts.h"
 
 #include <gmock/gmock.h>
 

@@ -1,10 +1,10 @@
 // The list of clips, driven by the names of the widgets on the screen.
 #include <fstream>
 
-#include "app/files.h"
-#include "app/keying_bench.h"
-#include "app/saved.h"
-#include "app/tuning.h"
+#include "app/base/saved.h"
+#include "app/clips/keying_bench.h"
+#include "app/files/files.h"
+#include "app/tuning/tuning.h"
 #include "editor/support/editor_test.h"
 #include "lapfx/authoring/documents.h"
 #include "support/clips.h"

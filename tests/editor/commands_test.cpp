@@ -4,14 +4,14 @@
 
 #include <set>
 
-#include "app/clip_shelf.h"
-#include "app/files.h"
-#include "app/keying_bench.h"
-#include "app/layouts.h"
-#include "app/reference.h"
-#include "app/settings.h"
-#include "app/snapshots.h"
-#include "app/tuning.h"
+#include "app/base/layouts.h"
+#include "app/base/settings.h"
+#include "app/clips/clip_shelf.h"
+#include "app/clips/keying_bench.h"
+#include "app/files/files.h"
+#include "app/reference/reference.h"
+#include "app/tuning/snapshots.h"
+#include "app/tuning/tuning.h"
 #include "editor/support/editor_test.h"
 
 namespace lapfx::test {

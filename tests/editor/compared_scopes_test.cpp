@@ -1,6 +1,6 @@
 // Scopes of the compared pictures: what they count, when, and where they are shown.
-#include "app/layouts.h"
-#include "app/reference.h"
+#include "app/base/layouts.h"
+#include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
 #include "support/clips.h"
 #include "ui/support/count_allocations.h"

@@ -1,7 +1,7 @@
 // Clips outside of the preset's folder are copied only into folders of the user.
-#include "app/file_chooser.h"
-#include "app/files.h"
-#include "app/keying_bench.h"
+#include "app/base/file_chooser.h"
+#include "app/clips/keying_bench.h"
+#include "app/files/files.h"
 #include "editor/support/editor_test.h"
 #include "support/clips.h"
 #include "support/folders.h"

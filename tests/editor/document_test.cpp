@@ -4,14 +4,14 @@
 
 #include <fstream>
 
-#include "app/autosave.h"
-#include "app/file_chooser.h"
-#include "app/files.h"
-#include "app/keying_bench.h"
-#include "app/layouts.h"
-#include "app/reference.h"
-#include "app/settings.h"
-#include "app/snapshots.h"
+#include "app/base/file_chooser.h"
+#include "app/base/layouts.h"
+#include "app/base/settings.h"
+#include "app/clips/keying_bench.h"
+#include "app/files/autosave.h"
+#include "app/files/files.h"
+#include "app/reference/reference.h"
+#include "app/tuning/snapshots.h"
 #include "editor/support/document_fixture.h"
 #include "editor/support/held_jobs.h"
 #include "lapfx/authoring/documents.h"

@@ -6,8 +6,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "app/exports.h"
-#include "app/files.h"
+#include "app/files/exports.h"
+#include "app/files/files.h"
 #include "editor/support/editor_test.h"
 #include "editor/support/held_jobs.h"
 #include "lapfx/authoring/documents.h"

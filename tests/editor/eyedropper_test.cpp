@@ -1,6 +1,6 @@
 // The eyedropper takes a colour of the preset or the scene from the view or from the reference.
-#include "app/pick_color.h"
-#include "app/reference.h"
+#include "app/preview/pick_color.h"
+#include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
 
 namespace lapfx::test {

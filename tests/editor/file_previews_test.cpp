@@ -1,13 +1,13 @@
 // Pictures in the file dialog: which files the program itself makes pictures of, and what happens with files that are
 // broken or on which it hangs.
-#include "app/file_previews.h"
-#include "app/file_chooser.h"
+#include "app/browser/file_previews.h"
+#include "app/base/file_chooser.h"
 
 #include <chrono>
 #include <fstream>
 #include <thread>
 
-#include "app/layouts.h"
+#include "app/base/layouts.h"
 #include "editor/support/editor_test.h"
 #include "output/files.h"
 #include "support/folders.h"

@@ -1,7 +1,7 @@
 // Finding a row of preset or scene with the command palette, also by everyday words: the row is shown and gets the
 // keyboard.
-#include "app/layouts.h"
-#include "app/tuning.h"
+#include "app/base/layouts.h"
+#include "app/tuning/tuning.h"
 #include "editor/support/editor_test.h"
 #include "panels/table_rows.h"
 

@@ -1,5 +1,5 @@
 // A frame of the editor does its steps, from events to pictures, in a fixed order (Editor::frame).
-#include "app/layouts.h"
+#include "app/base/layouts.h"
 #include "editor/support/editor_test.h"
 
 namespace lapfx::test {

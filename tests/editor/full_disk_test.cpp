@@ -9,8 +9,8 @@
 #include <fstream>
 #include <optional>
 
-#include "app/exports.h"
-#include "app/files.h"
+#include "app/files/exports.h"
+#include "app/files/files.h"
 #include "editor/support/editor_test.h"
 #include "lapfx/authoring/file.h"
 

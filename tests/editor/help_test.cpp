@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/layouts.h"
+#include "app/base/layouts.h"
 #include "editor/support/editor_test.h"
 #include "support/folders.h"
 

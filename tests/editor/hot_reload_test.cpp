@@ -1,4 +1,4 @@
-#include "app/hot_reload.h"
+#include "app/files/hot_reload.h"
 
 #include <glad/gl.h>
 #include <gmock/gmock.h>

@@ -4,13 +4,13 @@
 
 #include <fstream>
 
-#include "app/autosave.h"
-#include "app/files.h"
-#include "app/layouts.h"
-#include "app/saved.h"
-#include "app/settings.h"
-#include "app/snapshots.h"
-#include "app/tuning.h"
+#include "app/base/layouts.h"
+#include "app/base/saved.h"
+#include "app/base/settings.h"
+#include "app/files/autosave.h"
+#include "app/files/files.h"
+#include "app/tuning/snapshots.h"
+#include "app/tuning/tuning.h"
 #include "editor/support/document_fixture.h"
 #include "lapfx/authoring/file.h"
 

@@ -7,7 +7,7 @@
 #include <opencv2/videoio.hpp>
 #include <thread>
 
-#include "app/keying_bench.h"
+#include "app/clips/keying_bench.h"
 #include "editor/support/editor_test.h"
 #include "support/folders.h"
 

@@ -1,5 +1,5 @@
 // Layouts without a window: the test gives them the list of panels.
-#include "app/layouts.h"
+#include "app/base/layouts.h"
 #include <gtest/gtest.h>
 
 #include <set>

@@ -1,8 +1,8 @@
 // Marks on the reference and the loop range: set at the present frame, shown and moved on the timeline, kept in the
 // scene file.
-#include "app/files.h"
-#include "app/reference.h"
-#include "app/timeline.h"
+#include "app/files/files.h"
+#include "app/preview/timeline.h"
+#include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
 #include "support/clips.h"
 #include "support/folders.h"

@@ -5,10 +5,10 @@
 #include <fstream>
 #include <thread>
 
-#include "app/layouts.h"
-#include "app/measure_bench.h"
-#include "app/measuring.h"
-#include "app/reference.h"
+#include "app/base/layouts.h"
+#include "app/measure/measure_bench.h"
+#include "app/measure/measuring.h"
+#include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
 #include "editor/support/held_jobs.h"
 #include "match/measure.h"

@@ -6,10 +6,10 @@
 #include <chrono>
 #include <thread>
 
-#include "app/amounts.h"
-#include "app/keying_bench.h"
-#include "app/reference.h"
-#include "app/snapshots.h"
+#include "app/clips/keying_bench.h"
+#include "app/measure/amounts.h"
+#include "app/reference/reference.h"
+#include "app/tuning/snapshots.h"
 #include "editor/support/editor_test.h"
 #include "lapfx/prepared_organ.h"
 

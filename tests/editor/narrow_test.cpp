@@ -1,7 +1,7 @@
 // Large text and narrow windows: widgets that are next to each other do not overlap, and nothing is wider than its
 // panel.
-#include "app/layouts.h"
-#include "app/snapshots.h"
+#include "app/base/layouts.h"
+#include "app/tuning/snapshots.h"
 #include "editor/support/editor_test.h"
 
 namespace lapfx::test {

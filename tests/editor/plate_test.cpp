@@ -2,8 +2,8 @@
 // when it cannot be made.
 #include <fstream>
 
-#include "app/layouts.h"
-#include "app/reference.h"
+#include "app/base/layouts.h"
+#include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
 #include "support/endoscope.h"
 

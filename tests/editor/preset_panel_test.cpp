@@ -1,9 +1,9 @@
 // The preset panel is made from the parameter table. These tests check its rows and their effect on the preview.
 #include <array>
 
-#include "app/layouts.h"
-#include "app/settings.h"
-#include "app/tuning.h"
+#include "app/base/layouts.h"
+#include "app/base/settings.h"
+#include "app/tuning/tuning.h"
 #include "editor/support/editor_test.h"
 #include "panels/panels.h"
 #include "ui/support/count_allocations.h"

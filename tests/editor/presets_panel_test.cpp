@@ -1,9 +1,9 @@
 // The preset browser: which presets it finds, how it shows them, and what opening one does to the document.
 #include <fstream>
 
-#include "app/browser.h"
-#include "app/layouts.h"
-#include "app/settings.h"
+#include "app/base/layouts.h"
+#include "app/base/settings.h"
+#include "app/browser/browser.h"
 #include "editor/support/editor_test.h"
 #include "panels/panels.h"
 #include "support/folders.h"

@@ -1,11 +1,11 @@
 // The reference panel shows a video that follows the timeline, is aligned with it and compared with the preview.
-#include "app/reference.h"
+#include "app/reference/reference.h"
 
 #include <fstream>
 
-#include "app/layouts.h"
-#include "app/open.h"
-#include "app/settings.h"
+#include "app/base/layouts.h"
+#include "app/base/settings.h"
+#include "app/files/open.h"
 #include "editor/support/editor_test.h"
 #include "support/clips.h"
 #include "support/folders.h"

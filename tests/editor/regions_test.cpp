@@ -1,8 +1,8 @@
 // Regions that are compared: drawn over both pictures, dragged, counted, and plotted over time.
-#include "app/clip_shelf.h"
-#include "app/layouts.h"
-#include "app/reference.h"
-#include "app/snapshots.h"
+#include "app/base/layouts.h"
+#include "app/clips/clip_shelf.h"
+#include "app/reference/reference.h"
+#include "app/tuning/snapshots.h"
 #include "editor/support/editor_test.h"
 #include "support/endoscope.h"
 

@@ -2,14 +2,14 @@
 // in the next.
 #include <sys/stat.h>
 
-#include "app/browser.h"
-#include "app/hot_reload.h"
-#include "app/keying_bench.h"
-#include "app/layouts.h"
-#include "app/open.h"
-#include "app/reference.h"
-#include "app/settings.h"
-#include "app/snapshots.h"
+#include "app/base/layouts.h"
+#include "app/base/settings.h"
+#include "app/browser/browser.h"
+#include "app/clips/keying_bench.h"
+#include "app/files/hot_reload.h"
+#include "app/files/open.h"
+#include "app/reference/reference.h"
+#include "app/tuning/snapshots.h"
 #include "editor/support/editor_test.h"
 #include "lapfx/authoring/documents.h"
 

@@ -1,6 +1,6 @@
 // In every layout, scale and size of the window the main picture stays large enough to work with, all its tools can be
 // reached, and no texts overlap.
-#include "app/layouts.h"
+#include "app/base/layouts.h"
 #include "editor/support/shaped_test.h"
 
 namespace lapfx::test {

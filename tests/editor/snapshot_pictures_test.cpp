@@ -1,9 +1,9 @@
 // Snapshots as pictures: a thumbnail of each, and each one beside the preview, the reference or another one.
-#include "app/clip_shelf.h"
-#include "app/layouts.h"
-#include "app/reference.h"
-#include "app/snapshot_previews.h"
-#include "app/snapshots.h"
+#include "app/base/layouts.h"
+#include "app/clips/clip_shelf.h"
+#include "app/reference/reference.h"
+#include "app/tuning/snapshot_previews.h"
+#include "app/tuning/snapshots.h"
 #include "editor/support/editor_test.h"
 
 namespace lapfx::test {

@@ -1,6 +1,6 @@
 // One clip of the preset is shown alone: in the preview only, told where it is seen, and ended with one press.
-#include "app/clip_shelf.h"
-#include "app/layouts.h"
+#include "app/base/layouts.h"
+#include "app/clips/clip_shelf.h"
 #include "editor/support/editor_test.h"
 
 namespace lapfx::test {

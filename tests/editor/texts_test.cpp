@@ -3,8 +3,8 @@
 #include "ui/support/texts.h"
 #include <gmock/gmock.h>
 
-#include "app/layouts.h"
-#include "app/settings.h"
+#include "app/base/layouts.h"
+#include "app/base/settings.h"
 #include "editor/support/shaped_test.h"
 
 namespace lapfx::test {

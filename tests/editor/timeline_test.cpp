@@ -1,8 +1,8 @@
 // The timeline and the scene panel: events are moved, stretched and typed in. Rows of the scene; the unit of an organ.
 #include <fstream>
 
-#include "app/layouts.h"
-#include "app/organ_choice.h"
+#include "app/base/layouts.h"
+#include "app/files/organ_choice.h"
 #include "editor/support/editor_test.h"
 
 namespace lapfx::test {

@@ -1,5 +1,5 @@
 // The reference lies translucent over the view, so that the camera can be placed by it.
-#include "app/reference.h"
+#include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
 #include "support/clips.h"
 

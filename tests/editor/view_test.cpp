@@ -3,9 +3,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <thread>
 
-#include "app/exports.h"
-#include "app/layouts.h"
-#include "app/reference.h"
+#include "app/base/layouts.h"
+#include "app/files/exports.h"
+#include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
 
 namespace lapfx::test {

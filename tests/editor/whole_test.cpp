@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <opencv2/imgcodecs.hpp>
 
-#include "app/exports.h"
-#include "app/target.h"
+#include "app/files/exports.h"
+#include "app/preview/target.h"
 #include "editor/support/editor_test.h"
 #include "output/files.h"
 #include "support/folders.h"

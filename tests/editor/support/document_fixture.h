@@ -1,7 +1,7 @@
 // A fixture with a preset of the test's own, open in the whole editor, and with the questions that are asked about it.
 #pragma once
 
-#include "app/files.h"
+#include "app/files/files.h"
 #include "editor/support/editor_test.h"
 #include "lapfx/authoring/documents.h"
 

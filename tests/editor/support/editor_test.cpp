@@ -2,10 +2,10 @@
 
 #include <cstdlib>
 
-#include "app/files.h"
-#include "app/layouts.h"
-#include "app/open.h"
-#include "app/preview_host.h"
+#include "app/base/layouts.h"
+#include "app/files/files.h"
+#include "app/files/open.h"
+#include "app/preview/preview_host.h"
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/prepared_scene.h"
 #include "panels/panels.h"

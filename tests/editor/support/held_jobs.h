@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/jobs.h"
+#include "app/base/jobs.h"
 
 namespace lapfx::test {
 

@@ -1,7 +1,7 @@
 // A fixture with the sample scene and its reference, in windows of several sizes and scales.
 #pragma once
 
-#include "app/reference.h"
+#include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
 
 namespace lapfx::test {

@@ -3,9 +3,9 @@
 
 #include <set>
 
-#include "app/file_filters.h"
-#include "app/file_previews.h"
-#include "app/open.h"
+#include "app/base/file_filters.h"
+#include "app/browser/file_previews.h"
+#include "app/files/open.h"
 #include "lapfx/authoring/pack.h"
 #include "output/files.h"
 #include "unit/organ/fixtures.h"

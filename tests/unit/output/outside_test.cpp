@@ -4,8 +4,8 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "app/settings.h"
-#include "app/thumbnail_maker.h"
+#include "app/base/settings.h"
+#include "app/browser/thumbnail_maker.h"
 #include "document/keep.h"
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/file.h"

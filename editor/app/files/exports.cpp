@@ -1,0 +1,503 @@
+#include "app/files/exports.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+
+#include "app/base/file_chooser.h"
+#include "app/base/jobs.h"
+#include "app/base/notices.h"
+#include "app/base/screen.h"
+#include "app/base/settings.h"
+#include "app/preview/looking.h"
+#include "app/preview/preview_host.h"
+#include "app/preview/timeline.h"
+#include "lapfx/authoring/formats.h"
+#include "lapfx/authoring/prepared_scene.h"
+#include "output/files.h"
+
+namespace lapfx::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double step_budget = 0.03;  // s of a frame of the UI
+constexpr glm::ivec2 thumbnail_size{320, 256};
+
+/// "a picture is a .png", "a video is an .mp4, .mov, .mkv or .avi"
+std::string wanted_name(OutputKind kind) {
+    const output::OutputRow& row = output::row_of(kind);
+    std::string title(row.title);
+    title[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(title[0])));
+    if (kind == OutputKind::sequence) return "a " + title + " is named like " + std::string(row.example);
+    const std::string names = listed(*row.content, " or ", true);
+    return "a " + title + " is a" + (names.starts_with(".m") ? "n " : " ") + names;
+}
+
+Fault fault(std::string place, std::string reason) {
+    return {.file = "", .place = std::move(place), .reason = std::move(reason)};
+}
+
+/// "Gastric banding, left" as a file is called: "gastric_banding_left".
+std::string file_name(const std::string& text) {
+    std::string name;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isalnum(byte) != 0)
+            name += static_cast<char>(std::tolower(byte));
+        else if (!name.empty() && name.back() != '_')
+            name += '_';
+    }
+    while (!name.empty() && name.back() == '_') name.pop_back();
+    return name.empty() ? "preset" : name;
+}
+
+/// In quotes for a shell, where it needs them.
+std::string quoted(const std::string& text) {
+    if (!text.empty() &&
+        text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./%") ==
+            std::string::npos)
+        return text;
+    std::string out = "'";
+    for (const char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
+    return out + "'";
+}
+
+/// The shortest text that reads back as the same number: even a slightly earlier time would change some pixels.
+std::string number(double value) {
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+    return {text.data(), end.ptr};
+}
+
+}  // namespace
+
+/// One export, from its start to its end.
+struct Exports::Running {
+    ExportForm form;
+    Scene scene;
+    Preset preset;
+    output::RenderOptions options;
+    output::Loaded loaded;
+    std::shared_ptr<Job> loading;               ///< what the view does not have
+    std::unique_ptr<output::RenderJob> render;  ///< of a bundle: its thumbnail
+    std::shared_ptr<Job> copying;               ///< of a bundle
+    double began = 0;
+
+    void stop_jobs() const {
+        for (const auto& job : {loading, copying})
+            if (job) job->cancel();
+    }
+};
+
+Exports::Exports(const document::Document& document, const Timeline& timeline, const Looking& looking,
+                 PreviewHost& preview, Jobs& jobs, Settings& settings, FileChooser& chooser, Notices& notices,
+                 Screen& screen, std::vector<fs::path> clip_folders, Open open)
+    : document_(document),
+      timeline_(timeline),
+      looking_(looking),
+      preview_(preview),
+      jobs_(jobs),
+      settings_(settings),
+      chooser_(chooser),
+      notices_(notices),
+      screen_(screen),
+      clip_folders_(std::move(clip_folders)),
+      open_(std::move(open)) {}
+
+Exports::~Exports() {
+    if (running_) running_->stop_jobs();
+}
+
+glm::ivec2 ExportForm::px() const {
+    const glm::ivec2 named = export_sizes[static_cast<std::size_t>(std::clamp(size, 0, 6))].px;
+    return named.x > 0 ? named : glm::ivec2(width, height);
+}
+
+void Exports::propose(OutputKind kind) {
+    const document::Document& document = document_;
+    form.kind = static_cast<int>(kind);
+    form.outside_agreed = false;
+    form.at = timeline_.time;
+    if (timeline_.has_range) {
+        form.from = timeline_.range.low;
+        form.to = timeline_.range.high;
+    } else {
+        form.from = 0;
+        form.to = timeline_.duration();
+    }
+    const fs::path& file = document.preset_file();
+    const std::string proposed_for = file.string() + "\n" + document.preset().name;
+    if (proposed_for == proposed_for_) return;
+    proposed_for_ = proposed_for;
+    for (const output::OutputRow& row : output::output_rows())
+        form.files[static_cast<std::size_t>(row.kind)] = proposed(row.kind, row.ending);
+    form.amounts_file = proposed(OutputKind::video, ".csv");
+}
+
+std::string Exports::title(OutputKind kind) {
+    if (kind == OutputKind::bundle) return "Folder for the bundle";
+    return "Export " + std::string(output::row_of(kind).title);
+}
+
+std::string Exports::proposed(OutputKind kind, std::string_view ending) const {
+    const document::Document& document = document_;
+    const fs::path& file = document.preset_file().empty() ? document.scene_file() : document.preset_file();
+    std::error_code error;
+    const fs::path beside = file.empty() ? fs::path() : fs::weakly_canonical(document::folder_of(file), error);
+    const std::string name =
+        document.preset_file().empty() ? file_name(document.preset().name) : document.preset_file().stem().string();
+    return (chooser_.own_folder(title(kind), beside) / (name + std::string(ending))).string();
+}
+
+output::RenderOptions Exports::render_options() const {
+    const ExportForm& f = form;
+    output::RenderOptions options{.size = f.px(),
+                                  .fps = f.fps,
+                                  .overlay = f.overlay ? looking_.overlay : Overlay::none,
+                                  .output = f.file(),
+                                  .clip_folders = clip_folders_};
+    if (f.what() == OutputKind::picture) {
+        options.at = f.at;
+    } else {
+        options.from = f.from;
+        options.to = f.to;
+    }
+    if (f.amounts) options.amounts = f.amounts_file;
+    return options;
+}
+
+int Exports::frames() const {
+    if (!form.renders()) return 0;
+    if (form.what() == OutputKind::picture) return 1;
+    const double count = std::ceil((form.to - form.from) * form.fps - 1e-9);
+    return count > 0 && count < 1e9 ? static_cast<int>(count) : 0;
+}
+
+double Exports::duration() const {
+    return timeline_.duration();
+}
+
+bool Exports::overlaid() const {
+    return looking_.overlay != Overlay::none;
+}
+
+void Exports::check_preset_file(std::vector<Fault>& faults) const {
+    const document::Document& document = document_;
+    for (const Fault& found : document.preset_faults()) faults.push_back(fault("preset", found.text()));
+    const fs::path file = form.file();
+    if (form.what() == OutputKind::preset) {
+        if (!is_named_as(Content::document, file)) return faults.push_back(fault("-o", "a preset is a .json file"));
+        std::vector<Fault> clips;
+        output::preset_in(fs::absolute(file).parent_path(), document.preset(), clip_folders_, clips);
+        for (const Fault& clip : clips) faults.push_back(fault("clips", clip.place + ": " + clip.reason));
+        return;
+    }
+    if (const std::string reason = output::check_bundle_folder(file); !reason.empty())
+        faults.push_back(fault("-o", reason));
+    for (std::size_t i = 0; i < document.preset().smoke.clips.size(); ++i) {
+        const std::string& clip = document.preset().smoke.clips[i].file;
+        const output::ClipFiles found = output::clip_files(clip, document.preset().folder, clip_folders_);
+        if (found.files.empty()) faults.push_back(fault("clips", found.fault));
+    }
+    if (!outside_.empty() && !form.outside_agreed)
+        faults.push_back(fault("outside", "agree to copying the files from elsewhere"));
+}
+
+fs::path Exports::home() const {
+    const document::Document& document = document_;
+    const fs::path& file = form.with_scene ? document.scene_file() : document.preset_file();
+    return file.empty() ? fs::path() : document::folder_of(file);
+}
+
+void Exports::look_outside() {
+    std::vector<output::SourceFile> found;
+    if (form.what() == OutputKind::bundle) {
+        const document::Document& document = document_;
+        const Scene* scene = form.with_scene ? &document.scene() : nullptr;
+        const auto organ = scene != nullptr ? preview_.organ_of(*scene) : nullptr;
+        found = output::outside_files(document.preset(), scene, home(), clip_folders_,
+                                      organ ? std::span(organ->organ().files) : std::span<const fs::path>(),
+                                      organ ? tool_files_of(*organ) : std::vector<fs::path>());
+        std::erase_if(found, [&](const output::SourceFile& s) { return chooser_.shipped(s.file); });
+    }
+    if (found == outside_) return;
+    outside_ = std::move(found);
+    form.outside_agreed = false;  // the person agreed to another list
+}
+
+/// Many widgets ask in each frame; files are looked at only when something has changed.
+void Exports::look_at_form() {
+    if (checked_ == form && checked_version_ == document_.version() && checked_organ_ == preview_.organ_version())
+        return;
+    look_outside();
+    checked_ = form;
+    checked_version_ = document_.version();
+    checked_organ_ = preview_.organ_version();
+    faults_.clear();
+    replaces_ = false;
+    const fs::path file = form.file();
+    if (file.empty() || file.filename().empty()) {
+        faults_.push_back(fault(
+            "-o", form.what() == OutputKind::bundle ? "choose a name for the folder" : "choose a name for the file"));
+    } else {
+        const fs::path first = form.what() == OutputKind::sequence && output::is_sequence_name(file)
+                                   ? output::sequence_name(file, 0)
+                                   : file;
+        std::error_code error;
+        replaces_ = fs::exists(first, error);
+        const fs::path folder = fs::absolute(file, error).parent_path();
+        if (!fs::is_directory(folder, error))
+            faults_.push_back(fault("-o", "there is no folder " + folder.string()));
+        else if (!document::is_writable_folder(folder))
+            faults_.push_back(fault("-o", folder.string() + " cannot be written to"));
+    }
+    if (!form.renders()) return check_preset_file(faults_);
+    if (output::kind_named(file) != form.what()) faults_.push_back(fault("-o", wanted_name(form.what())));
+    for (Fault& found : check(render_options(), timeline_.duration()))
+        if (found.place != "-o") faults_.push_back(std::move(found));
+    std::error_code error;
+    if (form.amounts && !document::is_writable_folder(fs::absolute(form.amounts_file, error).parent_path()))
+        faults_.push_back(fault("--amounts", "its folder is missing or cannot be written to"));
+    if (document_.scene().organ.file.empty()) faults_.push_back(fault("scene", "there is no organ to draw"));
+    for (const Fault& found : document_.preset_faults()) faults_.push_back(fault("preset", found.text()));
+}
+
+const std::vector<Fault>& Exports::faults() {
+    try {
+        look_at_form();
+    } catch (const fs::filesystem_error& error) {  // paths that cannot even be looked at
+        faults_ = {fault("-o", error.code().message())};
+    }
+    return faults_;
+}
+
+std::string_view Exports::fault_at(std::string_view place) {
+    for (const Fault& found : faults())
+        if (found.place == place) return found.reason;
+    return {};
+}
+
+void Exports::start() {
+    checked_version_ = 0;  // files may have come and gone
+    if (!faults().empty() || waits()) return;
+    if (form.what() == OutputKind::preset) return export_preset();
+    running_ = std::make_unique<Running>(Running{.form = form,
+                                                 .scene = document_.scene(),
+                                                 .preset = document_.preset(),
+                                                 .options = render_options(),
+                                                 .loaded = {},
+                                                 .loading = nullptr,
+                                                 .render = nullptr,
+                                                 .copying = nullptr,
+                                                 .began = now_});
+}
+
+/// It is small, so it is written at once, as by saving, and cannot be cancelled.
+void Exports::export_preset() {
+    checked_version_ = 0;
+    try {
+        output::export_preset(document_.preset(), form.file(), clip_folders_);
+        tell_made(form, "Exported " + std::string(ui::name_of_path(form.file())));
+    } catch (const Error& error) {
+        notices_.tell(error);
+    } catch (const std::exception& error) {
+        notices_.tell({{.file = form.file(), .place = "", .reason = error.what()}});
+    }
+}
+
+/// What the view has loaded is used; the rest is loaded by a job.
+void Exports::load() {
+    Running& running = *running_;
+    const std::vector<fs::path>& folders = clip_folders_;
+    const output::Loaded loaded{.organ = preview_.organ_of(running.scene), .clips = preview_.clip_cache()};
+    running.loaded.clips = loaded.clips;
+    if (loaded.organ && loaded.clips->knows(running.preset, folders)) {
+        running.loaded.organ = loaded.organ;
+        return begin();
+    }
+    running.loading = jobs_.start(
+        "Loading for " + std::string(name()),
+        [this, scene = running.scene, preset = running.preset, loaded, folders](Job& job) -> Jobs::Apply {
+            const auto goes_on = [&](double share) {
+                job.set_progress(share);
+                return !job.cancelled();
+            };
+            const auto organ = loaded.organ ? loaded.organ : prepare_organ(scene, preset.vessels, goes_on);
+            if (!organ || !loaded.clips->look_through(preset, folders, goes_on)) return {};
+            return [this, organ] {
+                running_->loading.reset();
+                running_->loaded.organ = organ;
+            };
+        },
+        [this](const std::vector<Fault>& faults) { fail(faults); });
+}
+
+/// Outside of the UI's build. For a bundle, first its thumbnail: at the time that the view shows, through the scene's
+/// camera.
+void Exports::begin() {
+    output::RenderOptions options = running_->options;
+    if (running_->form.what() == OutputKind::bundle)
+        options = {.size = thumbnail_size, .at = timeline_.time, .clip_folders = clip_folders_};
+    running_->began = now_;  // loading has a progress of its own
+    running_->render =
+        std::make_unique<output::RenderJob>(running_->scene, running_->preset, std::move(options), running_->loaded);
+}
+
+void Exports::begin_copying() {
+    auto bundle = std::make_shared<output::Bundle>(output::Bundle{.preset = running_->preset,
+                                                                  .folder = fs::absolute(running_->form.file()),
+                                                                  .clip_folders = clip_folders_,
+                                                                  .thumbnail = running_->render->image()});
+    if (running_->form.with_scene) bundle->scene = running_->scene;
+    running_->render.reset();
+    running_->copying = jobs_.start(
+        "Exporting " + bundle->folder.filename().string(),
+        [this, bundle](Job& job) -> Jobs::Apply {
+            const output::BundleContent made = write_bundle(*bundle, [&](double share) {
+                job.set_progress(share);
+                return !job.cancelled();
+            });
+            return [this, made] { end(std::to_string(made.files) + " files, " + ui::size_text(made.bytes)); };
+        },
+        [this](const std::vector<Fault>& faults) { fail(faults); });
+}
+
+void Exports::cancel() {
+    if (!running_) return;
+    running_->stop_jobs();
+    notices_.add({.text = "Export of " + std::string(name()) + " cancelled: nothing was written"});
+    running_.reset();
+}
+
+std::string_view Exports::name() const {
+    if (!running_) return {};
+    const std::string_view file = running_->form.file();
+    return ui::name_of_path(file);
+}
+
+double Exports::progress() const {
+    if (!running_) return 0;
+    if (const Job* beside = job()) return beside->progress();
+    const bool bundle = running_->form.what() == OutputKind::bundle;
+    return running_->render && !bundle ? running_->render->progress() : 0;
+}
+
+const Job* Exports::job() const {
+    if (!running_) return nullptr;
+    return running_->loading ? running_->loading.get() : running_->copying.get();
+}
+
+bool Exports::loading() const {
+    return running_ && running_->loading;
+}
+
+double Exports::seconds_left() const {
+    const double share = progress();
+    return running_ && !loading() && share > 0.02 ? (now_ - running_->began) * (1 - share) / share : -1;
+}
+
+std::string Exports::progress_text() const {
+    if (!running_) return {};
+    if (!running_->render && !running_->copying) return "loading";
+    if (running_->form.what() == OutputKind::bundle) return running_->copying ? "copying and checking" : "thumbnail";
+    const output::RenderJob& job = *running_->render;
+    if (job.drawn() == job.frames()) return "reading back";
+    return std::to_string(job.drawn()) + " of " + std::to_string(job.frames()) +
+           (job.frames() == 1 ? " frame" : " frames");
+}
+
+void Exports::update(double now) {
+    now_ = now;
+    if (!running_) return;
+    if (const auto& job = running_->loading ? running_->loading : running_->copying) {
+        if (job->cancelled()) cancel();  // by the list of jobs
+        return;
+    }
+    try {
+        if (!running_->loaded.organ) return load();
+        if (!running_->render) return begin();
+        const auto start = std::chrono::steady_clock::now();
+        do {
+            step();
+        } while (running_ && running_->render &&
+                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < step_budget);
+    } catch (const Error& error) {
+        fail(error.faults());
+    } catch (const std::exception& error) {  // no memory for a picture, an encoder that gives up
+        fail({{.file = running_ ? running_->form.file() : "", .place = "", .reason = error.what()}});
+    }
+}
+
+void Exports::step() {
+    output::RenderJob& job = *running_->render;
+    job.step();
+    if (!job.done()) return;
+    if (running_->form.what() == OutputKind::bundle) return begin_copying();
+    end(job.frames() == 1 ? "" : std::to_string(job.frames()) + " frames");
+}
+
+void Exports::end(const std::string& what) {
+    const ExportForm form_was = running_->form;
+    std::string text = "Exported " + std::string(name());
+    if (!what.empty()) text += " (" + what + ")";
+    running_.reset();
+    tell_made(form_was, text);
+}
+
+/// A bundle can be opened, as it will be on another computer. Of other files the notice gives the path.
+void Exports::tell_made(const ExportForm& made, const std::string& text) {
+    checked_version_ = 0;
+    std::error_code error;
+    const fs::path path = fs::absolute(made.file(), error);
+    settings_.note_folder(title(made.what()), path.parent_path().string());
+    ui::Toast toast{.kind = ui::ToastKind::good, .text = text + ", checked"};
+    if (made.what() == OutputKind::bundle) {
+        toast.action = "Open the bundle";
+        const std::string name = path.filename().string() + (made.with_scene ? ".scene.json" : ".json");
+        toast.act = [this, file = (path / name).string()] { open_({file}); };
+    } else {
+        toast.action = "Copy path";
+        toast.act = [this, path = path.string()] {
+            if (ui::Clipboard* clipboard = screen_.clipboard()) clipboard->set(path);
+        };
+    }
+    notices_.add(std::move(toast));
+}
+
+void Exports::fail(const std::vector<Fault>& faults) {
+    running_.reset();
+    checked_version_ = 0;
+    notices_.tell(faults);
+}
+
+std::string Exports::command() const {
+    const document::Document& document = document_;
+    std::vector<Fault> faults;
+    if (!form.renders()) faults.push_back(fault("", "lapfx render makes pictures, sequences and videos"));
+    if (document.scene_file().empty() || document.scene_unsaved())
+        faults.push_back(fault("", "the scene is not saved: a command line reads it from its file"));
+    if (document.preset_unsaved())
+        faults.push_back(fault("", "the preset is not saved: a command line reads it from its file"));
+    if (!faults.empty()) throw Error(Failure::bad_input, std::move(faults));
+    std::error_code error;
+    const auto path = [&](const fs::path& file) {
+        return quoted(fs::absolute(file, error).lexically_normal().string());
+    };
+    std::string line = "lapfx render " + path(document.scene_file());
+    if (!document.preset_file().empty()) line += " --preset " + path(document.preset_file());
+    line += " --size " + std::to_string(form.px().x) + "x" + std::to_string(form.px().y);
+    if (form.what() == OutputKind::picture)
+        line += " --at " + number(form.at);
+    else
+        line += " --fps " + number(form.fps) + " --from " + number(form.from) + " --to " + number(form.to);
+    if (form.overlay && looking_.overlay != Overlay::none)
+        line += " --overlay " + std::string(row_of(looking_.overlay).key);
+    if (form.amounts) line += " --amounts " + path(form.amounts_file);
+    return line + " -o " + path(form.file());
+}
+
+}  // namespace lapfx::app

@@ -1,0 +1,157 @@
+// New, open, save, close: what each asks first, and what it says when it fails. A question is data here;
+// panels/closing_dialog.cpp shows it. Nothing is lost without an answer that says so.
+//
+//     editor.files().save_preset();                    // asks for a name where there is none
+//     if (const auto* q = editor.files().question()) ...  // "tuned.json has been changed by another program"
+//     editor.files().answer(0);
+//
+// A document that is open is locked (document/lock.h): a second editor is told. UI thread.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/files/open.h"
+#include "document/lock.h"
+
+namespace lapfx::ui {
+class CommandTable;
+}
+
+namespace lapfx::app {
+
+class Autosave;
+class ClipShelf;
+class Exports;
+class FileChooser;
+class Layouts;
+class Notices;
+class OrganChoice;
+class Reference;
+class Settings;
+class Snapshots;
+struct EditorOptions;
+struct Looking;
+
+class Files {
+  public:
+    using Then = std::function<void()>;
+
+    /// What is opened, saved and closed concerns many parts.
+    struct Parts {
+        document::Document& document;
+        std::vector<std::size_t>& selected;  ///< of the scene's events
+        Looking& looking;
+        Autosave& autosave;
+        ClipShelf& clips;
+        Exports& exports;
+        FileChooser& chooser;
+        Layouts& layouts;
+        OrganChoice& organ_choice;
+        Reference& reference;
+        Settings& settings;
+        Snapshots& snapshots;
+        ui::CommandTable& commands;  ///< a question may lead to the export of a bundle
+        Notices& notices;
+        const EditorOptions& options;
+        /// Another document, or another preset alone, is open: whoever works on the former one lets go of it.
+        std::function<void(bool scene_too)> forget_document;
+    };
+    explicit Files(Parts parts) : parts_(std::move(parts)) {}
+
+    // --- commands: each asks what it has to --------------------------------------------------------------------------
+    void make_new();  ///< the sample's organ with the default preset, without events
+    void open_dialog();
+    /// `then` follows when it has been saved.
+    void save_preset(Then then = {});
+    void save_preset_as(Then then = {});
+    void save_scene(Then then = {});
+    void save_scene_as(Then then = {});
+    void save_all(Then then = {});
+    /// Ends the editor, or asks what is not saved.
+    void close();
+    bool closed() const { return closed_; }  ///< the window is to close
+
+    // --- opening -----------------------------------------------------------------------------------------------------
+    /// Scenes, presets, organs, clips, whatever they are (app/files/open.h). What is wrong is told by notices. Asks
+    /// first when work would be lost, or another editor has the file.
+    void open(const std::vector<std::string>& files);
+    /// The same for files that a person brings (dropped, chosen, recent): a video may be a smoke clip or the reference,
+    /// and is asked about; an organ is opened by the dialog that sets its unit and orientation.
+    void bring(const std::vector<std::string>& files);
+    /// Does the same as open(), but discards unsaved changes: the person has been asked.
+    void open_anyway(const std::vector<std::string>& files);
+    /// Makes the work that an editor left when it crashed (Autosave::offers) the document.
+    void recover(std::size_t offer);
+    /// The program itself has put something into the document, at its start or recovered: asks the same question
+    /// afterwards.
+    void note_opened();
+
+    /// Asks what videos are to be: clips of smoke, or, the first of them, the reference.
+    void ask_use(const std::vector<std::string>& videos);
+
+    // --- what is asked -----------------------------------------------------------------------------------------------
+    struct Answer {
+        std::string label;
+        std::string tip{};
+        Then act{};
+        bool standard = false, cancel = false;
+    };
+    struct Question {
+        std::string title, text;
+        std::vector<std::string> lines{};  ///< details, a line each
+        std::vector<Answer> answers{};
+        std::uint64_t serial = 0;  ///< another one for each question
+    };
+    const Question* question() const { return question_ ? &*question_ : nullptr; }
+    void answer(std::size_t index);
+
+    /// "my_bleed.json* - lagb.scene.json - lapfx"; an asterisk: not saved.
+    const std::string& title();
+
+  private:
+    enum class Kind { scene, preset };
+    const std::filesystem::path& file(Kind kind) const;
+    bool needs_name(Kind kind) const;
+    /// False: there is unsaved work that would go; it is asked, and open() called again after the answer.
+    bool ready_to_open(const std::vector<std::string>& files);
+    /// What was opened becomes the document; asks first when it is open in another editor.
+    void put(Opened opened, const std::vector<std::string>& files);
+    void ask(Question question);
+    void ask_unsaved(std::string title, Then then, Then otherwise, bool scene_too = true);
+    void ask_running(Then then);
+    void ask_failed(Kind kind, const std::filesystem::path& file, const std::vector<Fault>& faults, Then then);
+    void ask_outside(const std::filesystem::path& file, const std::vector<std::string>& clips, Then then);
+    void ask_in_use(const std::vector<Kind>& used, const std::vector<std::filesystem::path>& files, Then go_on,
+                    Then otherwise);
+    void save(Kind kind, Then then);
+    void save_as(Kind kind, Then then);
+    void save_to(Kind kind, const std::filesystem::path& file, Then then);
+    std::string name_for(Kind kind, const std::filesystem::path& to) const;
+    void write(Kind kind, const std::filesystem::path& file, const Then& then);
+    struct Kinds {
+        bool scene = false, preset = false;
+    };
+    static Kinds kinds_of(const std::vector<std::string>& files);
+    void become(Opened opened, const std::vector<std::string>& files, Kinds kinds);
+    void relock();
+    /// False: another editor has locked it. A file that cannot be locked at all counts as ours; that is told once.
+    bool lock(Kind kind, const std::filesystem::path& file);
+    std::string holder(const std::filesystem::path& file) const;
+    std::vector<std::string> unsaved_words() const;
+    std::string shipped_words(bool scene_too) const;
+
+    Parts parts_;
+    std::optional<Question> question_;
+    std::uint64_t serial_ = 0;
+    bool agreed_ = false, lock_told_ = false, closed_ = false;
+    std::optional<document::Lock> locks_[2];
+    std::string title_;
+    std::uint64_t title_version_ = 0;
+};
+
+}  // namespace lapfx::app

@@ -1,0 +1,138 @@
+#include "app/files/open.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include "app/preview/orbit.h"
+#include "lapfx/authoring/documents.h"
+#include "lapfx/authoring/file.h"
+#include "lapfx/authoring/formats.h"
+#include "lapfx/authoring/organ_report.h"
+
+namespace lapfx::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path preset_file_of(const Scene& scene) {
+    return scene.preset.empty() ? fs::path() : named_path(scene.folder, scene.preset, Reach::anywhere, "", "/preset");
+}
+
+void open_scene(Opened& opened, const fs::path& file) {
+    Scene& scene = opened.content.scene = load_scene(file);
+    // The paths are the same as in the document, so that it asks for the files that were loaded early.
+    scene.folder = document::folder_of(file);
+    opened.content.preset = preset_of(scene);
+    opened.scene_file = file;
+    opened.preset_file = preset_file_of(scene);
+    if (!scene.preset.empty()) opened.content.preset.folder = document::folder_of(opened.preset_file);
+}
+
+void open_preset(Opened& opened, const fs::path& file) {
+    opened.content.preset = load_preset(file);
+    opened.content.preset.folder = document::folder_of(file);
+    opened.preset_file = file;
+}
+
+/// Seen from the front. What belonged to the former organ goes: events, and where the tool came from.
+void open_organ(Opened& opened, const fs::path& file) {
+    Scene& scene = opened.content.scene;
+    scene.organ = {.file = fs::absolute(file).string()};
+    scene.name = file.stem().string();
+    scene.events.clear();
+    const OrganReport organ = report(load_organ(file));
+    for (const std::string& warning : organ.warnings) opened.warnings.push_back(file.string() + ": " + warning);
+    const SceneCamera former = scene.camera;
+    scene.camera = frame(organ);
+    scene.camera.exposure = former.exposure;
+    scene.camera.vignette = former.vignette;
+    scene.tool.port = port_for(scene.camera);
+    scene.light.focus_distance = glm::distance(scene.camera.eye, scene.camera.target);
+    opened.scene_file.clear();
+}
+
+/// A smoke video becomes the plume; the haze stays, wherever its clips lie.
+void open_clip(Opened& opened, const fs::path& file) {
+    const bool numbered =
+        file.filename().string().find('%') != std::string::npos;  // the preview tells when no such file exists
+    if (!numbered && !fs::exists(file))
+        throw Error(Failure::bad_input, Fault{.file = file.string(), .place = "", .reason = "no such file"});
+    Preset& preset = opened.content.preset;
+    auto& clips = preset.smoke.clips;
+    std::erase_if(clips, [](const SmokeClip& clip) { return clip.role == ClipRole::plume; });
+    clips.insert(clips.begin(), {.file = fs::absolute(file).lexically_normal().string()});
+    document::gather_clips(preset, preset.folder, {});
+    opened.preset_file.clear();
+}
+
+/// Whether it begins with printable characters alone, as texts do, and no video or picture.
+bool is_text(const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) return false;  // asked first: opening a pipe would wait for its writer
+    std::ifstream in(file, std::ios::binary);
+    if (!in) return false;
+    std::string begin(4096, '\0');
+    in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    begin.resize(static_cast<std::size_t>(in.gcount()));
+    return !begin.empty() && std::all_of(begin.begin(), begin.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte >= ' ' ? byte != 127 : byte == '\n' || byte == '\r' || byte == '\t' || byte == '\f';
+    });
+}
+
+}  // namespace
+
+bool is_document_name(const fs::path& file) {
+    return is_named_as(Content::document, file);
+}
+
+bool is_organ_name(const fs::path& file) {
+    return is_named_as(Content::mesh, file);
+}
+
+FileKind kind_of(const fs::path& file) {
+    if (is_organ_name(file)) return FileKind::organ;
+    if (!is_document_name(file)) {
+        if (is_text(file))
+            throw Error(Failure::bad_input, Fault{.file = file.string(),
+                                                  .place = "",
+                                                  .reason = "is a text, but not a scene, a preset or an organ"});
+        return FileKind::video;
+    }
+    return check_document(file).kind == "preset" ? FileKind::preset : FileKind::scene;
+}
+
+Preset preset_of(const Scene& scene) {
+    return scene.preset.empty() ? Preset{} : load_preset(preset_file_of(scene));
+}
+
+Opened open_sample(const fs::path& data_folder) {
+    Opened opened;
+    open_scene(opened, data_folder / "samples" / "lagb.scene.json");
+    return opened;
+}
+
+void open_files(Opened& opened, const std::vector<std::string>& files) {
+    std::vector<std::string> presets, organs, clips;
+    for (const std::string& file : files) {
+        switch (kind_of(file)) {
+            case FileKind::scene:
+                open_scene(opened, file);
+                break;
+            case FileKind::preset:
+                presets.push_back(file);
+                break;
+            case FileKind::organ:
+                organs.push_back(file);
+                break;
+            default:
+                clips.push_back(file);
+        }
+    }
+    for (const std::string& file : presets) open_preset(opened, file);
+    for (const std::string& file : organs) open_organ(opened, file);
+    for (const std::string& file : clips) open_clip(opened, file);
+}
+
+}  // namespace lapfx::app

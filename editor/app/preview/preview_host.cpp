@@ -1,0 +1,465 @@
+#include "app/preview/preview_host.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "app/base/paths.h"
+#include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/compare.h"
+#include "lapfx/authoring/prepared_scene.h"
+
+namespace lapfx::app {
+
+namespace {
+
+constexpr int most_errors = 16;
+constexpr double sample_time = 0.01;  // s between samples of the tool in the hand
+
+bool same_camera(const SceneCamera& a, const SceneCamera& b) {
+    return a.eye == b.eye && a.target == b.target && a.up == b.up && a.field_of_view == b.field_of_view &&
+           a.exposure == b.exposure && a.vignette == b.vignette;
+}
+
+/// Of what its organ is loaded from.
+std::string organ_name(const Scene& scene) {
+    return std::filesystem::path(scene.plate.use ? scene.reference.file : scene.organ.file).filename().string();
+}
+
+/// Leaves out what the other clips show. Without a haze clip the haze would be even: a plume alone has none.
+void leave_alone(SmokeParameters& smoke, const std::optional<std::size_t>& clip) {
+    if (!clip || *clip >= smoke.clips.size()) return;
+    for (std::size_t i = 0; i < smoke.clips.size(); ++i)
+        if (i != *clip) smoke.clips[i].weight = 0;
+    if (smoke.clips[*clip].role != ClipRole::haze) smoke.haze.accumulation = 0;
+}
+
+}  // namespace
+
+namespace {
+
+/// Null when the job was cancelled. Throws what loading threw.
+std::shared_ptr<const PreparedOrgan> wait_for(EarlyLoad& early, Job& job) {
+    using namespace std::chrono_literals;
+    while (early.organ.wait_for(20ms) != std::future_status::ready) {
+        job.set_progress(early.progress);
+        if (job.cancelled()) early.stopped = true;
+    }
+    std::shared_ptr<const PreparedOrgan> organ = early.organ.get();
+    early.clips_known.wait();  // or they would be looked through twice
+    return organ;
+}
+
+}  // namespace
+
+std::shared_ptr<EarlyLoad> load_early(const Scene& scene, const Preset& preset,
+                                      const std::vector<std::filesystem::path>& clip_folders) {
+    auto early = std::make_shared<EarlyLoad>();
+    early->scene = scene;
+    early->clips = std::make_shared<ClipCache>();
+    // Both end before what they refer to goes: their futures are parts of it.
+    early->organ = std::async(std::launch::async, [scene, vessels = preset.vessels, e = early.get()] {
+        return prepare_organ(scene, vessels, [e](double share) {
+            e->progress = share;
+            return !e->stopped;
+        });
+    });
+    early->clips_known = std::async(std::launch::async, [preset, clip_folders, e = early.get()] {
+        e->clips->look_through(preset, clip_folders, [e](double) { return !e->stopped; });
+    });
+    return early;
+}
+
+std::shared_ptr<EarlyLoad> loaded_already(const Scene& scene, const std::shared_ptr<const PreparedOrgan>& organ,
+                                          const std::shared_ptr<ClipCache>& clips) {
+    auto early = std::make_shared<EarlyLoad>();
+    early->scene = scene;
+    early->clips = clips;
+    std::promise<std::shared_ptr<const PreparedOrgan>> ready;
+    early->organ = ready.get_future();
+    ready.set_value(organ);
+    std::promise<void> known;
+    early->clips_known = known.get_future();
+    known.set_value();
+    return early;
+}
+
+PreviewHost::PreviewHost(const PreviewOptions& options, Jobs& jobs, std::shared_ptr<EarlyLoad> early)
+    : options_(options), jobs_(jobs), early_(std::move(early)) {
+    options_.clip_cache = early_ ? early_->clips : std::make_shared<ClipCache>();
+}
+PreviewHost::~PreviewHost() = default;
+
+ui::ImageHandle PreviewHost::picture() const {
+    return preview_ ? target_.texture() : 0;
+}
+
+glm::ivec2 PreviewHost::size() const {
+    return target_.size();
+}
+
+// --- following -------------------------------------------------------------------------------------------------------
+
+void PreviewHost::follow(const document::Document& document) {
+    if (tool_on_) return;
+    if ((organ_job_ && organ_job_->cancelled()) || (clips_job_ && clips_job_->cancelled())) cancel_loading();
+    if (document.version() != followed_ || wanted_alone_ != alone_) {
+        if (document.scene_changes_since(followed_) != 0) wanted_.scene = document.scene();
+        if (document.preset_changes_since(followed_) != 0 || wanted_alone_ != alone_) {
+            wanted_.preset = document.preset();
+            wanted_faults_ = document.preset_faults();
+            leave_alone(wanted_.preset.smoke, alone_);
+            wanted_alone_ = alone_;
+        }
+        followed_ = document.version();
+        stale_ = true;
+    }
+    // What jobs bring makes it stale again: in exact mode all of it is waited for, else there is one turn.
+    do {
+        if (!std::exchange(stale_, false)) return;
+        if (!asked_scene_ || !same_organ(*asked_scene_, wanted_.scene)) {
+            asked_scene_ = wanted_.scene;
+            load_organ();
+        }
+        // One that cannot be shown, for a gravity without direction, waits until the scene is another one.
+        if (ready_organ_ && show(ready_organ_)) ready_organ_ = nullptr;
+        follow_preset();
+        follow_scene();
+        if (options_.wait_for_clips) jobs_.finish();
+    } while (options_.wait_for_clips);
+}
+
+void PreviewHost::load_organ() {
+    if (organ_job_) organ_job_->cancel();
+    // A document without an organ, which an editor begins with, is not the one that it was for.
+    std::shared_ptr<EarlyLoad> early = organ_name(wanted_.scene).empty() ? nullptr : std::exchange(early_, nullptr);
+    const bool in_time = early && same_organ(early->scene, wanted_.scene);
+    if (early && !in_time) early->stopped = true;  // the job keeps it until it has ended
+    ready_organ_ = nullptr;
+    organ_files_.clear();
+    const auto work = [content = wanted_, early, in_time, options = options_, this](Job& job) -> Jobs::Apply {
+        const auto tell = [&](double share) {
+            job.set_progress(share);
+            return !job.cancelled();
+        };
+        auto organ = in_time ? wait_for(*early, job) : prepare_organ(content.scene, content.preset.vessels, tell);
+        if (!organ || !options.clip_cache->look_through(content.preset, options.clip_folders,
+                                                        [&](double) { return !job.cancelled(); }))
+            return {};
+        return [this, organ] {
+            organ_job_ = nullptr;
+            ready_organ_ = organ;
+            stale_ = true;
+        };
+    };
+    const auto failed = [this](const std::vector<Fault>& faults) {
+        organ_job_ = nullptr;
+        organ_faults_ = faults;
+        scene_fault_ = false;
+        ++organ_version_;
+    };
+    organ_job_ = jobs_.start("Loading " + organ_name(wanted_.scene), work, failed);
+}
+
+/// The organ that was waited for. What is wrong with the preset or with its clips keeps no organ from being shown.
+bool PreviewHost::show(const std::shared_ptr<const PreparedOrgan>& organ) {
+    changed_ = true;
+    const auto make = [&](const Preset& preset) {
+        try {
+            preview_ = std::make_unique<Preview>(wanted_.scene, preset, organ, options_);
+            clips_shown_ = false;
+            glReleaseShaderCompiler();  // a software renderer's is large
+            organ_faults_.clear();
+            scene_fault_ = false;
+            return true;
+        } catch (const Error& error) {
+            organ_faults_ = error.faults();
+            return false;
+        }
+    };
+    organ_files_ = files_of(*organ);
+    const Preset whole = document::mended(wanted_.preset, good_);
+    Preset bare = whole;
+    bare.smoke.clips.clear();
+    const bool known = options_.clip_cache->knows(whole, options_.clip_folders);
+    if (!(known && make(whole)) && !make(bare)) return false;
+    organ_ = organ;
+    ++organ_version_;
+    overlay_ = options_.overlay;
+    shown_scene_ = wanted_.scene;
+    shown_preset_.reset();  // clips that were not there yet, and what is wrong with the preset
+    return true;
+}
+
+void PreviewHost::follow_preset() {
+    if (!preview_) return;
+    unsigned differ = ~0U;
+    if (shown_preset_) {
+        differ = difference(preset_table(), &*shown_preset_, &wanted_.preset);
+        if (shown_preset_->folder != wanted_.preset.folder) differ |= redo::clips;
+    }
+    if (differ == 0) return;
+    changed_ = true;
+    shown_preset_ = wanted_.preset;
+    // One value that cannot be shown keeps no other from being seen.
+    std::vector<Fault> faults = wanted_faults_;
+    if (faults.empty() && clips_shown_ && (differ & redo::clips) == 0) return show_parameters(wanted_.preset);
+    const Preset preset = document::mended(wanted_.preset, good_);
+    if (!options_.clip_cache->knows(preset, options_.clip_folders)) {
+        look_through_clips();
+        return show_parameters(preset);
+    }
+    if (clips_job_) std::exchange(clips_job_, nullptr)->cancel();
+    try {
+        preview_->set_preset(preset);
+        good_ = preset;
+        clips_shown_ = faults.empty();
+        preset_faults_ = std::move(faults);
+    } catch (const Error& error) {
+        clips_shown_ = false;
+        preset_faults_ = error.faults();
+        show_parameters(preset);
+    }
+}
+
+/// Clips continue to play; everything else changes at once.
+void PreviewHost::show_parameters(const Preset& preset) {
+    try {
+        preview_->set_parameters(preset);
+        if (!clips_shown_) {
+            Preset shown = preset;
+            shown.folder = good_.folder;
+            shown.smoke.clips = good_.smoke.clips;
+            good_ = std::move(shown);
+        } else {
+            good_ = preset;
+            preset_faults_.clear();
+        }
+        if (clips_job_) preset_faults_ = wanted_faults_;
+    } catch (const Error& error) {
+        preset_faults_ = error.faults();
+    }
+}
+
+void PreviewHost::look_through_clips() {
+    clips_shown_ = false;
+    std::vector<std::filesystem::path> files = clip_files(wanted_.preset);
+    if (clips_job_ && files == opening_) return;
+    if (clips_job_) clips_job_->cancel();
+    opening_ = std::move(files);
+    const auto work = [preset = wanted_.preset, options = options_, this](Job& job) -> Jobs::Apply {
+        options.clip_cache->look_through(preset, options.clip_folders, [&](double share) {
+            job.set_progress(share);
+            return !job.cancelled();
+        });
+        return [this] {
+            clips_job_ = nullptr;
+            shown_preset_.reset();
+            stale_ = true;
+        };
+    };
+    const auto failed = [this](const std::vector<Fault>& faults) {
+        clips_job_ = nullptr;
+        preset_faults_ = faults;
+    };
+    clips_job_ = jobs_.start("Opening clips", work, failed);
+}
+
+void PreviewHost::follow_scene() {
+    const Scene& scene = wanted_.scene;
+    if (!preview_ || !preview_->takes(scene)) return;  // its organ is on its way
+    if (shown_scene_ && equal(scene_table(), &scene, &*shown_scene_)) return;
+    shown_scene_ = scene;
+    changed_ = true;
+    try {
+        preview_->set_scene(scene);
+        if (std::exchange(scene_fault_, false)) organ_faults_.clear();
+    } catch (const Error& error) {
+        organ_faults_ = error.faults();
+        scene_fault_ = true;
+    }
+}
+
+// --- loading ---------------------------------------------------------------------------------------------------------
+
+std::optional<Loading> PreviewHost::loading() const {
+    const std::shared_ptr<Job>& job = organ_job_ ? organ_job_ : clips_job_;
+    if (!job) return std::nullopt;
+    return Loading{
+        .name = organ_job_ ? organ_name(wanted_.scene) : "clips", .progress = job->progress(), .job = job.get()};
+}
+
+void PreviewHost::cancel_loading() {
+    if (organ_job_) {
+        std::exchange(organ_job_, nullptr)->cancel();
+        organ_faults_ = {{.file = organ_name(wanted_.scene),
+                          .place = "",
+                          .reason = "loading was cancelled; Reload from disk loads it again"}};
+        ++organ_version_;
+    }
+    if (clips_job_) {
+        std::exchange(clips_job_, nullptr)->cancel();
+        preset_faults_ = {{.file = "",
+                           .place = "/smoke/clips",
+                           .reason = "opening was cancelled; Reload from disk opens them again"}};
+    }
+}
+
+void PreviewHost::reload_clips(const std::vector<std::filesystem::path>& changed) {
+    for (const std::filesystem::path& path : changed) options_.clip_cache->forget(path);
+    if (changed.empty()) options_.clip_cache->forget();
+    shown_preset_.reset();
+    stale_ = true;
+}
+
+void PreviewHost::reload_organ() {
+    asked_scene_.reset();
+    stale_ = true;
+}
+
+void PreviewHost::reload_shaders(const std::filesystem::path& folder) {
+    if (!preview_) return;
+    preview_->reload_shaders(folder);
+    changed_ = true;
+}
+
+std::vector<std::filesystem::path> PreviewHost::clip_files(const Preset& preset) const {
+    return clip_places(preset, options_.clip_folders);
+}
+
+std::vector<std::filesystem::path> PreviewHost::organ_files(const Scene& scene) const {
+    std::vector<std::filesystem::path> files = organ_files_;
+    for (const std::string& file : {scene.organ.file, scene.tool.file})
+        if (std::filesystem::path path = path_from(scene.folder, file); !path.empty()) files.push_back(std::move(path));
+    for (std::filesystem::path& file : files) file = std::filesystem::absolute(file).lexically_normal();
+    std::sort(files.begin(), files.end());
+    files.erase(std::unique(files.begin(), files.end()), files.end());
+    return files;
+}
+
+std::shared_ptr<const PreparedOrgan> PreviewHost::organ_of(const Scene& scene) const {
+    return organ_ && made_for(*organ_, scene) ? organ_ : nullptr;
+}
+
+MemoryUse PreviewHost::memory_use() const {
+    MemoryUse use = preview_ ? preview_->memory_use() : MemoryUse{};
+    use.targets += target_.memory() + small_.memory();
+    return use;
+}
+
+// --- the driver ------------------------------------------------------------------------------------------------------
+
+std::optional<Fault> PreviewHost::check_driver(double now) {
+    if (lost_ || !unchecked_ || now - checked_ < 1.0) return std::nullopt;
+    unchecked_ = false;
+    checked_ = now;
+    GLenum error = GL_NO_ERROR;
+    for (int i = 0; i < most_errors; ++i)  // a lost context has no end of them
+        if (const GLenum one = glGetError(); one != GL_NO_ERROR) error = one;
+    lost_ = error == GL_CONTEXT_LOST || glGetGraphicsResetStatus() != GL_NO_ERROR;
+    if (lost_)
+        return Fault{.file = "",
+                     .place = "",
+                     .reason = "the graphics driver was reset and the picture is lost; start lapfx again to continue"};
+    if (error == GL_NO_ERROR || error == told_error_) return std::nullopt;
+    told_error_ = error;
+    const std::string what = error == GL_OUT_OF_MEMORY ? "has run out of memory" : "reports " + std::to_string(error);
+    return Fault{.file = "", .place = "", .reason = "OpenGL " + what + "; the picture may be wrong"};
+}
+
+// --- drawing ---------------------------------------------------------------------------------------------------------
+
+void PreviewHost::resize(glm::ivec2 size) {
+    size = glm::clamp(size, glm::ivec2(0), glm::ivec2(8192));
+    if (size == target_.size() || size.x < 1 || size.y < 1) return;
+    target_.resize(size);
+    changed_ = true;
+}
+
+bool PreviewHost::draw(const Shot& shot) {
+    return draw_into(target_, shot, last_, drawn_);
+}
+
+bool PreviewHost::draw_into(PreviewCopy& copy, const Shot& shot) {
+    return draw_into(copy.target, shot, copy.shot, copy.revision);
+}
+
+bool PreviewHost::draw_into(const Target& target, const Shot& wanted, Shot& last, std::uint64_t& drawn) {
+    if (!preview_ || lost_ || target.texture() == 0) return false;
+    // The camera that is set may already be that of the organ on its way.
+    Shot shot = wanted;
+    if (organ_job_ && drawn != 0) shot.camera = last.camera;
+    if (std::exchange(changed_, false)) ++revision_;
+    const bool same = shot.time == last.time && same_camera(shot.camera, last.camera) && shot.overlay == last.overlay &&
+                      shot.scale <= last.scale;
+    if (same && drawn == revision_ && !tool_on_ && !late()) return false;
+    if (std::exchange(overlay_, shot.overlay) != shot.overlay) preview_->set_overlay(shot.overlay);
+    preview_->set_camera(shot.camera);
+    if (shot.scale < 1)
+        draw_stretched(target, shot);
+    else
+        preview_->draw(shot.time, target.size(), target.framebuffer());
+    last = shot;
+    drawn = revision_;
+    unchecked_ = true;
+    return true;
+}
+
+void PreviewHost::draw_stretched(const Target& target, const Shot& shot) {
+    const glm::ivec2 to = target.size();
+    small_.resize(glm::max(glm::ivec2(glm::round(glm::dvec2(to) * shot.scale)), glm::ivec2(1)));
+    preview_->draw(shot.time, small_.size(), small_.framebuffer());
+    glBlitNamedFramebuffer(small_.framebuffer(), target.framebuffer(), 0, 0, small_.size().x, small_.size().y, 0, 0,
+                           to.x, to.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+}
+
+bool PreviewHost::late() const {
+    return preview_ && !lost_ && preview_->late();
+}
+
+void PreviewHost::push_sample(double time, glm::dvec3 place, bool touching) {
+    tool_.time = time;
+    tool_.position = place;
+    tool_.touching = touching;
+    preview_->tool_queue().push(tool_);
+}
+
+void PreviewHost::put_tool(ToolAction action, double power, double strength, double time, glm::dvec3 place) {
+    if (!preview_) return;
+    // Samples go forwards in time. Setting the log allows time to start again.
+    const std::vector<ToolContact> log(preview_->contacts().begin(), preview_->contacts().end());
+    preview_->set_contacts(log);
+    contacts_before_ = log.size();
+    tool_ = {.time = time, .position = place, .touching = true, .action = action, .power = power, .strength = strength};
+    tool_on_ = true;
+    push_sample(time, place, true);
+}
+
+void PreviewHost::move_tool(double time, glm::dvec3 place) {
+    if (!tool_on_) return;
+    const double begin = tool_.time;
+    const glm::dvec3 from = tool_.position;
+    while (tool_.time + sample_time <= time) {
+        const double next = tool_.time + sample_time;
+        push_sample(next, glm::mix(from, place, (next - begin) / (time - begin)), true);
+    }
+}
+
+std::vector<ToolContact> PreviewHost::take_tool_off(double time) {
+    if (!tool_on_) return {};
+    tool_on_ = false;
+    changed_ = true;
+    push_sample(std::max(time, tool_.time + 1e-3), tool_.position, false);
+    // The queue is emptied by seeking.
+    if (target_.texture() != 0) preview_->draw(time, target_.size(), target_.framebuffer());
+    const std::span<const ToolContact> all = preview_->contacts();
+    const std::size_t first = std::min(contacts_before_, all.size());
+    shown_scene_.reset();  // the document decides what stays, also where it has not changed
+    followed_ = 0;
+    return {all.begin() + static_cast<std::ptrdiff_t>(first), all.end()};
+}
+
+}  // namespace lapfx::app
