@@ -4,11 +4,10 @@
 
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <cmath>
-#include <thread>
 
 #include "editor/support/editor_test.h"
+#include "support/wait_until.h"
 #include "ui/canvas/plot_data.h"
 
 namespace lapfx::test {
@@ -96,13 +95,7 @@ TEST_F(AmountsPanel, PlotsStayWhereTheyAreWhileNewOnesAreWorkedOut) {
     start({1440, 900}, false);
     open_sample();
     layout("Compare");
-    const auto until = [&](const auto& met) {
-        for (int i = 0; i < 4000 && !met(); ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-            ui().frame();
-        }
-        return met();
-    };
+    const auto until = [&](const auto& met) { return wait_until(met, [&] { ui().frame(); }); };
     const app::AmountsOverTime& amounts = editor().amounts();
     ASSERT_TRUE(until([&] { return amounts.scene() != nullptr && !amounts.stale() && !editor().jobs.busy(); }));
     ui().frame().frame();

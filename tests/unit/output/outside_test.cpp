@@ -296,7 +296,7 @@ TEST_F(Outside, AThumbnailIsNotMadeOfAClipThatLeadsOut) {
                                .program = program,
                                .render = true,
                                .size = {192, 154},
-                               .longest = std::chrono::seconds(60),
+                               .longest = std::chrono::hours(1),
                                .niceness = 19,
                                .wake = {}});
     maker.want({{.file = write("p.json", test::preset_text(R"(, "smoke": {"clips": [{"file": "link.avi"}]})")),
