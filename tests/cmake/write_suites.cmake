@@ -11,7 +11,7 @@ foreach(line IN LISTS lines)
     if(line MATCHES "^([A-Za-z0-9_/]+)\\.( |$)")
         set(suite ${CMAKE_MATCH_1})
         string(APPEND written "add_test([==[${suite}]==] [==[${PROGRAM}]==] [==[--gtest_filter=${suite}.*]==])\n"
-            "set_tests_properties([==[${suite}]==] PROPERTIES LABELS ${LABEL} TIMEOUT 900 "
+            "set_tests_properties([==[${suite}]==] PROPERTIES LABELS ${LABEL} TIMEOUT 3600 "
             "SKIP_REGULAR_EXPRESSION [==[\\[  PASSED  \\] 0 tests\\.\n(\\[  SKIPPED \\] [^\n]*\n)+$]==])\n")
     endif()
 endforeach()

@@ -126,7 +126,7 @@ TEST_F(FilePreviewsTest, OneThatHangsHoldsUpNothing) {
 }
 
 TEST_F(FilePreviewsTest, FilesThatArePassedByAreNotBegun) {
-    make_with(script("echo run >> " + (folder() / "runs").string() + "; exit 1"));
+    make_with(script("echo run >> '" + (folder() / "runs").string() + "'; exit 1"));
     for (int i = 0; i < 9; ++i) write("take " + std::to_string(i) + ".mp4", "x");
     choose_from_files();
     ui().focus("Look/Files");
@@ -142,7 +142,7 @@ TEST_F(FilePreviewsTest, FilesThatArePassedByAreNotBegun) {
 }
 
 TEST_F(FilePreviewsTest, SeenFilesAreKeptUntilTheyChange) {
-    make_with(script("echo run >> " + (folder() / "runs").string() + "; exit 1"));
+    make_with(script("echo run >> '" + (folder() / "runs").string() + "'; exit 1"));
     const auto runs = [&] {
         std::ifstream file(folder() / "runs");
         return std::string(std::istreambuf_iterator<char>(file), {}).size() / 4;
@@ -165,7 +165,7 @@ TEST_F(FilePreviewsTest, SeenFilesAreKeptUntilTheyChange) {
 TEST_F(FilePreviewsTest, NeverMoreThanAFewPicturesAreInMemory) {
     const std::string picture = (folder() / "small.png").string();
     output::write_png(picture, {.width = 4, .height = 4, .pixels = std::vector<std::uint8_t>(64, 200), .name = ""});
-    make_with(script("for last; do :; done; cp " + picture + " \"$last\""));
+    make_with(script("for last; do :; done; cp '" + picture + "' \"$last\""));
     constexpr std::size_t files_there = app::FilePreviews::most_kept + 4;
     for (std::size_t i = 0; i < files_there; ++i) write("take " + std::to_string(100 + i) + ".mp4", "x");
     const auto images = [&] {
@@ -186,7 +186,7 @@ TEST_F(FilePreviewsTest, NeverMoreThanAFewPicturesAreInMemory) {
 }
 
 TEST_F(FilePreviewsTest, APresetIsShownOnTheSceneThatIsOpen) {
-    make_with(script("echo \"$@\" >> " + (folder() / "calls").string() + "; exit 1"));
+    make_with(script("echo \"$@\" >> '" + (folder() / "calls").string() + "'; exit 1"));
     copy("presets/slow_ooze.json");
     choose_from_files();
     look("slow_ooze.json");

@@ -35,7 +35,7 @@ class Thumbnails : public testing::Test {
         return {.file = folder_.write(name, write_preset(preset)), .scene = scene_, .time = 2};
     }
     /// A script that records its arguments and fails.
-    std::string notes() { return "echo \"$@\" >> " + (folder_.path() / "calls").string() + "; echo no >&2; exit 1"; }
+    std::string notes() { return "echo \"$@\" >> '" + (folder_.path() / "calls").string() + "'; echo no >&2; exit 1"; }
     std::string calls() const { return test::read_text(folder_.path() / "calls"); }
     static std::vector<ThumbnailMaker::Result> made(ThumbnailMaker& maker, std::vector<ThumbnailMaker::Request> all) {
         maker.want(std::move(all));
@@ -44,8 +44,8 @@ class Thumbnails : public testing::Test {
     }
     /// A script that writes a picture of this grey to the given place, and counts its runs.
     std::string writes(int grey) {
-        return "echo run >> " + (folder_.path() / "runs").string() +
-               "\npython3 - \"$@\" <<'EOF'\nimport sys, zlib, struct\n"
+        return "echo run >> '" + (folder_.path() / "runs").string() +
+               "'\npython3 - \"$@\" <<'EOF'\nimport sys, zlib, struct\n"
                "w, h = (int(v) for v in sys.argv[sys.argv.index('--size') + 1].split('x'))\n"
                "def chunk(t, d): return struct.pack('>I', len(d)) + t + d + struct.pack('>I', zlib.crc32(t + d))\n"
                "rows = b''.join(b'\\0' + bytes([" +
@@ -57,8 +57,8 @@ class Thumbnails : public testing::Test {
     }
     /// A script that tells its process, and does not end by itself.
     std::string hangs() {
-        return "echo $$ > " + hanging_.string() + ".new; mv " + hanging_.string() + ".new " + hanging_.string() +
-               "; exec sleep 100000";
+        const std::string file = hanging_.string();
+        return "echo $$ > '" + file + ".new'; mv '" + file + ".new' '" + file + "'; exec sleep 100000";
     }
     /// Waits for it to run. Gives its process.
     pid_t hanging() {
@@ -147,7 +147,7 @@ TEST_F(Thumbnails, WhatIsNotWantedAnyMoreIsEndedAtOnce) {
 }
 
 TEST_F(Thumbnails, WhatIsWantedAgainWhileItIsEndedIsMadeAnew) {
-    const std::string first = (folder_.path() / "first").string();
+    const std::string first = "'" + (folder_.path() / "first").string() + "'";
     ThumbnailMaker maker(options(program("if mkdir " + first + "; then " + hangs() + "; fi\n" + writes(7))));
     const ThumbnailMaker::Request a = request("a.json");
     maker.want({a});

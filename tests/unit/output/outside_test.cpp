@@ -289,7 +289,7 @@ TEST_F(Outside, WhatASceneNamesIsAMeshAPresetAndAVideo) {
 
 TEST_F(Outside, AThumbnailIsNotMadeOfAClipThatLeadsOut) {
     write("o.ply", "x");
-    const fs::path ran = all_ / "ran", program = all_.write("program.sh", "#!/bin/sh\ntouch " + ran.string() + "\n");
+    const fs::path ran = all_ / "ran", program = all_.write("program.sh", "#!/bin/sh\ntouch '" + ran.string() + "'\n");
     fs::permissions(program, fs::perms::owner_all);
     app::ThumbnailMaker maker({.cache = all_ / "cache",
                                .clip_folders = {},
