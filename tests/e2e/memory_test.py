@@ -5,9 +5,9 @@ memory_test.py LAPFX [ACTS]: how often something is done, 300 unless told otherw
 printed, too. 77 where Xvfb, xdotool or OpenGL is missing, or the process's memory cannot be read.
 
 A person's hands, from a fixed seed: drags, clicks and wheel all over the window, tools on the organ, keys of layouts,
-overlays, snapshots, undo. Each is done when the window has answered the one before, so that a busy machine does the same
-in more time. What counts is all memory but the frames of
-clips, which have a budget of their own (StreamingOptions::memory).
+overlays, snapshots, undo. Each is done when the window has answered the one before, so that a busy machine does the
+same in more time. What counts is all memory but the frames of clips, which have a budget of their own
+(StreamingOptions::memory).
 """
 import os
 import random

@@ -6,8 +6,8 @@ windows.
     ...
     sys.exit(real_window.run(cases_of(globals(), name), lambda display, folder: ...))
 
-What a case looks at is the log of frames (--statistics) while the window is open, which also says when it rests because
-nothing is due soon, and the tree of widgets once it is closed (--dump-on-close). Where widgets are is asked beforehand, without a window (--dump).
+What a case looks at is the log of frames (--statistics) while the window is open, which also says when it rests
+because nothing is due soon, and the tree of widgets once it is closed (--dump-on-close). Where widgets are is asked beforehand, without a window (--dump).
 """
 import json
 import os

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// The watch's clock stands still but for next(), so that a busy machine does not part what belongs together.
+/// The watch's clock stands still except in next(), so that a busy machine does not part what belongs together.
 class FileWatching : public testing::Test {
   protected:
     void set(const FileWatch::Paths& paths) {
