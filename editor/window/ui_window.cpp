@@ -308,7 +308,7 @@ void UiWindow::wait() {
     const double now = glfwGetTime();
     double until = iconified_ ? ui::never : std::max(wake_at_, last_frame_ + least_between_frames);
     if (busy_) until = std::min(until, now + look_for_results);
-    if (options_.log != nullptr && reason_ == nullptr && !woken_ && until - now >= a_rest)
+    if (options_.log != nullptr && reason_ == nullptr && !woken_ && !busy_ && until - now >= a_rest)
         *options_.log << "rests at " << now << " s" << std::endl;
     if (reason_ != nullptr || woken_ || until <= now) {
         glfwPollEvents();

@@ -157,7 +157,8 @@ void run(Host& host, GLFWwindow* window) {
         host.draw(glfwGetTime(), 0);
         glfwSwapBuffers(window);
     }
-    glfwWindowShouldClose(window) == 0 ? hand.join() : hand = {};  // stopped and joined
+    if (glfwWindowShouldClose(window) == 0) hand.join();  // on a busy computer it may be behind
+    hand = {};                                            // stopped and joined
     host.effects.seek(host.scene.duration);
     const lapfx::Amounts amounts = host.effects.amounts();
     std::printf("%d samples, %d lost, %d frames, %d wounds, %.1f mm2 of blood\n", samples,

@@ -41,7 +41,7 @@ class Person:
         self.random = random.Random(seed)
 
     def xdotool(self, *arguments):
-        count = len(self.editor.frames())
+        count = self.editor.made()
         subprocess.run(["xdotool", *map(str, arguments)], env=self.editor.environment, check=False, capture_output=True,
                        timeout=real_window.LIMIT_S)
         self.editor.answer(count, "something that a person did")

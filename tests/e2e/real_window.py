@@ -7,7 +7,8 @@ windows.
     sys.exit(real_window.run(cases_of(globals(), name), lambda display, folder: ...))
 
 What a case looks at is the log of frames (--statistics) while the window is open, which also says when it rests
-because nothing is due soon, and the tree of widgets once it is closed (--dump-on-close). Where widgets are is asked beforehand, without a window (--dump).
+because nothing is due soon, and the tree of widgets once it is closed (--dump-on-close). Where widgets are is asked
+beforehand, without a window (--dump).
 """
 import json
 import os
@@ -116,17 +117,33 @@ class Window:
     def drawn(self, since):
         return [frame for frame in self.frames(since) if frame[2]]
 
+    def latest(self, mark):
+        """The last line that begins so; None: there is none."""
+        with open(self.log_file, "rb") as file:
+            size = file.seek(0, os.SEEK_END)
+            for length in (8192, size):  # the log may be long
+                file.seek(max(size - length, 0))
+                found = [line for line in file.read().split(b"\n")[:-1] if re.match(mark, line)]
+                if found:
+                    return found[-1].decode()
+        return None
+
+    def made(self):
+        """How many frames there have been."""
+        last = self.latest(rb"frame \d+ at ")
+        return int(last.split()[1]) if last else 0
+
     def rests(self):
         """Whether it has handled all it knows of, and nothing is due soon."""
-        last = [line for line in self.text().splitlines()[-20:] if line.startswith(("frame ", "rests "))][-1:]
-        return bool(last) and last[0].startswith("rests ") and not self.running()
+        last = self.latest(rb"(frame|rests) ")
+        return last is not None and last.startswith("rests ") and not self.running()
 
     def settle(self, quiet=0.4):
         """Waits until it rests and no frame has been made for `quiet` s."""
         def is_quiet():
-            count = len(self.frames())
+            count = self.made()
             time.sleep(quiet)
-            return len(self.frames()) == count and self.rests()
+            return self.made() == count and self.rests()
         wait_for("a quiet window", is_quiet)
 
     def tasks(self, file):
@@ -154,10 +171,10 @@ class Window:
         found = []
 
         def slept():
-            wakes, frames = self.wakes(), len(self.frames())
+            wakes, frames = self.wakes(), self.made()
             for _ in range(seconds):
                 time.sleep(1)
-                if self.running() or len(self.frames()) != frames:
+                if self.running() or self.made() != frames:
                     return False
             found.append(self.wakes() - wakes)
             return found[-1] <= most_wakes
@@ -175,7 +192,7 @@ class Window:
         """Waits for a frame after the first `count`."""
         def answered():
             assert self.process.poll() is None, f"it ended with {self.process.returncode}: {self.text()[-2000:]}"
-            return len(self.frames()) > count
+            return self.made() > count
         wait_for(f"an answer to {to}", answered)
 
     def act(self, *arguments):
@@ -185,7 +202,7 @@ class Window:
 
     def act_now(self, *arguments):
         """The same for a window that never becomes quiet."""
-        count = len(self.frames())
+        count = self.made()
         self.xdotool(*arguments)
         self.answer(count, " ".join(arguments))
 
