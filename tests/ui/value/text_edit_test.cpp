@@ -252,7 +252,6 @@ TEST(TextEdit, AMegabyteIsPastedInLinearTime) {
         return test::decoded_so_far() - start;
     };
     for (const char* piece : {"x", "word \r\n", "\xCC\x81", "\xFF", "\xE2\x80\x8D\xF0\x9F\x91\xA9", "\n"}) {
-        printf("XX %zu\n", decoded_for(piece));
         EXPECT_LT(decoded_for(piece), 16U << 20) << testing::PrintToString(piece);
     }
 }

@@ -219,7 +219,7 @@ TEST(VirtualRows, SteadyFramesAndScrollingAllocateNothing) {
 }
 
 TEST(VirtualRows, TenThousandCostNoMoreThanThoseInSight) {
-    Frames t(10000, {600, 720}), few(29, {600, 720});
+    Frames t(10000, {600, 720}), few(100, {600, 720});
     t.ui.frame(), few.ui.frame();
     EXPECT_EQ(t.ui.ui().tree().size(), few.ui.ui().tree().size()) << "what it is in us is in `lapfx bench ui`";
     EXPECT_EQ(t.built, few.built);

@@ -349,8 +349,7 @@ TEST_F(TextFieldTest, AMegabyteIsPastedAndWalkedThroughInLinearTime) {
     ui.type("!");
     const std::size_t decoded = test::decoded_so_far() - start;
     EXPECT_EQ(text.size(), big.size() + 1);
-    printf("XX %zu\n", decoded);
-    EXPECT_LT(decoded, 64U << 20);
+    EXPECT_LT(decoded, 4 * big.size());
     EXPECT_LE(ui.text("Name").size(), 65536U);
 }
 
