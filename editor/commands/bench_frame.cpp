@@ -43,7 +43,7 @@ struct Extent {
     double haptic_seconds;
 };
 constexpr Extent whole{15, 9, 5, 4.0}, least{2, 1, 1, 0.5};
-constexpr int haptic_frames = 8;  // at least, so that blood has grown also where a frame takes most of the seconds
+constexpr double no_blood_s = 600.0;  // then something is wrong: a busy machine is given all the time until some grows
 
 double seconds_since(Clock::time_point start) {
     return duration<double>(Clock::now() - start).count();
@@ -164,14 +164,16 @@ Beside beside_the_core(const HostFrame& host, const Played& played, bool real_ti
     const double cpu = process_seconds();
     const auto start = Clock::now();
     auto next = start;
-    for (int frame = 0; frame < haptic_frames || seconds_since(start) < played.extent.haptic_seconds; ++frame) {
+    const auto grown = [&] { return preview.amounts().blood_area - before; };
+    while (seconds_since(start) < played.extent.haptic_seconds ||
+           (grown() <= 0.0 && seconds_since(start) < no_blood_s)) {
         preview.draw(samples_from + seconds_since(start), haptic_size, host.framebuffer());
         finish_drawing();
         next += std::chrono::duration_cast<Clock::duration>(duration<double>(frame_seconds));
         std::this_thread::sleep_until(next);
     }
     const double load = (process_seconds() - cpu) / seconds_since(start);
-    return {.late = haptic.finish(), .load = load, .blood = preview.amounts().blood_area - before};
+    return {.late = haptic.finish(), .load = load, .blood = grown()};
 }
 
 /// Threads that spin for a share of each frame and sleep for the rest; `load` is their sum.

@@ -15,6 +15,8 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
+    /// How many there are, where that is known only once something has been begun.
+    void expect(int steps) { steps_ = steps; }
     /// One step is done.
     void step();
 

@@ -64,12 +64,13 @@ void run(const Options& o) {
     const Preset preset = preset_for(scene, o.preset, o.settings);
     require_sound(options, scene.duration);
     const Context context = Context::create(backend);
+    Progress progress("rendering", 0);  // before the job, which begins its file
     output::RenderJob job(scene, preset, std::move(options));
     print_warnings(job.preview());
     print_plate_note(scene, job.preview());
     print_smoke_notes(scene, preset);
     if (o.has_at) warn_after_end(scene, o.at);
-    Progress progress("rendering", job.frames());
+    progress.expect(job.frames());
     for (int shown = 0; !job.done();) {
         job.step();
         for (; shown < job.drawn(); ++shown) progress.step();

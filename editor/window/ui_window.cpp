@@ -16,6 +16,7 @@ constexpr double least_between_frames =
     0.004;                           // s, for frames that only time asks for: some drivers swap without waiting
 constexpr double edge_share = 0.4;   // share of the window's size; farther from its middle is near an edge
 constexpr double a_long_time = 1e6;  // s: as good as never
+constexpr double a_rest = 0.1;       // s without anything to do
 constexpr GLuint64 longest_queue_wait = 100'000'000;  // ns
 
 int glfw_shape(ui::Cursor cursor) {
@@ -307,6 +308,8 @@ void UiWindow::wait() {
     const double now = glfwGetTime();
     double until = iconified_ ? ui::never : std::max(wake_at_, last_frame_ + least_between_frames);
     if (busy_) until = std::min(until, now + look_for_results);
+    if (options_.log != nullptr && reason_ == nullptr && !woken_ && !busy_ && until - now >= a_rest)
+        *options_.log << "rests at " << now << " s" << std::endl;
     if (reason_ != nullptr || woken_ || until <= now) {
         glfwPollEvents();
     } else if (until - now > a_long_time) {

@@ -76,7 +76,7 @@ struct UiWindowOptions {
     bool reduced_motion = false;
     ui::Shortcuts* shortcuts = nullptr;
     ui::ImageStore* images = nullptr;
-    std::ostream* log = nullptr;  ///< gets a line for every frame
+    std::ostream* log = nullptr;  ///< gets a line for every frame, and one when nothing is due soon
 };
 
 /// One frame, as UiProgram::frame gets it.

@@ -117,7 +117,7 @@ void Cautery::update(double time) noexcept {
             contribute(last, time, last_);
         }
         while (i > 0 && stays[i - 1].latest_end >= from) {
-            --i;
+            --i, ++work_;
             if (i != last && stays[i].contact.end() >= from) contribute(i, time, settled_);
         }
     } else {
@@ -129,6 +129,7 @@ void Cautery::update(double time) noexcept {
 }
 
 void Cautery::clear(Layer& layer) {
+    work_ += layer.points.size();
     for (const std::uint32_t point : layer.points) {
         layer.values[point] = glm::vec2(0.0f);
         touch(point);
@@ -153,6 +154,7 @@ void Cautery::contribute(std::uint32_t number, double time, Layer& layer) {
         if (bell.divided) divide_around(bell.position, stay.contact.action, layer);
         if (!(bell.rise > least)) continue;
         surface_.points_within(bell.position, bell.radius * std::sqrt(std::log(bell.rise / least)), near_);
+        work_ += near_.size();
         for (const std::uint32_t point : near_) {
             const double peak = body_temperature + bell.at(surface_.positions[point]);
             raise(layer, point, {static_cast<float>(char_of(peak, parameters_)), 0.0f});
@@ -162,6 +164,7 @@ void Cautery::contribute(std::uint32_t number, double time, Layer& layer) {
 
 void Cautery::divide_around(const glm::dvec3& place, ToolAction action, Layer& layer) {
     surface_.points_within(place, 2.0 * parameters_.tip_radius, near_);
+    work_ += near_.size();
     for (const std::uint32_t point : near_) {
         const double distance = glm::distance(surface_.positions[point], place);
         raise(layer, point, {0.0f, static_cast<float>(divided_at(distance, action, parameters_))});

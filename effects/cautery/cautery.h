@@ -60,6 +60,10 @@ class Cautery {
     /// Degrees Celsius of the surface at `place`; 37 far from it. In the model bioheat this costs a seek.
     double temperature(const glm::dvec3& place, double time);
 
+    /// What set() and update() have cost so far in the model radial, as a count: pieces of the log, places, heatings
+    /// and points of the surface that were worked on.
+    std::uint64_t work() const { return track_.work() + radial_.work() + work_; }
+
   private:
     /// Marks per point of the surface, and the points where there are any.
     struct Layer {
@@ -113,6 +117,7 @@ class Cautery {
 
     std::vector<Bell> bells_;
     std::vector<std::uint32_t> near_;
+    std::uint64_t work_ = 0;
 };
 
 }  // namespace lapfx::cautery

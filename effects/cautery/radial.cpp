@@ -76,6 +76,7 @@ void Radial::append(const Track& track, std::uint32_t number) {
     const double start = wounds_.wounds()[first_wound].start;
     opened_.clear();
     for (std::uint32_t other = number; other-- > 0 && track.stays()[other].latest_end > start;) {
+        ++work_;
         closings_.clear();
         find_closings(track, other, first_wound);
         record(track, number, other);
@@ -86,6 +87,7 @@ void Radial::append(const Track& track, std::uint32_t number) {
 std::uint32_t Radial::station_at(const Place& place, double spacing) {
     const glm::dvec3 reach(0.5 * spacing);
     grid_.find(place.tip - reach, place.tip + reach, found_);
+    work_ += found_.size();
     std::uint32_t best = none;
     double nearest = 0.5 * spacing;
     for (const std::uint32_t s : found_) {
@@ -116,8 +118,10 @@ void Radial::join(const Track& track, std::uint32_t s, std::uint32_t number) {
             const glm::dvec3 reach(parameters_.tip_radius + 2.0 * track.spacing());
             grid_.find(station.place.tip - reach, station.place.tip + reach, found_);
             for (const std::uint32_t other : found_)
-                for (const Heating& h : stations_[other].heatings)
+                for (const Heating& h : stations_[other].heatings) {
+                    ++work_;
                     if (h.contact < number && track.stays()[h.contact].chain == chain) before.push_back(h.contact);
+                }
             std::sort(before.begin(), before.end());
             before.erase(std::unique(before.begin(), before.end()), before.end());
             for (const std::uint32_t contact : before) heat(station, track, contact, number);
@@ -136,6 +140,7 @@ void Radial::stations_along(const ToolContact& contact, std::vector<std::uint32_
         const glm::dvec3 tip = glm::mix(contact.position, contact.to, static_cast<double>(i) / steps);
         grid_.find(tip - reach, tip + reach, found_);
         out.insert(out.end(), found_.begin(), found_.end());
+        work_ += found_.size();
     }
     std::sort(out.begin(), out.end());
     out.erase(std::unique(out.begin(), out.end()), out.end());
@@ -161,6 +166,7 @@ void Radial::heat(Station& station, const Track& track, std::uint32_t contact, s
 void Radial::settle(Station& station, std::size_t from) {
     for (std::size_t i = from; i < station.heatings.size(); ++i) {
         Heating& h = station.heatings[i];
+        ++work_;
         h.start = h.from;
         State state{0.0, 0.0};
         if (i > 0) {
@@ -195,6 +201,7 @@ void Radial::open_hot(const Track& track, std::uint32_t number) {
     for (const std::uint32_t s : contacts_[number].stations) {
         double opened = never;
         for (auto h = stations_[s].heatings.rbegin(); h != stations_[s].heatings.rend(); ++h) {
+            ++work_;
             if (h->from < track.stays()[number].chain_start) break;
             if (h->owner == number) opened = std::min(opened, h->opened);
         }
@@ -202,6 +209,7 @@ void Radial::open_hot(const Track& track, std::uint32_t number) {
         const auto& sites = stations_[s].sites;
         for (auto i = sites.rbegin(); i != sites.rend() && sites_[*i].owner >= chain; ++i) {
             Site& site = sites_[*i];
+            ++work_;
             if (site.chain != chain || site.opened_by != none) continue;
             site.opened_by = number;
             opened_.push_back({.position = site.place.point.position,
@@ -254,10 +262,12 @@ void Radial::find_closings(const Track& track, std::uint32_t number, std::uint32
     for (const std::uint32_t s : contacts_[number].stations) {
         const glm::dvec3 place = stations_[s].place.point.position;
         for (auto h = stations_[s].heatings.rbegin(); h != stations_[s].heatings.rend(); ++h) {
+            ++work_;
             if (h->from < stay.chain_start) break;
             if (h->owner != number) continue;
             const glm::dvec3 reach(spread(*h) + wound_spacing);
             wounds_.find(place - reach, place + reach, near_wounds_);
+            work_ += near_wounds_.size();
             for (const std::uint32_t w : near_wounds_) {
                 const Wound& wound = wounds_.wounds()[w];
                 if (w < first_wound || wound.stop <= h->start) continue;
@@ -274,6 +284,7 @@ void Radial::truncate(std::size_t count) {
         const Contact& contact = contacts_.back();
         for (const std::uint32_t s : contact.stations) {
             Station& station = stations_[s];
+            work_ += station.heatings.size() + station.chains.size() + station.sites.size();
             const auto mine = [&](const Heating& h) { return h.owner == number; };
             const auto first = std::find_if(station.heatings.begin(), station.heatings.end(), mine);
             const auto from = static_cast<std::size_t>(first - station.heatings.begin());
@@ -319,6 +330,7 @@ void Radial::bells(std::uint32_t number, double time, std::vector<Bell>& out) co
     for (const std::uint32_t s : contact.stations) {
         const std::size_t first = out.size();
         for (auto h = stations_[s].heatings.rbegin(); h != stations_[s].heatings.rend(); ++h) {
+            ++work_;
             if (h->from < contact.chain_start) break;
             if (h->owner != number || h->start > time || h->visible > time) continue;
             const State state = state_at(*h, std::min(time, h->finish));

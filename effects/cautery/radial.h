@@ -46,6 +46,8 @@ class Radial {
     void bells(std::uint32_t number, double time, std::vector<Bell>& out) const;
 
     const WoundList& wounds() const { return wounds_; }
+    /// Stations, heatings, sites and wounds that were looked at so far: the cost, as a count.
+    std::uint64_t work() const { return work_; }
 
   private:
     static constexpr std::uint32_t none = 0xffffffff;
@@ -115,6 +117,7 @@ class Radial {
     std::vector<Wound> opened_;
     std::vector<Closing> closings_;
     std::vector<std::uint32_t> found_, along_, near_wounds_;
+    mutable std::uint64_t work_ = 0;  // bells() counts, too
 };
 
 }  // namespace lapfx::cautery

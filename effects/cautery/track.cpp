@@ -64,9 +64,11 @@ void Track::append(const tool::Piece& piece) {
     }
     const double length = glm::distance(contact.position, contact.to), from = stay.length;
     stay.length += length;
+    ++work_;
     for (;; ++stay.next_place) {
         const double along = static_cast<double>(stay.next_place) * spacing_;
         if (along > stay.length + 1e-9) break;
+        ++work_;
         const double share = length > 0.0 ? std::clamp((along - from) / length, 0.0, 1.0) : 0.0;
         Place place{.tip = glm::mix(contact.position, contact.to, share),
                     .point = {},

@@ -54,6 +54,8 @@ class Track {
     double spacing() const { return spacing_; }
     /// The time up to which the last set() has not changed what the tips did.
     double same_until() const { return same_until_; }
+    /// Pieces and places that were worked on so far: the cost, as a count.
+    std::uint64_t work() const { return work_; }
 
   private:
     void append(const tool::Piece& piece);
@@ -65,6 +67,7 @@ class Track {
     double spacing_ = 0.0;
     std::uint32_t per_wound_ = 1;
     double same_until_ = 0.0;
+    std::uint64_t work_ = 0;
 };
 
 }  // namespace lapfx::cautery

@@ -146,16 +146,19 @@ lapfx::ToolSample sample_at(const lapfx::Scene& scene, double time) {
 void run(Host& host, GLFWwindow* window) {
     int samples = 0, frames = 0;
     glfwSetTime(0.0);
-    std::jthread hand([&](const std::stop_token& stop) {  // 1 kHz, independent of frames
+    std::jthread hand([&](const std::stop_token& stop) {  // 1 kHz, independent of frames, on the device's own clock
         auto tick = std::chrono::steady_clock::now();
-        for (; !stop.stop_requested(); std::this_thread::sleep_until(tick += std::chrono::milliseconds(1)))
-            if (host.effects.tool_queue().push(sample_at(host.scene, glfwGetTime()))) ++samples;
+        for (int ms = 0; ms <= 1000 * host.scene.duration && !stop.stop_requested(); ++ms) {
+            if (host.effects.tool_queue().push(sample_at(host.scene, 1e-3 * ms))) ++samples;
+            std::this_thread::sleep_until(tick += std::chrono::milliseconds(1));
+        }
     });
     for (; glfwGetTime() < host.scene.duration && glfwWindowShouldClose(window) == 0; ++frames, glfwPollEvents()) {
         host.draw(glfwGetTime(), 0);
         glfwSwapBuffers(window);
     }
-    hand = {};  // stopped and joined
+    if (glfwWindowShouldClose(window) == 0) hand.join();  // on a busy computer it may be behind
+    hand = {};                                            // stopped and joined
     host.effects.seek(host.scene.duration);
     const lapfx::Amounts amounts = host.effects.amounts();
     std::printf("%d samples, %d lost, %d frames, %d wounds, %.1f mm2 of blood\n", samples,

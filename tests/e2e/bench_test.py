@@ -25,7 +25,7 @@ BENCHES = {
 
 
 def run(*command):
-    done = subprocess.run(command, capture_output=True, text=True, timeout=280)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=1700)
     if done.returncode == 77:
         print(done.stderr.strip())
         sys.exit(77)

@@ -19,7 +19,6 @@ import real_window
 
 DURATION = 4.0  # s
 FPS = 5
-SAMPLES = 900  # of 1000 per second, at least, while tests run beside it
 
 
 def scene(root, duration):
@@ -44,7 +43,7 @@ def live(host, folder, shader, display):
     environment = {**os.environ, "DISPLAY": display.name}
     environment.pop("WAYLAND_DISPLAY", None)
     done = subprocess.run([host, os.path.join(folder, "scene.json"), os.path.join(folder, "preset.json"), folder, shader, "160",
-                           "128"], env=environment, capture_output=True, encoding="utf-8", timeout=120, check=False)
+                           "128"], env=environment, capture_output=True, encoding="utf-8", timeout=real_window.LIMIT_S, check=False)
     if done.returncode == real_window.SKIP:
         raise real_window.Skip(done.stderr.strip())
     assert done.returncode == 0, (done.returncode, done.stderr)
@@ -71,8 +70,7 @@ def main():
             for shader in ("lapfx", "own"):
                 samples, lost, frames, wounds, area = live(host, folder, shader, display)
                 print(f"{shader}: {samples:.0f} samples, {frames:.0f} frames, {area} mm2; at once {blood:.1f} mm2")
-                assert samples >= SAMPLES * DURATION, "the thread was made to wait"
-                assert samples <= 1.01 * 1000 * DURATION + 100 and lost == 0 and frames >= 2
+                assert samples == 1000 * DURATION + 1 and lost == 0 and frames >= 1
                 assert wounds == 1 and abs(area / blood - 1) < 0.02, "what came through the queue bleeds otherwise"
         except real_window.Skip as skip:
             print(f"host_window: {skip}")

@@ -13,7 +13,7 @@ fi
 
 inspect() {
     local status=0 errors
-    errors=$(timeout 120 "$1" inspect "$2" 2>&1 >/dev/null) || status=$?
+    errors=$(timeout 1200 "$1" inspect "$2" 2>&1 >/dev/null) || status=$?
     case $status in
         0) return 0 ;;
         2) grep -q '^lapfx: ' <<<"$errors" && return 0 ;;

@@ -11,7 +11,7 @@ COLUMNS = "time,blood,blood_low,blood_high,smoke,smoke_low,smoke_high,valid,like
 
 
 def run(lapfx, *arguments):
-    done = subprocess.run([lapfx, "measure", *arguments], capture_output=True, text=True, timeout=300)
+    done = subprocess.run([lapfx, "measure", *arguments], capture_output=True, text=True, timeout=1700)
     return done.returncode, done.stdout, done.stderr
 
 
@@ -91,7 +91,7 @@ def check_faults(lapfx, reference, folder):
 
 def bench_pairs(lapfx, *arguments):
     done = subprocess.run([lapfx, "bench", "measure", "--pairs", *arguments], capture_output=True, text=True,
-                          timeout=300)
+                          timeout=1700)
     return done.returncode, done.stdout, done.stderr
 
 

@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
 """What the editor's window holds in main memory while it is used at random, on the sample scene.
 
-memory_test.py LAPFX [SECONDS]: 60 s unless told otherwise; of more than 120 s every ten seconds are printed, too. 77
-where Xvfb, xdotool or OpenGL is missing, or the process's memory cannot be read.
+memory_test.py LAPFX [ACTS]: how often something is done, 300 unless told otherwise; of more than 600 every fiftieth is
+printed, too. 77 where Xvfb, xdotool or OpenGL is missing, or the process's memory cannot be read.
 
 A person's hands, from a fixed seed: drags, clicks and wheel all over the window, tools on the organ, keys of layouts,
-overlays, snapshots, undo. A slow machine does less of it in the same time. What counts is all memory but the frames of
-clips, which have a budget of their own (StreamingOptions::memory).
+overlays, snapshots, undo. Each is done when the window has answered the one before, so that a busy machine does the
+same in more time. What counts is all memory but the frames of clips, which have a budget of their own
+(StreamingOptions::memory).
 """
 import os
 import random
 import re
 import subprocess
 import sys
-import time
 
 import editor_test
 import real_window
@@ -23,7 +23,8 @@ MOST = 525e6  # bytes beside the clips, as it opens and plays: 455 to 500 were s
 # triangles of the frame that it draws, up to 100 MB of them, which come and go.
 MOST_USED = 675e6
 GROWTH = 100e6  # bytes, from when all of it has been used once to the end
-USED_S = 45  # of random use, or half of it if that is more, until all of it has been used
+USED = 200  # acts, or half of all if that is more, until all of it has been used
+REPORTS = 15  # about a second each: what is compared is their mean
 WIDTH, HEIGHT = 1440, 900
 MENU_BAR = 34  # px: what lies there may close the window
 CORES = 2  # the bounds are for these; drivers and decoders have memory for each thread
@@ -35,13 +36,15 @@ TOOLS = "123456"
 
 
 class Person:
-    def __init__(self, editor, seed):
-        self.editor = editor
+    def __init__(self, editor, held, seed):
+        self.editor, self.held = editor, held
         self.random = random.Random(seed)
 
     def xdotool(self, *arguments):
+        count = self.editor.made()
         subprocess.run(["xdotool", *map(str, arguments)], env=self.editor.environment, check=False, capture_output=True,
                        timeout=real_window.LIMIT_S)
+        self.editor.answer(count, "something that a person did")
 
     def place(self):
         return self.random.randrange(4, WIDTH - 4), self.random.randrange(MENU_BAR, HEIGHT - 4)
@@ -74,7 +77,7 @@ class Person:
     def look_around(self):
         for keys in LAYOUTS + LAYOUTS[:1]:
             self.xdotool("key", keys)
-            time.sleep(1.5)
+            self.held.more(2)
 
 
 class Held:
@@ -86,25 +89,29 @@ class Held:
     def all(self):
         return [(float(m[1]), int(m[2]), int(m[3])) for m in LINE.finditer(self.editor.text())]
 
-    def beside_clips(self, begin, end):
-        found = [held - clips for t, held, clips in self.all() if begin <= t <= end]
-        assert found, f"nothing was told of memory from {begin:.0f} to {end:.0f} s"
+    def more(self, count):
+        """Waits for as many new reports: the window draws, and tells what it holds."""
+        before = len(self.all())
+        real_window.wait_for("word of memory", lambda: len(self.all()) >= before + count)
+
+    def beside_clips(self, count):
+        """Mean of the latest reports."""
+        found = [held - clips for _, held, clips in self.all()[-count:]]
         return sum(found) / len(found)
 
 
 def play(editor, held):
-    """Waits until all clips are in memory, at most two minutes; gives the other bytes."""
+    """Waits until all clips are in memory; gives the other bytes."""
     editor.xdotool("key", "space")
 
     def played():
         latest = [clips for *_, clips in held.all()[-10:]]
         return len(latest) == 10 and latest[0] > 0 and len(set(latest)) == 1
-    real_window.wait_for("clips that have been played", played, 120)
-    last = held.all()[-1][0]
-    return held.beside_clips(last - 5, last)
+    real_window.wait_for("clips that have been played", played)
+    return held.beside_clips(5)
 
 
-def use(open_editor, seconds):
+def use(open_editor, acts):
     with open_editor() as editor:
         held = Held(editor)
         if not real_window.wait_for("word of memory", held.all):
@@ -112,21 +119,18 @@ def use(open_editor, seconds):
         opened = play(editor, held)
         said = f"{opened / 1e6:.0f} MB beside the clips as it opens"
         assert opened <= MOST, f"{said}; allowed: {MOST / 1e6:.0f}"
-        person = Person(editor, 11)
+        person = Person(editor, held, 11)
         person.look_around()
-        start, told = time.monotonic(), 0
-        used, all_used = None, max(USED_S, seconds / 2)
-        while time.monotonic() - start < USED_S + seconds:
+        begin, all_used = None, max(USED, acts // 2)
+        for act in range(USED + acts):
             assert editor.process.poll() is None, f"it ended with {editor.process.returncode}: {editor.text()[-2000:]}"
             person.act()
-            if used is None and time.monotonic() - start > all_used:
-                used = held.all()[-1][0]
-            if seconds > 120 and time.monotonic() - start > 10 * told:
+            if act == all_used:
+                begin = held.beside_clips(REPORTS)
+            if acts > 600 and act % 50 == 0:
                 _, all_of_it, clips = held.all()[-1]
-                print(f"\n{10 * told:4d} s: {all_of_it / 1e6:4.0f} MB, clips {clips / 1e6:4.0f}", end="", flush=True)
-                told += 1
-        last = held.all()[-1][0]
-        begin, end = held.beside_clips(used - 15, used), held.beside_clips(last - 15, last)
+                print(f"\n{act:5d}: {all_of_it / 1e6:4.0f} MB, clips {clips / 1e6:4.0f}", end="", flush=True)
+        end = held.beside_clips(REPORTS)
         said += f", {begin / 1e6:.0f} once all has been used, {end / 1e6:.0f} at the end"
         assert max(begin, end) <= MOST_USED, f"{said}; allowed: {MOST_USED / 1e6:.0f}"
         assert end - begin <= GROWTH, f"{said}; allowed to grow by {GROWTH / 1e6:.0f}"
@@ -134,13 +138,13 @@ def use(open_editor, seconds):
 
 
 def main(arguments):
-    seconds = float(arguments[1]) if len(arguments) > 1 else 60.0
+    acts = int(arguments[1]) if len(arguments) > 1 else 300
     editor_test.SIZE = (WIDTH, HEIGHT)
     os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[:CORES])
 
     def window(display, folder):
         return lambda *options: editor_test.Editor(arguments[0], "", display, folder, *options)
-    return real_window.run("memory", [("random_use", lambda open_editor: use(open_editor, seconds))], window,
+    return real_window.run("memory", [("random_use", lambda open_editor: use(open_editor, acts))], window,
                            screen=f"{WIDTH}x{HEIGHT}")
 
 

@@ -37,7 +37,7 @@ def meshes(folder):
 
 
 def inspect(program, file):
-    return file, subprocess.run([program, "inspect", file], capture_output=True, text=True, errors="replace", timeout=300,
+    return file, subprocess.run([program, "inspect", file], capture_output=True, text=True, errors="replace", timeout=1200,
                                 check=False)
 
 

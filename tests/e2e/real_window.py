@@ -6,8 +6,9 @@ windows.
     ...
     sys.exit(real_window.run(cases_of(globals(), name), lambda display, folder: ...))
 
-What a case looks at is the log of frames (--statistics) while the window is open, and the tree of widgets once it is
-closed (--dump-on-close). Where widgets are is asked beforehand, without a window (--dump).
+What a case looks at is the log of frames (--statistics) while the window is open, which also says when it rests
+because nothing is due soon, and the tree of widgets once it is closed (--dump-on-close). Where widgets are is asked
+beforehand, without a window (--dump).
 """
 import json
 import os
@@ -18,7 +19,7 @@ import tempfile
 import time
 
 SKIP = 77
-LIMIT_S = 60  # for anything to happen, also under a sanitizer
+LIMIT_S = 600  # for anything to happen, also under a sanitizer on a busy machine: only what hangs takes so long
 FRAME = re.compile(r"^frame (\d+) at ([0-9.e+-]+) s: (.*?)(, drawn)?$", re.MULTILINE)
 
 
@@ -116,13 +117,70 @@ class Window:
     def drawn(self, since):
         return [frame for frame in self.frames(since) if frame[2]]
 
+    def latest(self, mark):
+        """The last line that begins so; None: there is none."""
+        with open(self.log_file, "rb") as file:
+            size = file.seek(0, os.SEEK_END)
+            for length in (8192, size):  # the log may be long
+                file.seek(max(size - length, 0))
+                found = [line for line in file.read().split(b"\n")[:-1] if re.match(mark, line)]
+                if found:
+                    return found[-1].decode()
+        return None
+
+    def made(self):
+        """How many frames there have been."""
+        last = self.latest(rb"frame \d+ at ")
+        return int(last.split()[1]) if last else 0
+
+    def rests(self):
+        """Whether it has handled all it knows of, and nothing is due soon."""
+        last = self.latest(rb"(frame|rests) ")
+        return last is not None and last.startswith("rests ") and not self.running()
+
     def settle(self, quiet=0.4):
-        """Waits until no frame has been made for `quiet` s."""
+        """Waits until it rests and no frame has been made for `quiet` s."""
         def is_quiet():
-            count = len(self.frames())
+            count = self.made()
             time.sleep(quiet)
-            return len(self.frames()) == count
+            return self.made() == count and self.rests()
         wait_for("a quiet window", is_quiet)
+
+    def tasks(self, file):
+        """That file of /proc of each of its threads."""
+        folder = f"/proc/{self.process.pid}/task"
+        for task in os.listdir(folder):
+            try:
+                with open(os.path.join(folder, task, file), encoding="utf-8") as text:
+                    yield text.read()
+            except FileNotFoundError:  # it has ended
+                pass
+
+    def running(self):
+        """Threads that use the processor or wait for it."""
+        return sum(stat.rsplit(")", 1)[1].split()[0] == "R" for stat in self.tasks("stat"))
+
+    def wakes(self):
+        """How often its threads have begun to wait so far."""
+        return sum(int(re.search(r"^voluntary_ctxt_switches:\s*(\d+)", status, re.MULTILINE)[1])
+                   for status in self.tasks("status"))
+
+    def sleeps(self, seconds, most_wakes):
+        """Waits until it has slept for so long: no frames, hardly any wakes, and never a thread that runs. Gives the
+        wakes."""
+        found = []
+
+        def slept():
+            wakes, frames = self.wakes(), self.made()
+            for _ in range(seconds):
+                time.sleep(1)
+                if self.running() or self.made() != frames:
+                    return False
+            found.append(self.wakes() - wakes)
+            return found[-1] <= most_wakes
+        assert self.wakes() > 0, "this measures nothing"
+        wait_for(f"{seconds} s of sleep with at most {most_wakes} wakes", slept)
+        return found[-1]
 
     def xdotool(self, *arguments):
         done = subprocess.run(["xdotool", *arguments], env=self.environment, capture_output=True, encoding="utf-8",
@@ -130,18 +188,23 @@ class Window:
         assert done.returncode == 0, f"xdotool {' '.join(arguments)}: {done.stderr}"
         return done.stdout
 
+    def answer(self, count, to):
+        """Waits for a frame after the first `count`."""
+        def answered():
+            assert self.process.poll() is None, f"it ended with {self.process.returncode}: {self.text()[-2000:]}"
+            return self.made() > count
+        wait_for(f"an answer to {to}", answered)
+
     def act(self, *arguments):
         """Runs one xdotool command and waits for the window's answer."""
-        count = len(self.frames())
-        self.xdotool(*arguments)
-        wait_for(f"an answer to {' '.join(arguments)}", lambda: len(self.frames()) > count)
+        self.act_now(*arguments)
         self.settle(0.15)
 
     def act_now(self, *arguments):
         """The same for a window that never becomes quiet."""
-        count = len(self.frames())
+        count = self.made()
         self.xdotool(*arguments)
-        wait_for(f"an answer to {' '.join(arguments)}", lambda: len(self.frames()) > count)
+        self.answer(count, " ".join(arguments))
 
     def tree(self):
         """Of a window that has just been opened."""
@@ -158,11 +221,6 @@ class Window:
         x, y = self.middle(path)
         self.act("mousemove", "--window", self.window, str(x), str(y))
         self.act("click", str(button))
-
-    def cpu_ticks(self):
-        with open(f"/proc/{self.process.pid}/stat", encoding="utf-8") as stat:
-            fields = stat.read().rsplit(")", 1)[1].split()
-        return int(fields[11]) + int(fields[12])  # utime, stime
 
     def close(self):
         """By its command (a window manager's way cannot be gone by this xdotool); gives the tree as it was last."""

@@ -4,11 +4,11 @@
 
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <cmath>
-#include <thread>
 
 #include "editor/support/editor_test.h"
+#include "editor/support/held_jobs.h"
+#include "support/wait_until.h"
 #include "ui/canvas/plot_data.h"
 
 namespace lapfx::test {
@@ -96,13 +96,7 @@ TEST_F(AmountsPanel, PlotsStayWhereTheyAreWhileNewOnesAreWorkedOut) {
     start({1440, 900}, false);
     open_sample();
     layout("Compare");
-    const auto until = [&](const auto& met) {
-        for (int i = 0; i < 4000 && !met(); ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-            ui().frame();
-        }
-        return met();
-    };
+    const auto until = [&](const auto& met) { return wait_until(met, [&] { ui().frame(); }); };
     const app::AmountsOverTime& amounts = editor().amounts();
     ASSERT_TRUE(until([&] { return amounts.scene() != nullptr && !amounts.stale() && !editor().jobs.busy(); }));
     ui().frame().frame();
@@ -110,10 +104,11 @@ TEST_F(AmountsPanel, PlotsStayWhereTheyAreWhileNewOnesAreWorkedOut) {
     const auto before = rects();
     EXPECT_THAT(ui().dump(), HasSubstr("Of the scene as it is now"));
     EXPECT_LE(before.second.bottom(), ui().rect("**/All plots").bottom()) << "no bar is needed";
+    HeldJobs held(editor().jobs);  // they take longer than a frame
     editor().document.change("Curve", [](auto& c) { c.scene.curves.emission = {{0.0, 2.0}}; });
     ASSERT_TRUE(until([&] { return amounts.stale() && amounts.busy(); }));
     ui().frame();
-    ASSERT_TRUE(amounts.stale() && amounts.busy()) << "they take longer than a frame";
+    ASSERT_TRUE(amounts.stale() && amounts.busy());
     EXPECT_THAT(ui().dump(), HasSubstr("From before the last change"));
     EXPECT_EQ(rects(), before);
 }

@@ -1,6 +1,5 @@
 // Files, history, snapshots and autosave, through the whole editor.
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <fstream>
 
@@ -17,6 +16,7 @@
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
 #include "support/folders.h"
+#include "support/wait_until.h"
 
 namespace lapfx::test {
 namespace {
@@ -388,10 +388,7 @@ TEST_F(EditorDocument, WhatTheViewLoadsIsToldThereAlone) {
     EXPECT_TRUE(ui().exists("Status bar/Loading lagb.glb")) << ui().dump();
     layout("Tune");
     held.let_go();
-    for (int i = 0; i < 6000 && editor().preview.loading(); ++i) {
-        ui().frame();
-        ::usleep(5000);
-    }
+    EXPECT_TRUE(wait_until([&] { return !editor().preview.loading(); }, [&] { ui().frame(); }));
     EXPECT_TRUE(editor().preview.ready());
     EXPECT_FALSE(ui().frame().exists("Workspace/View/Loading"));
 }

@@ -1,6 +1,5 @@
 // The export dialog: what it proposes, what it refuses, what it makes.
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
@@ -12,6 +11,7 @@
 #include "editor/support/held_jobs.h"
 #include "lapfx/authoring/documents.h"
 #include "support/folders.h"
+#include "support/wait_until.h"
 #include "ui/core/tree.h"
 
 namespace lapfx::test {
@@ -42,8 +42,7 @@ class ExportTest : public EditorTest {
     /// Presses Export and waits until the export has ended.
     void export_it() {
         ui().click("New export/Export");
-        for (int i = 0; i < 1000 && editor().exports().running(); ++i) ui().frame();
-        ASSERT_FALSE(editor().exports().running());
+        ASSERT_TRUE(wait_until([&] { return !editor().exports().running(); }, [&] { ui().frame(); }));
         ui().frame().frame();
     }
     /// What toasts say.
@@ -174,7 +173,7 @@ TEST_F(ExportTest, WhatIsThereIsAskedFor) {
     EXPECT_EQ(fs::file_size(path("out.png")), 3U);
     ui().click("New export/Export").frame();
     ui().click("Replace it?/Replace");
-    for (int i = 0; i < 100 && editor().exports().running(); ++i) ui().frame();
+    EXPECT_TRUE(wait_until([&] { return !editor().exports().running(); }, [&] { ui().frame(); }));
     EXPECT_EQ(cv::imread(path("out.png")).cols, 640);
 }
 
@@ -291,10 +290,7 @@ class LoadingExport : public ExportTest {
     void let_go() {
         held_.reset();
         const auto busy = [&] { return editor().exports().running() || editor().jobs.busy(); };
-        for (int i = 0; i < 6000 && busy(); ++i) {
-            ui().frame();
-            ::usleep(5000);
-        }
+        EXPECT_TRUE(wait_until([&] { return !busy(); }, [&] { ui().frame(); }));
         ui().frame().frame();
     }
 
@@ -415,7 +411,8 @@ class OutsideTest : public ExportTest {
         const fs::path file = folder() / "case" / "case.scene.json";
         save_scene(scene, file);
         open({file.string()});
-        for (int i = 0; i < 200 && editor().preview.organ_of(editor().document.scene()) == nullptr; ++i) ui().frame();
+        EXPECT_TRUE(wait_until([&] { return editor().preview.organ_of(editor().document.scene()) != nullptr; },
+                               [&] { ui().frame(); }));
         open_dialog("export.bundle");
         set_file(path("bundle"));
     }
@@ -493,8 +490,7 @@ TEST_F(ExportTest, AFailureOnTheWayIsToldAndLeavesNothing) {
     ui().frame().frame();
     ASSERT_TRUE(editor().exports().running());
     fs::remove_all(folder() / "sub");
-    for (int i = 0; i < 100 && editor().exports().running(); ++i) ui().frame();
-    EXPECT_FALSE(editor().exports().running());
+    EXPECT_TRUE(wait_until([&] { return !editor().exports().running(); }, [&] { ui().frame(); }));
     EXPECT_THAT(news(), HasSubstr("out.mp4: the video could not be written completely"));
     EXPECT_FALSE(fs::exists(folder() / "sub"));
 }

@@ -13,6 +13,7 @@
 #include "app/files/files.h"
 #include "editor/support/editor_test.h"
 #include "lapfx/authoring/file.h"
+#include "support/wait_until.h"
 
 namespace lapfx::test {
 namespace {
@@ -160,7 +161,7 @@ class FullDisk : public EditorTest {
         ASSERT_TRUE(exports.faults().empty()) << exports.faults().front().text();
         disk().write([&] {
             exports.start();
-            for (int i = 0; i < 200 && exports.running(); ++i) ui().frame();
+            EXPECT_TRUE(wait_until([&] { return !exports.running(); }, [&] { ui().frame(); }));
         });
         ASSERT_FALSE(exports.running());
         ui().frame();

@@ -3,13 +3,12 @@
 #include <glad/gl.h>
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <fstream>
-#include <thread>
 
 #include "editor/support/editor_test.h"
 #include "lapfx/authoring/documents.h"
 #include "support/folders.h"
+#include "support/wait_until.h"
 
 namespace lapfx::test {
 namespace {
@@ -125,11 +124,7 @@ TEST_F(HotReloading, TheWatchTellsByItself) {
     Preset preset = on_disk();
     preset.bleeding.speed = 11;
     save_preset(preset, folder() / "mine.json");
-    for (int i = 0; i < 300 && editor().document.preset().bleeding.speed != 11.0; ++i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        ui().frame();
-    }
-    EXPECT_EQ(editor().document.preset().bleeding.speed, 11.0);
+    EXPECT_TRUE(wait_until([&] { return editor().document.preset().bleeding.speed == 11.0; }, [&] { ui().frame(); }));
 }
 
 /// A preview that is not exact: files are shown when they have been loaded.
@@ -150,13 +145,12 @@ class PreviewLoading : public EditorTest {
         shot.camera = document.scene().camera;
         return host.draw(shot);
     }
-    /// Draws until nothing is loading, for at most 30 s. Gives how often a picture was drawn.
+    /// Draws until nothing is loading. Gives how often a picture was drawn.
     int settle(double time) {
         int drawn = 0;
-        for (int i = 0; i < 3000 && (host.loading() || i == 0); ++i) {
-            drawn += turn(time += 0.01) ? 1 : 0;
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
+        const auto draw = [&] { drawn += turn(time += 0.01) ? 1 : 0; };
+        draw();
+        EXPECT_TRUE(wait_until([&] { return !host.loading(); }, draw));
         turn(time);
         return drawn;
     }

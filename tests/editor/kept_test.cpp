@@ -1,6 +1,5 @@
 // What is kept when the editor ends: settings, and work that was not saved.
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <fstream>
 
@@ -191,7 +190,7 @@ TEST_F(EditorDocument, DiscardedWorkIsGoneAndAutosaveThatFailsIsToldOnce) {
     set_speed(8);
     for (double time = 3000; time < 3200; time += 10) {
         editor().autosave().update(time);
-        ::usleep(5000);
+        editor().autosave().write_now();  // waits for the write that is on its way
     }
     EXPECT_EQ(editor().toasts.size(), 1U);
 }

@@ -1,15 +1,14 @@
 // The keying bench, driven by the names of the widgets on the screen.
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <functional>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
-#include <thread>
 
 #include "app/clips/keying_bench.h"
 #include "editor/support/editor_test.h"
 #include "support/folders.h"
+#include "support/wait_until.h"
 
 namespace lapfx::test {
 namespace {
@@ -387,13 +386,7 @@ TEST_F(KeyingPanel, BesideTheWindowPicturesFollowWithoutWaiting) {
     app::KeyingBench& bench = live.keying();
     double now = 1;
     const auto frame = [&] { live.frame(now += 1.0 / 60, [&] { bench.show(); }, {.visible = false}); };
-    const auto until = [&](const std::function<bool()>& met) {
-        for (int i = 0; i < 2000 && !met(); ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-            frame();
-        }
-        return met();
-    };
+    const auto until = [&](const std::function<bool()>& met) { return wait_until(met, frame); };
     const auto matte = [&] { return bench.picture(BenchView::matte).pixels->pixel({360, 380}).r; };
     frame();
     EXPECT_FALSE(bench.ready()) << "nothing was waited for";

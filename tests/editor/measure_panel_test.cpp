@@ -1,9 +1,7 @@
 // The Measure panel, driven by the names of the widgets on the screen: the reference is measured, its qualifier, its
 // baseline and what is left out are tuned over the picture.
 #include <cctype>
-#include <chrono>
 #include <fstream>
-#include <thread>
 
 #include "app/base/layouts.h"
 #include "app/measure/measure_bench.h"
@@ -13,6 +11,7 @@
 #include "editor/support/held_jobs.h"
 #include "match/measure.h"
 #include "support/clips.h"
+#include "support/wait_until.h"
 
 namespace lapfx::test {
 namespace {
@@ -42,17 +41,13 @@ class MeasurePanel : public EditorTest {
         ui().frame().frame().frame();
     }
     /// Frames until it is so: videos and jobs have threads of their own.
-    void wait_until(const std::function<bool()>& so) {
-        for (int i = 0; i < 500 && !so(); ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-            ui().frame().frame();
-        }
-        ASSERT_TRUE(so());
+    void wait_for(const std::function<bool()>& so) {
+        ASSERT_TRUE(wait_until(so, [&] { ui().frame().frame(); }));
     }
     void show_with_threads() {
         start({1440, 900}, false);
         show();
-        wait_until([&] { return bench().ready(); });
+        wait_for([&] { return bench().ready(); });
     }
     app::Measuring& measuring() { return editor().measuring(); }
     app::MeasureBench& bench() { return editor().measure_bench(); }
@@ -145,7 +140,7 @@ TEST_F(MeasurePanel, AFrameWhoseMeasuringWasCancelledIsMeasuredWhenOneAsks) {
     const auto cancel_at = [&](double time) {
         HeldJobs held(editor().jobs);
         editor().timeline.seek(time);
-        wait_until([&] { return bench().busy(); });
+        wait_for([&] { return bench().busy(); });
         for (const auto& job : editor().jobs.running()) job->cancel();  // as the list of jobs does
         held.let_go();
         editor().jobs.finish();
@@ -156,22 +151,22 @@ TEST_F(MeasurePanel, AFrameWhoseMeasuringWasCancelledIsMeasuredWhenOneAsks) {
     EXPECT_FALSE(bench().ready()) << "the figures would be of the frame before";
     EXPECT_TRUE(says("Measuring this frame was cancelled."));
     ui().click(panel + "Measure this frame").frame();
-    wait_until([&] { return bench().ready(); });
+    wait_for([&] { return bench().ready(); });
     EXPECT_EQ(bench().frame(), editor().reference().frame());
     EXPECT_FALSE(says("was cancelled"));
     cancel_at(3);
     EXPECT_TRUE(bench().given_up());
     editor().reference().step(1);  // something else is wanted
-    wait_until([&] { return bench().ready(); });
+    wait_for([&] { return bench().ready(); });
     EXPECT_FALSE(bench().given_up());
     editor().reference().let_go();
-    wait_until([&] { return bench().ready() && !bench().busy() && bench().frame() == editor().reference().frame(); });
+    wait_for([&] { return bench().ready() && !bench().busy() && bench().frame() == editor().reference().frame(); });
     cancel_at(4);
     EXPECT_TRUE(bench().given_up());
     editor().layouts().bring_to_front("Reference");
     ui().frame().frame();
     editor().layouts().bring_to_front("Measure");
-    wait_until([&] { return bench().ready(); });
+    wait_for([&] { return bench().ready(); });
     EXPECT_EQ(bench().frame(), editor().reference().frame());
 }
 

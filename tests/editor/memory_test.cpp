@@ -3,15 +3,13 @@
 
 #include <gmock/gmock.h>
 
-#include <chrono>
-#include <thread>
-
 #include "app/clips/keying_bench.h"
 #include "app/measure/amounts.h"
 #include "app/reference/reference.h"
 #include "app/tuning/snapshots.h"
 #include "editor/support/editor_test.h"
 #include "lapfx/prepared_organ.h"
+#include "support/wait_until.h"
 
 namespace lapfx::test {
 namespace {
@@ -190,11 +188,11 @@ TEST_F(EditorMemory, TheStatusBarSaysWhatHoldsIt) {
     start({1440, 900}, false);
     open_sample();
     std::string tip;
-    for (int i = 0; i < 3000 && tip.find("Smoke clips") == std::string::npos; ++i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        ui().frame(0.1);
-        if (clips() > 1'000'000) tip = ui().frame(2).tip("Status bar/Memory");
-    }
+    EXPECT_TRUE(wait_until([&] { return tip.find("Smoke clips") != std::string::npos; },
+                           [&] {
+                               ui().frame(0.1);
+                               if (clips() > 1'000'000) tip = ui().frame(2).tip("Status bar/Memory");
+                           }));
     for (const char* part : {"Smoke clips", "Organ's textures", "Maps of vessels and fat", "Organ's surface",
                              "Pictures of the scene", "Program and libraries", "Driver, decoders, all else"})
         EXPECT_THAT(tip, testing::HasSubstr(part));

@@ -1,12 +1,11 @@
 // The view panel: looking around, working with tools, overlays and the parameters that they belong to.
-#include <chrono>
 #include <opencv2/imgcodecs.hpp>
-#include <thread>
 
 #include "app/base/layouts.h"
 #include "app/files/exports.h"
 #include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
+#include "support/wait_until.h"
 
 namespace lapfx::test {
 namespace {
@@ -258,11 +257,8 @@ TEST_F(ViewPanelTest, PanelsGoOnWhileTheSceneIsSlow) {
     editor().timeline.speed = 0;
     editor().timeline.seek(6);
     ui().frame().frame(1).frame(1);
-    for (int i = 0; i < 1000 && editor().preview.late(); ++i) {  // frames of its clips are being decoded
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        ui().frame();
-    }
-    EXPECT_FALSE(editor().preview.late());
+    // Frames of its clips are being decoded.
+    EXPECT_TRUE(wait_until([&] { return !editor().preview.late(); }, [&] { ui().frame(); }));
     EXPECT_GT(editor().whole_at(), 1e9);
     const Image whole = editor().preview.read();
     EXPECT_EQ(differing(whole, picture(6), 0), 0U);
@@ -293,7 +289,7 @@ TEST_F(ViewPanelTest, HalfResolutionIsAQuarterOfThePixelsStretchedSmoothly) {
         editor().exports().form.size = 5;
         ui().frame();
         ui().click("New export/Export");
-        for (int i = 0; i < 1000 && editor().exports().running(); ++i) ui().frame();
+        EXPECT_TRUE(wait_until([&] { return !editor().exports().running(); }, [&] { ui().frame(); }));
         ui().frame().frame();
         return cv::imread(file.string());
     };

@@ -12,6 +12,7 @@
 #include "editor/support/editor_test.h"
 #include "output/files.h"
 #include "support/folders.h"
+#include "support/wait_until.h"
 
 namespace lapfx::test {
 namespace {
@@ -71,7 +72,7 @@ class WholeTest : public EditorTest {
         exports.form.at = time;
         ASSERT_TRUE(exports.faults().empty()) << exports.faults().front().text();
         exports.start();
-        for (int i = 0; i < 1000 && exports.running(); ++i) ui().frame();
+        EXPECT_TRUE(wait_until([&] { return !exports.running(); }, [&] { ui().frame(); }));
         ASSERT_TRUE(fs::exists(file)) << ui().dump();
     }
 };
@@ -117,8 +118,8 @@ TEST_F(WholeTest, LoadTuneUndoExportAndRenderTheSamePixels) {
     const fs::path program = build_folder() / "lapfx";
     ASSERT_TRUE(fs::exists(program));
     const fs::path rendered = folder() / "rendered.png";
-    const std::string command = program.string() + " render " + (folder() / "whole/whole.scene.json").string() +
-                                " --size 640x512 --at 6 -o " + rendered.string() + " 2>&1";
+    const std::string command = "'" + program.string() + "' render '" + (folder() / "whole/whole.scene.json").string() +
+                                "' --size 640x512 --at 6 -o '" + rendered.string() + "' 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0);
     EXPECT_EQ(unlike(shown, cv::imread(rendered.string())), 0U);
 }

@@ -40,8 +40,11 @@ bool is_whole_at_once(const fs::path& path) {
 
 }  // namespace
 
-FileWatch::FileWatch(std::function<void()> wake)
-    : wake_(std::move(wake)), queue_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)), signal_(eventfd(0, EFD_CLOEXEC)) {
+FileWatch::FileWatch(std::function<void()> wake, std::function<double()> clock)
+    : wake_(std::move(wake)),
+      clock_(clock ? std::move(clock) : std::function<double()>(seconds)),
+      queue_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)),
+      signal_(eventfd(0, EFD_CLOEXEC)) {
     if (queue_ >= 0 && signal_ >= 0) thread_ = std::thread([this] { run(); });
 }
 
@@ -62,6 +65,7 @@ void FileWatch::set(const Paths& paths) {
     {
         const std::lock_guard lock(mutex_);
         wanted_ = paths;
+        ++asked_;
     }
     if (signal_ >= 0) eventfd_write(signal_, 1);
 }
@@ -81,12 +85,15 @@ void FileWatch::run() {
             eventfd_t count = 0;
             eventfd_read(signal_, &count);
             std::optional<Paths> wanted;
+            std::uint64_t asked = 0;
             {
                 const std::lock_guard lock(mutex_);
                 if (stopping_) return;
                 wanted.swap(wanted_);
+                asked = asked_;
             }
             if (wanted) arm(*wanted);
+            armed_ = asked;
         }
         if ((sources[0].revents & POLLIN) != 0) read_events();
         if (rearm_) arm(Paths(paths_));
@@ -98,7 +105,7 @@ void FileWatch::run() {
 int FileWatch::time_left() const {
     if (pending_.empty()) return -1;
     const double due = std::min(last_ + quiet, first_ + longest);
-    return static_cast<int>(std::ceil(std::max(0.0, due - seconds()) * 1000));
+    return static_cast<int>(std::ceil(std::max(0.0, due - clock_()) * 1000));
 }
 
 void FileWatch::publish() {
@@ -107,6 +114,7 @@ void FileWatch::publish() {
         changed_.merge(pending_);
     }
     pending_.clear();
+    pending_count_ = 0;
     if (wake_) wake_();
 }
 
@@ -147,9 +155,10 @@ std::optional<int> FileWatch::watch(const fs::path& folder) {
 
 void FileWatch::note(const fs::path& path) {
     if (!files_.contains(path) && !folders_.contains(path.parent_path())) return;
-    last_ = seconds();
+    last_ = clock_();
     if (pending_.empty()) first_ = last_;
     pending_.insert(path);
+    pending_count_ = pending_.size();
 }
 
 void FileWatch::note_all_in(const fs::path& folder) {

@@ -11,6 +11,7 @@
 // file is moved away or comes back, and waiting until a program has finished writing would still be code of ours.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -26,8 +27,8 @@ class FileWatch {
   public:
     using Paths = std::vector<std::filesystem::path>;
 
-    /// `wake`: called on another thread when there is something to take.
-    explicit FileWatch(std::function<void()> wake);
+    /// `wake`: called on another thread when there is something to take. `clock`: s, asked there; empty: the machine's.
+    explicit FileWatch(std::function<void()> wake, std::function<double()> clock = {});
     ~FileWatch();
     FileWatch(const FileWatch&) = delete;
     FileWatch& operator=(const FileWatch&) = delete;
@@ -39,6 +40,10 @@ class FileWatch {
     Paths take();
     /// False where the system has no more watches to give, or none at all.
     bool works() const { return queue_ >= 0; }
+    /// Whether what set() has been given is watched already.
+    bool armed() const { return armed_ == asked_; }
+    /// Files that have changed and are not told yet: more may happen to them.
+    std::size_t pending() const { return pending_count_; }
 
   private:
     void run();
@@ -51,12 +56,16 @@ class FileWatch {
     void publish();
 
     std::function<void()> wake_;
+    std::function<double()> clock_;
     int queue_ = -1, signal_ = -1;  // inotify; eventfd: a new list, or the end
 
     std::mutex mutex_;
     std::optional<Paths> wanted_;  // asked for, and not yet watched
     std::set<std::filesystem::path> changed_;
     bool stopping_ = false;
+    std::uint64_t asked_ = 0;               // calls of set()
+    std::atomic<std::uint64_t> armed_ = 0;  // the one whose paths are watched
+    std::atomic<std::size_t> pending_count_ = 0;
 
     // The thread's own.
     Paths paths_;

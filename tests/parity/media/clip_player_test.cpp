@@ -11,6 +11,7 @@
 
 #include "support/clips.h"
 #include "support/gpu_test.h"
+#include "support/idle.h"
 #include "unit/preset/support.h"
 
 namespace lapfx::media {
@@ -52,34 +53,6 @@ class Gate : private DecodePool::Job {
 
     DecodePool& pool_;
     std::atomic<bool> shut_{false}, inside_{false};
-};
-
-/// Knows when the only decoding thread has nothing else to do.
-class Idle : private DecodePool::Job {
-  public:
-    explicit Idle(DecodePool& pool) : pool_(pool) { pool.join(*this); }
-    ~Idle() override { pool_.leave(*this); }
-    void wait() {
-        {
-            const std::lock_guard lock(pool_.mutex());
-            asked_ = true;
-        }
-        pool_.wake();
-        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-        while (asked_) {
-            ASSERT_LT(std::chrono::steady_clock::now(), until);
-            std::this_thread::yield();
-        }
-    }
-
-  private:
-    int urgency() override { return asked_ ? 1000 : -1; }
-    void begin() override {}
-    void run() noexcept override { asked_ = false; }
-    void end() override {}
-
-    DecodePool& pool_;
-    std::atomic<bool> asked_{false};
 };
 
 class ClipPlayerTest : public test::GpuTest {
@@ -124,7 +97,7 @@ class ClipPlayerTest : public test::GpuTest {
     DecodePool pool{1};
     std::shared_ptr<ClipFile> file;
     std::unique_ptr<ClipPlayer> player;
-    Idle idle{pool};
+    test::Idle idle{pool};
     StreamingTimes times;
     std::uint64_t cycles = 0;
 };

@@ -2,12 +2,12 @@
 #include <gmock/gmock.h>
 
 #include <opencv2/videoio.hpp>
-#include <thread>
 
 #include "gl/shader_source.h"
 #include "lapfx/authoring/prepared_scene.h"
 #include "lapfx/clip_cache.h"
 #include "parity/render/scene_fixture.h"
+#include "support/wait_until.h"
 
 namespace lapfx {
 namespace {
@@ -172,15 +172,10 @@ TEST_F(LivePreview, TheCacheLooksThroughFilesOnceAndKnowsBrokenOnes) {
 
 TEST_F(LivePreview, AFrameThatIsLateIsToldUntilItIsThere) {
     Preview live(scene, preset, {});
-    bool was_late = false, late = true;
-    for (int i = 0; i < 500 && late; ++i) {
-        live.image(2.5, size);
-        late = live.late();
-        was_late |= late;
-        if (late) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
+    live.image(2.5, size);
+    bool was_late = live.late();
+    EXPECT_TRUE(test::wait_until([&] { return !live.late(); }, [&] { live.image(2.5, size); }));
     EXPECT_TRUE(was_late) << "at first nothing is decoded";
-    EXPECT_FALSE(late);
     EXPECT_TRUE(live.image(2.5, size).pixels == preview().image(2.5, size).pixels);
 }
 

@@ -1,6 +1,8 @@
 // Smoke of SmokeGpu against the CPU references of keying and thickness, and off-screen against directly over the frame.
 #include "smoke/smoke_gpu.h"
 
+#include <chrono>
+
 #include "gl/srgb.h"
 #include "parity/smoke/smoke_fixture.h"
 #include "smoke/plume.h"
@@ -340,6 +342,7 @@ TEST_F(SmokeGpuTimings, CountFramesWithSmokeAndOnlyIfAskedTo) {
     glGetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &bits);
     for (const bool on : {false, true}) {
         SmokeGpu gpu(SmokeResolution::clip, on);
+        const auto begin = std::chrono::steady_clock::now();
         for (int i = 0; i < 40; ++i) {
             draw(gpu, [&] { gpu.even_haze(i % 2 == 0 ? 0.5 : 0.0); });
             glFinish();
@@ -351,7 +354,7 @@ TEST_F(SmokeGpuTimings, CountFramesWithSmokeAndOnlyIfAskedTo) {
             EXPECT_GE(gpu.timer().spans(), 12u);  // of 20; the last ones are not known yet
             EXPECT_LE(gpu.timer().spans(), 20u);
             EXPECT_GT(gpu.timer().seconds(), 0.0);
-            EXPECT_LT(gpu.timer().seconds(), 60.0);
+            EXPECT_LE(std::chrono::duration<double>(gpu.timer().seconds()), std::chrono::steady_clock::now() - begin);
         }
     }
 }

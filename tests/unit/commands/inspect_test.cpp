@@ -30,7 +30,7 @@ class InspectCommand : public testing::Test {
         if (!fs::exists(build_folder() / "lapfx")) GTEST_SKIP() << "the program is not built";
     }
     Result run(const std::string& arguments) {
-        const std::string command = "cd '" + folder.path().string() + "' && timeout 20 '" +
+        const std::string command = "cd '" + folder.path().string() + "' && timeout 600 '" +
                                     (build_folder() / "lapfx").string() + "' inspect " + arguments +
                                     " > out.txt 2> err.txt < /dev/null";
         const int status = std::system(command.c_str());

@@ -2,13 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <numeric>
 #include <random>
 #include <set>
-#include <thread>
 
 #include "support/clips.h"
+#include "support/idle.h"
 #include "unit/preset/support.h"
 
 namespace lapfx::media {
@@ -40,16 +39,6 @@ class ClipStreamTest : public testing::TestWithParam<int> {
         return number_of(stream.frame(index, policy, waited).bytes, {.size = {64, 48}});
     }
     int peeked(ClipStream& stream, int index) { return number_of(stream.peek(index).bytes, {.size = {64, 48}}); }
-    /// Calls `done` until it is true or 20 s have passed.
-    template <class Done>
-    static bool becomes_true(const Done& done) {
-        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-        while (std::chrono::steady_clock::now() < until) {
-            if (done()) return true;
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-        return false;
-    }
 };
 
 TEST_P(ClipStreamTest, PlaysForwardAndRoundTheLoop) {
@@ -109,7 +98,7 @@ TEST_P(ClipStreamTest, ClosesItsFileWhileAllOfItIsKept) {
     }
     EXPECT_FALSE(stream.closed());
     ASSERT_TRUE(stream.rest());
-    EXPECT_TRUE(becomes_true([&] { return stream.closed(); }));
+    EXPECT_TRUE(test::wait_until([&] { return stream.closed(); }));
     stream.aim(3);
     ASSERT_TRUE(stream.rest());
     EXPECT_TRUE(stream.closed()) << "where it is looked at makes no difference";
@@ -145,7 +134,8 @@ TEST_F(ClipStreamOnce, LatestDoesNotWaitAndSaysWhatItShows) {
     }
     EXPECT_GT(late, 0);
     EXPECT_EQ(waited, 0.0);
-    EXPECT_TRUE(becomes_true([&] { return shown(stream, 9, Policy::latest) == 9; })) << "asking sets the worker to it";
+    EXPECT_TRUE(test::wait_until([&] { return shown(stream, 9, Policy::latest) == 9; }))
+        << "asking sets the worker to it";
 }
 
 TEST_F(ClipStreamOnce, AClipThatTakesLongerToDecodeThanToPlayIsShownInSlowMotion) {
@@ -156,7 +146,7 @@ TEST_F(ClipStreamOnce, AClipThatTakesLongerToDecodeThanToPlayIsShownInSlowMotion
     ClipStream stream(one, Decoder(slow, Layout::planar), {0, 24}, 3, &done);
     std::set<int> seen;
     int asked = 0;
-    EXPECT_TRUE(becomes_true([&] {
+    EXPECT_TRUE(test::wait_until([&] {
         for (int i = 0; i < 25 && done[static_cast<std::size_t>(asked)] != 0; ++i) asked = (asked + 1) % 25;
         if (done[static_cast<std::size_t>(asked)] != 0) return true;  // all are kept
         const ClipStream::Shown shown = stream.frame(asked, Policy::latest, waited);
@@ -177,9 +167,9 @@ TEST_F(ClipStreamOnce, FewerBuffersHoldLess) {
     ClipStream stream = open(8);
     ASSERT_EQ(shown(stream, 0), 0);
     const std::size_t frame_bytes = PictureFormat{.size = {64, 48}}.bytes();
-    ASSERT_TRUE(becomes_true([&] { return stream.memory() >= 8 * frame_bytes; }));
+    ASSERT_TRUE(test::wait_until([&] { return stream.memory() >= 8 * frame_bytes; }));
     stream.set_buffers(2);
-    EXPECT_TRUE(becomes_true([&] { return stream.memory() <= 4 * frame_bytes; }));
+    EXPECT_TRUE(test::wait_until([&] { return stream.memory() <= 4 * frame_bytes; }));
     for (int i = 0; i < 2 * frames; ++i) ASSERT_EQ(shown(stream, i % frames), i % frames);
     EXPECT_LE(stream.memory(), 4 * frame_bytes);
 }
@@ -187,20 +177,22 @@ TEST_F(ClipStreamOnce, FewerBuffersHoldLess) {
 TEST_F(ClipStreamOnce, PeekFindsTheNextFrameAndDoesNotMove) {
     ClipStream stream = open(4);
     ASSERT_EQ(shown(stream, 5), 5);
-    EXPECT_TRUE(becomes_true([&] { return peeked(stream, 6) == 6; }));
+    EXPECT_TRUE(test::wait_until([&] { return peeked(stream, 6) == 6; }));
     EXPECT_TRUE(stream.peek(2).bytes.empty());
     const ClipStream::Shown any = stream.peek_any();
     EXPECT_EQ(number_of(any.bytes, {.size = {64, 48}}), any.index);
 }
 
 TEST_F(ClipStreamOnce, WithOneBufferTheNextFrameIsDecodedWhenItIsAimedAt) {
-    ClipStream stream = open(1);
+    DecodePool one{1};
+    ClipStream stream(one, Decoder(clip, Layout::planar), {0, frames - 1}, 1, &kept);
+    test::Idle idle(one);
     ASSERT_EQ(shown(stream, 3), 3);
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    idle.wait();
     const auto decoded = stream.work().decoded;
     EXPECT_EQ(peeked(stream, 4), -1) << "figure 3: not before the signal";
     stream.aim(4);
-    EXPECT_TRUE(becomes_true([&] { return peeked(stream, 4) == 4; }));
+    EXPECT_TRUE(test::wait_until([&] { return peeked(stream, 4) == 4; }));
     EXPECT_EQ(stream.work().decoded, decoded + 1);
 }
 

@@ -1,7 +1,6 @@
-// Small clips with seeded damage: opening and reading any of them ends in time, and every fault is one line that names
-// the file.
+// Small clips with seeded damage: opening and reading any of them ends (or the suite does not), with no more frames
+// than were allowed, and every fault is one line that names the file.
 #include <algorithm>
-#include <chrono>
 #include <opencv2/imgcodecs.hpp>
 #include <random>
 
@@ -14,7 +13,6 @@ namespace {
 using Random = std::mt19937;
 
 constexpr int maximum_frames = 1000;
-constexpr double longest = 5.0;  // s for one file: much more than any takes, but finite
 
 std::size_t below(Random& random, std::size_t limit) {
     return random() % std::max<std::size_t>(limit, 1);
@@ -83,7 +81,6 @@ class DecoderFuzz : public DecoderTest {
     }
 
     void try_file(const fs::path& path, unsigned seed, Tally& tally) const {
-        const auto start = std::chrono::steady_clock::now();
         try {
             Decoder decoder(path, seed % 2 == 0 ? Layout::planar : Layout::rgb, maximum_frames);
             Random random(seed);
@@ -96,8 +93,6 @@ class DecoderFuzz : public DecoderTest {
             EXPECT_TRUE(line.starts_with(path.string() + ": ")) << line;
             EXPECT_EQ(line.find('\n'), std::string::npos) << line;
         }
-        const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        EXPECT_LT(took, longest);
     }
 
     /// Adds the results for `rounds` damaged copies to `tally`.

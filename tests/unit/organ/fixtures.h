@@ -25,9 +25,9 @@ namespace fs = std::filesystem;
 class TemporaryFolder {
   public:
     TemporaryFolder() {
-        static std::atomic<int> count = 0;
-        path_ = fs::temp_directory_path() / ("lapfx-organ-" + std::to_string(getpid()) + "-" + std::to_string(count++));
-        fs::create_directories(path_);
+        std::string name = (fs::temp_directory_path() / "lapfx-organ-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+        path_ = name;
     }
     ~TemporaryFolder() { fs::remove_all(path_); }
     TemporaryFolder(const TemporaryFolder&) = delete;

@@ -289,14 +289,14 @@ TEST_F(Outside, WhatASceneNamesIsAMeshAPresetAndAVideo) {
 
 TEST_F(Outside, AThumbnailIsNotMadeOfAClipThatLeadsOut) {
     write("o.ply", "x");
-    const fs::path ran = all_ / "ran", program = all_.write("program.sh", "#!/bin/sh\ntouch " + ran.string() + "\n");
+    const fs::path ran = all_ / "ran", program = all_.write("program.sh", "#!/bin/sh\ntouch '" + ran.string() + "'\n");
     fs::permissions(program, fs::perms::owner_all);
     app::ThumbnailMaker maker({.cache = all_ / "cache",
                                .clip_folders = {},
                                .program = program,
                                .render = true,
                                .size = {192, 154},
-                               .longest = std::chrono::seconds(60),
+                               .longest = std::chrono::hours(1),
                                .niceness = 19,
                                .wake = {}});
     maker.want({{.file = write("p.json", test::preset_text(R"(, "smoke": {"clips": [{"file": "link.avi"}]})")),

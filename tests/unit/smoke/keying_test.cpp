@@ -158,7 +158,8 @@ TEST(KeyingPicture, TheMiddleOfAWiderBackgroundIsTaken) {
 }
 
 TEST(KeyingReader, GivesTheFramesOfAClip) {
-    const fs::path path = fs::temp_directory_path() / "lapfx_keying_reader.avi";
+    const test::Folder folder;
+    const fs::path path = folder / "reader.avi";
     test::write_clip(path, 12, {34, 22});  // an odd number of chroma samples
     KeyingReader reader(path);
     EXPECT_EQ(reader.report().frames, 12);
@@ -174,11 +175,11 @@ TEST(KeyingReader, GivesTheFramesOfAClip) {
     }
     EXPECT_TRUE(reader.read(99, frame)) << "clamped";
     EXPECT_NEAR(frame.luma[0], test::level_of(11), 2.0);
-    fs::remove(path);
 }
 
 TEST(KeyingReader, AFrameThatCannotBeReadIsTold) {
-    const fs::path path = fs::temp_directory_path() / "lapfx_keying_cut.avi";
+    const test::Folder folder;
+    const fs::path path = folder / "cut.avi";
     {
         cv::VideoWriter writer(path.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 20.0,
                                cv::Size(640, 480));
@@ -198,7 +199,8 @@ TEST(KeyingReader, AFrameThatCannotBeReadIsTold) {
 }
 
 TEST(KeyingReader, AStopIsHeeded) {
-    const fs::path path = fs::temp_directory_path() / "lapfx_keying_stop.avi";
+    const test::Folder folder;
+    const fs::path path = folder / "stop.avi";
     test::write_clip(path, 12);
     std::atomic<bool> stop = true;
     EXPECT_EQ(test::faults_of([&] { KeyingReader(path, &stop); }, Failure::runtime),
@@ -209,7 +211,6 @@ TEST(KeyingReader, AStopIsHeeded) {
     stop = false;
     EXPECT_TRUE(reader.read(9, frame, &stop));
     EXPECT_NEAR(frame.luma[0], test::level_of(9), 2.0);
-    fs::remove(path);
 }
 
 TEST(FindPublicClip, LooksInThePresetsFolderThenOnTheSearchPath) {

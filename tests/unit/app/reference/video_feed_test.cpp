@@ -1,11 +1,9 @@
 // Frames of a video decoded apart from the UI, and files that vanish or change while they are open.
 #include "app/reference/video_feed.h"
 
-#include <chrono>
-#include <thread>
-
 #include "app/reference/reference.h"
 #include "support/clips.h"
+#include "support/wait_until.h"
 #include "unit/preset/support.h"
 
 namespace lapfx::app {
@@ -13,15 +11,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Waits for the thread, but not endlessly.
+/// Waits for the thread.
 template <class Condition>
 bool comes(VideoFeed& feed, Condition condition) {
-    for (int i = 0; i < 1000; ++i) {
+    return test::wait_until([&] {
         feed.take();
-        if (condition()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
+        return condition();
+    });
 }
 
 class VideoFeedTest : public testing::Test {
