@@ -152,6 +152,8 @@ std::vector<HelpSection> file_sections() {
              "A clip that is broken in the middle or ends early continues with its last good frame; `lapfx render` "
              "and Effects::clips() report it. `lapfx inspect` decodes a clip completely and says which out point "
              "avoids broken frames.",
+             "The presets, samples and shaders that come with lapfx are found beside the program, in ../share/lapfx or "
+             "share/lapfx, or in the folder that the environment variable LAPFX_DATA names.",
              "Every file that lapfx writes appears complete under its name or not at all. What a killed process has "
              "left is removed by the next one that writes into the same folder."},
         .facts_title = {},

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""write_groups.py PROGRAM TESTS_FOLDER LIST LABEL [BY_FILE]: asks a program of tests for its cases and writes into LIST,
-for ctest, one test for each folder of test files (unit.smoke), or with BY_FILE for each file (editor.document).
+"""write_groups.py PROGRAM TESTS_FOLDER LIST LABEL [BY_FILE]: asks a program of tests for its cases and writes into
+LIST, for ctest, one test for each folder of test files (unit.smoke), or with BY_FILE for each file (editor.document).
 
 Each writes what became of its cases to results/GROUP.xml beside the program, which tests/support/run_tests.py reads.
 """

@@ -60,19 +60,20 @@ void EditorTest::start(glm::ivec2 size, bool exact) {
     editor_.reset();
     ui_.reset();
     const fs::path data = source_folder();
-    editor_ = std::make_unique<app::Editor>(images_, app::EditorOptions{.data_folder = data,
-                                                                        .clip_folders = clip_folders(),
-                                                                        .folders = {.config = folder_ / "config",
-                                                                                    .state = folder_ / "state",
-                                                                                    .cache = folder_ / "cache",
-                                                                                    .documents = folder_},
-                                                                        .exact = exact,
-                                                                        .exact_scale = scene_scale,
-                                                                        .renderer = "test",
-                                                                        .software = true,
-                                                                        .clock = clock,
-                                                                        .files = nullptr,
-                                                                        .early = sample_loaded()});
+    editor_ = std::make_unique<app::Editor>(images_,
+                                            app::EditorOptions{.data_folder = data,
+                                                               .clip_folders = clip_folders(),
+                                                               .folders = {.config = folder_ / "config",
+                                                                           .state = folder_ / "state",
+                                                                           .cache = folder_ / "cache",
+                                                                           .documents = folder_},
+                                                               .exact = exact,
+                                                               .exact_scale = scene_scale,
+                                                               .renderer = "test",
+                                                               .software = true,
+                                                               .clock = clock,
+                                                               .files = nullptr},
+                                            sample_loaded());
     panels::set_up(*editor_);
     ui_ = std::make_unique<ui::Harness>([this](ui::Ui& u) { panels::workspace(u, *editor_); }, size, 1.0F,
                                         &editor_->commands, &images_);

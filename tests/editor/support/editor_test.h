@@ -12,7 +12,6 @@
 // Files of the user are in a folder of the test's own, which is removed at its end.
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -37,7 +36,7 @@ class EditorTest : public GpuTest {
     std::function<double()> clock;  ///< EditorOptions::clock of the editor that start() makes
     /// EditorOptions::exact_scale of the editor that start() makes: pixels of the scene take most of a test's time
     /// without a GPU, and few tests look at single ones. Those ask for 1 in the constructor of their fixture.
-    double scene_scale = std::getenv("SC") ? std::atof(std::getenv("SC")) : 0.5;
+    double scene_scale = 0.2;
 
     app::Editor& editor() { return *editor_; }
     ui::Harness& ui() { return *ui_; }
