@@ -156,7 +156,7 @@ def configure(project, source, build, needed, *options):
 
 def check_targets(build, *others):
     targets = run("cmake", "--build", build, "--target", "help")
-    for target in ("lapfx_editor", "lapfx_ui", "lapfx_unit_tests", "lapfx_host", "make_sample_organs", *others):
+    for target in ("lapfx_app", "lapfx_ui", "lapfx_unit_tests", "lapfx_host", "make_sample_organs", *others):
         assert not re.search(rf"\b{target}\b", targets), f"{target} is not of the core"
 
 
