@@ -2,6 +2,8 @@
 # folder of test files, or for each file. Cases of a group share a process: to start a program that links OpenCV takes
 # 0.2 s, and to open a context and load an organ takes longer. A group is labelled with its suites:
 #     tests/run -R unit.smoke        tests/run -L Haze        build/lapfx_unit_tests --gtest_filter='HazeCurve.*'
+set(write_groups ${CMAKE_CURRENT_LIST_DIR}/write_groups.py)
+
 function(lapfx_discover_groups target label)
     set(list ${CMAKE_CURRENT_BINARY_DIR}/${target}_groups.cmake)
     add_custom_command(TARGET ${target} POST_BUILD
