@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""lapfx inspect on meshes of the third-party test data, and what became of their triangles: of each folder and format
-the first and every twelfth after it, or with `tests/run --deep` (LAPFX_DEEP=1) every one, which takes some minutes.
+"""lapfx inspect on meshes of the third-party test data, and what became of their triangles: of each collection and
+format the first and every twelfth after it, or with `tests/run --deep` (LAPFX_DEEP=1) every one, which takes some minutes.
 
     organ_walk.py LAPFX DATA_FOLDER
 
@@ -28,12 +28,16 @@ class Sum:
 
 
 def meshes(folder):
+    """Sorted by collection, which is two folders deep, and format."""
+    found = collections.defaultdict(list)
+    for path, _, names in os.walk(folder):
+        collection = os.path.relpath(path, folder).split(os.sep)[:2]
+        for name in names:
+            if (kind := name.rsplit(".", 1)[-1].lower()) in FORMATS:
+                found[(*collection, kind)].append(os.path.join(path, name))
     step = 1 if os.environ.get("LAPFX_DEEP") else 12
-    for path, _, names in sorted(os.walk(folder)):
-        for kind in FORMATS:
-            of_kind = sorted(name for name in names if name.rsplit(".", 1)[-1].lower() == kind)
-            for name in of_kind[::step]:
-                yield os.path.join(path, name)
+    for _, files in sorted(found.items()):
+        yield from sorted(files)[::step]
 
 
 def reason_of(line, file):
@@ -88,7 +92,7 @@ def main():
     for reason, count in refusals.most_common():
         print(f"{count:5}  {reason}")
     if not os.environ.get("LAPFX_DEEP"):
-        print("\nthe first and every twelfth of each folder and format; tests/run --deep inspects all of them")
+        print("\nof each collection and format the first and every twelfth; tests/run --deep inspects all of them")
     print("\n".join(faults))
     return 1 if faults else 0
 
