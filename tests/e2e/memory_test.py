@@ -2,7 +2,8 @@
 """What the editor's window holds in main memory while it is used at random, on the sample scene.
 
 memory_test.py LAPFX [ACTS]: how often something is done after all has been used once, 60 unless told otherwise, with
-`tests/run --deep` (LAPFX_DEEP=1) 300; of more than 600 every fiftieth is printed, too. 77 where Xvfb, xdotool or OpenGL is missing, or the process's memory cannot be read.
+`tests/run --deep` (LAPFX_DEEP=1) 300; of more than 600 every fiftieth is printed, too.
+77 where Xvfb, xdotool or OpenGL is missing, or the process's memory cannot be read.
 
 A person's hands, from a fixed seed: drags, clicks and wheel all over the window, tools on the organ, keys of layouts,
 overlays, snapshots, undo. Each is done when the window has answered the one before, so that a busy machine does the
