@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """What a killed program leaves behind goes with the next run: killed_test.py LAPFX
 
-Each case kills a render in its middle (SIGKILL), then runs the same command to its end. The scene is a square: how long a
-render takes does not matter, for the one that is to run beside others is held meanwhile.
+Each case kills a render in its middle (SIGKILL), then runs the same command to its end. The scene is a square: how
+long a render takes does not matter, for the one that is to run beside others is held meanwhile.
 """
 import os
 import signal

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """lapfx inspect on meshes of the third-party test data, and what became of their triangles: of each collection and
-format the first and every twelfth after it, or with `tests/run --deep` (LAPFX_DEEP=1) every one, which takes some minutes.
+format the first and every twelfth after it, or with `tests/run --deep` (LAPFX_DEEP=1) every one, which takes some
+minutes.
 
     organ_walk.py LAPFX DATA_FOLDER
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # One scene, one picture (design: "same pixels"): lapfx render (Preview) on OSMesa twice gives the same bytes, and so
 # does the sample host, which loads, sees and draws by itself with Effects, and is told of a contact when it begins;
-# EGL's software renderer agrees with them within 1/255 in every channel of every pixel. With curves over time as well: all three
-# at once, and with tests/run --deep (LAPFX_DEEP=1) each by itself.
+# EGL's software renderer agrees with them within 1/255 in every channel of every pixel. With curves over time as well:
+# all three at once, and with tests/run --deep (LAPFX_DEEP=1) each by itself.
 #
 #   same_pixels.sh LAPFX LAPFX_HOST IMAGES_DIFFER ROOT
 set -euo pipefail
