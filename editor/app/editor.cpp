@@ -249,7 +249,7 @@ bool Editor::draw_in_turn() {
     const bool working = pace_.touched(now_);
     if (!working && options_.software) pace_.expect(meter_->scene.seconds());
     if (!pace_.due(now_)) {
-        screen_.wake("the scene's turn");
+        screen_.wake_at(pace_.due_at(now_), "the scene's turn");
         return false;
     }
     const double begin = clock();

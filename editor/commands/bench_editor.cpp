@@ -34,9 +34,9 @@ using Clock = std::chrono::steady_clock;
 struct Extent {
     int frames, warm_up;
     int runs;  // runs of each side of the drag
+    glm::ivec2 window;
 };
-constexpr Extent whole{60, 5, 5}, least{2, 1, 1};
-constexpr glm::ivec2 window{1440, 900};
+constexpr Extent whole{60, 5, 5, {1440, 900}}, least{2, 1, 1, {900, 700}};
 
 double ms_since(Clock::time_point start) {
     return 1e3 * std::chrono::duration<double>(Clock::now() - start).count();
@@ -150,7 +150,8 @@ void measure_drag(HeadlessEditor& headless, const Extent& extent, BenchReport& r
 
 BenchReport bench_editor(const BenchOptions& options) {
     const Extent& extent = options.short_form ? least : whole;
-    HeadlessEditor headless(window, 1.0F, "auto", false);  // with decoding and jobs at the same time, as in the window
+    HeadlessEditor headless(extent.window, 1.0F, "auto",
+                            false);  // with decoding and jobs at the same time, as in the window
     BenchReport report{
         .bench = "editor", .renderer = headless.context().renderer(), .rows = {}, .ratios = {}, .table = {}};
     app::Opened opened = app::open_sample(data_folder());

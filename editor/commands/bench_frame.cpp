@@ -35,14 +35,15 @@ using std::chrono::duration;
 
 constexpr double frame_seconds = 1.0 / bench_clip_fps;
 constexpr double light_scene_ms = 20.0;
-constexpr glm::ivec2 haptic_size{640, 512};
 constexpr double samples_from = 20.0;  // s: the scene's own events are over
 
 struct Extent {
     int clips, frame_runs, haptic_runs;
     double haptic_seconds;
+    glm::ivec2 size, haptic_size;
 };
-constexpr Extent whole{15, 9, 5, 4.0}, least{2, 1, 1, 0.5};
+constexpr Extent whole{15, 9, 5, 4.0, {screen_width, screen_height}, {640, 512}},
+    least{2, 1, 1, 0.2, {160, 128}, {80, 64}};
 constexpr double no_blood_s = 600.0;  // then something is wrong: a busy machine is given all the time until some grows
 
 double seconds_since(Clock::time_point start) {
@@ -158,7 +159,7 @@ Beside beside_the_core(const HostFrame& host, const Played& played, bool real_ti
     scene.events.erase(
         scene.events.begin());  // its stroke is that of the haptic thread; the scene's own blood and smoke exist
     Preview preview(scene, played.smoky, played.organ, {});
-    preview.draw(samples_from, haptic_size, host.framebuffer());
+    preview.draw(samples_from, played.extent.haptic_size, host.framebuffer());
     const double before = preview.amounts().blood_area;
     HapticThread haptic(&preview.tool_queue(), played.scene.events.front(), played.extent.haptic_seconds, real_time);
     const double cpu = process_seconds();
@@ -167,7 +168,7 @@ Beside beside_the_core(const HostFrame& host, const Played& played, bool real_ti
     const auto grown = [&] { return preview.amounts().blood_area - before; };
     while (seconds_since(start) < played.extent.haptic_seconds ||
            (grown() <= 0.0 && seconds_since(start) < no_blood_s)) {
-        preview.draw(samples_from + seconds_since(start), haptic_size, host.framebuffer());
+        preview.draw(samples_from + seconds_since(start), played.extent.haptic_size, host.framebuffer());
         finish_drawing();
         next += std::chrono::duration_cast<Clock::duration>(duration<double>(frame_seconds));
         std::this_thread::sleep_until(next);
@@ -231,32 +232,32 @@ double compare_haptics(const HostFrame& host, const Played& played, bool real_ti
 }
 
 /// ms for a frame of the scene, each at another time, so that nothing can be reused.
-double frame_ms(Preview& preview, int run, unsigned framebuffer) {
+double frame_ms(Preview& preview, int run, glm::ivec2 size, unsigned framebuffer) {
     const auto start = Clock::now();
-    preview.draw(8.0 + run * frame_seconds, {screen_width, screen_height}, framebuffer);
+    preview.draw(8.0 + run * frame_seconds, size, framebuffer);
     finish_drawing();
     return 1e3 * seconds_since(start);
 }
 
 /// The scene's camera, farther away until a frame costs no more than light_scene_ms, or the organ is a dot.
-SceneCamera far_away(Preview& preview, const SceneCamera& near, unsigned framebuffer) {
+SceneCamera far_away(Preview& preview, const SceneCamera& near, glm::ivec2 size, unsigned framebuffer) {
     SceneCamera camera = near;
     for (int doubled = 1; doubled <= 6; ++doubled) {
         camera.eye = near.target + std::exp2(doubled) * (near.eye - near.target);
         preview.set_camera(camera);
-        frame_ms(preview, doubled, framebuffer);
-        if (frame_ms(preview, doubled, framebuffer) <= light_scene_ms) break;
+        frame_ms(preview, doubled, size, framebuffer);
+        if (frame_ms(preview, doubled, size, framebuffer) <= light_scene_ms) break;
     }
     return camera;
 }
 
 /// `name` of the ratio, and the scene as named in the rows.
-void compare_frames(Preview& smoky, Preview& clear, int runs, const HostFrame& host, const std::string& name,
-                    const std::string& scene, BenchReport& report, Progress& progress) {
+void compare_frames(Preview& smoky, Preview& clear, const Extent& extent, const HostFrame& host,
+                    const std::string& name, const std::string& scene, BenchReport& report, Progress& progress) {
     std::vector<double> with_ms, none_ms;
-    for (int run = 0; run <= runs; ++run) {
-        const double clear_ms = frame_ms(clear, run, host.framebuffer()),
-                     smoky_ms = frame_ms(smoky, run, host.framebuffer());
+    for (int run = 0; run <= extent.frame_runs; ++run) {
+        const double clear_ms = frame_ms(clear, run, extent.size, host.framebuffer()),
+                     smoky_ms = frame_ms(smoky, run, extent.size, host.framebuffer());
         progress.step();
         if (run == 0) continue;  // makes its targets
         none_ms.push_back(clear_ms);
@@ -274,11 +275,10 @@ void compare_frames(const HostFrame& host, const Played& played, BenchReport& re
         clear(played.scene, played.clear, played.organ, {});
     for (int i = 0; i <= bench_clip_frames; ++i)  // until every clip is resident; small
         smoky.draw(8.0 + i * frame_seconds, {64, 48}, host.framebuffer());
-    const int runs = played.extent.frame_runs;
-    compare_frames(smoky, clear, runs, host, "frame_15_over_0", "as the sample scene is", report, progress);
-    const SceneCamera camera = far_away(clear, played.scene.camera, host.framebuffer());
+    compare_frames(smoky, clear, played.extent, host, "frame_15_over_0", "as the sample scene is", report, progress);
+    const SceneCamera camera = far_away(clear, played.scene.camera, played.extent.size, host.framebuffer());
     smoky.set_camera(camera);
-    compare_frames(smoky, clear, runs, host, "frame_15_over_0_light_scene", "from far away", report, progress);
+    compare_frames(smoky, clear, played.extent, host, "frame_15_over_0_light_scene", "from far away", report, progress);
 }
 
 }  // namespace

@@ -20,10 +20,16 @@ namespace lapfx::commands {
 
 namespace {
 
-constexpr double scene_seconds = 60.0, amounts_per_second = 30.0;
+constexpr double amounts_per_second = 30.0;
 constexpr double rest = 300.0;  // s after the last stroke, when its blood has stopped
 constexpr double aside_mm = 60.0, over_mm = 20.0;
-constexpr int held_frames = 120, samples_per_frame = 17;
+constexpr int samples_per_frame = 17;
+
+struct Extent {
+    int runs, history, held_frames;  // history: s of the longer one
+    double scene_seconds;
+};
+constexpr Extent whole_extent{5, 600, 120, 60.0}, least_extent{1, 20, 12, 4.0};
 
 /// Where strokes go: a spiral around a place of the organ, on its surface.
 glm::dvec3 place_of(const Effects& effects, const glm::dvec3& centre, const glm::dvec3& outside, double turn) {
@@ -61,7 +67,7 @@ struct Held {
     ToolAction third = ToolAction::suction;
 };
 
-Cost sample_cost(Effects& effects, const Scene& scene, int seconds, const Held& held) {
+Cost sample_cost(Effects& effects, const Scene& scene, int seconds, int held_frames, const Held& held) {
     // They are apart, so that the held stroke has the same effect on the organ with any history.
     const glm::dvec3 centre = scene.events.front().position, aside = scene.events.back().to + glm::dvec3(held.mm, 0, 0);
     effects.set_contacts(strokes(effects, aside, scene.camera.eye, seconds, held.third));
@@ -82,18 +88,19 @@ Cost sample_cost(Effects& effects, const Scene& scene, int seconds, const Held& 
     return {.us = 1e6 * (thread_seconds() - begin) / (held_frames * samples_per_frame), .before = before};
 }
 
-double scene_cost(const std::shared_ptr<const PreparedOrgan>& organ, const Scene& scene, const Preset& preset) {
+double scene_cost(const std::shared_ptr<const PreparedOrgan>& organ, const Scene& scene, const Preset& preset,
+                  double seconds) {
     AmountsModel model(organ, {.gravity = scene.gravity});
     const double begin = thread_seconds();
     model.set(preset, scene.events, scene.curves);
-    for (int i = 0; i < static_cast<int>(scene_seconds * amounts_per_second); ++i) model.at(i / amounts_per_second);
+    for (int i = 0; i < static_cast<int>(seconds * amounts_per_second); ++i) model.at(i / amounts_per_second);
     return thread_seconds() - begin;
 }
 
 }  // namespace
 
 void measure_simulation(BenchReport& report, bool short_form) {
-    const int runs = short_form ? 1 : 5;
+    const Extent& extent = short_form ? least_extent : whole_extent;
     const std::filesystem::path data = data_folder();
     const Scene scene = load_scene(data / "samples/lagb.scene.json");
     const Preset preset = load_preset(data / "presets/gastric_banding.json");
@@ -103,7 +110,7 @@ void measure_simulation(BenchReport& report, bool short_form) {
     EffectsOptions options;
     options.gravity = scene.gravity;
     Effects effects(organ, without_clips, options);
-    const int histories[] = {10, short_form ? 20 : 600};
+    const int histories[] = {10, extent.history};
     constexpr Held held[] = {{ToolAction::coagulate, "coagulation", aside_mm},
                              {ToolAction::cauterise, "cautery", aside_mm},
                              {ToolAction::cut, "cut", aside_mm},
@@ -113,13 +120,13 @@ void measure_simulation(BenchReport& report, bool short_form) {
     constexpr std::size_t over_blood = std::size(held) - 1;
     Cost cost[std::size(held)][2];
     double whole = std::numeric_limits<double>::infinity(), worst = 0.0;
-    for (int run = 0; run < runs; ++run) {
+    for (int run = 0; run < extent.runs; ++run) {
         for (std::size_t tool = 0; tool < std::size(held); ++tool)
             for (int i = 0; i < 2; ++i) {
-                const Cost one = sample_cost(effects, scene, histories[i], held[tool]);
+                const Cost one = sample_cost(effects, scene, histories[i], extent.held_frames, held[tool]);
                 if (one.us < cost[tool][i].us) cost[tool][i] = one;
             }
-        whole = std::min(whole, scene_cost(organ, scene, preset));
+        whole = std::min(whole, scene_cost(organ, scene, preset, extent.scene_seconds));
     }
     for (std::size_t tool = 0; tool < std::size(held); ++tool) {
         for (int i = 0; i < 2; ++i)
@@ -131,9 +138,10 @@ void measure_simulation(BenchReport& report, bool short_form) {
         if (tool != over_blood) worst = std::max(worst, cost[tool][1].us / cost[tool][0].us);
     }
     report.ratios["suction_of_old_blood_10min_over_10s"] = cost[over_blood][1].us / cost[over_blood][0].us;
-    report.rows.push_back({.of = {{"what", "60 s of amounts"}}, .measured = {{"cpu_s", whole}}});
+    const std::string seconds = std::to_string(static_cast<int>(extent.scene_seconds));
+    report.rows.push_back({.of = {{"what", seconds + " s of amounts"}}, .measured = {{"cpu_s", whole}}});
     report.ratios["sample_cost_10min_over_10s"] = worst;
-    report.ratios["simulation_over_real_time"] = whole / scene_seconds;
+    report.ratios["simulation_over_real_time"] = whole / extent.scene_seconds;
 }
 
 }  // namespace lapfx::commands

@@ -192,7 +192,7 @@ void add_measure(CLI::App& app) {
         "Blood is an area, smoke a veil density, both as shares of the view, 0 to 1, with an interval that holds the\n"
         "true one in nine of ten frames of our renders (lapfx bench measure); real videos can be farther off. The\n"
         "black surround, instruments and burnt-in text are left out.\n\n"
-        "Example:\n  lapfx measure samples/reference/operation.mp4 -o amounts.csv --plot amounts.png");
+        "Example:\n  lapfx measure samples/reference/operation.mp4 --to 2 -o amounts.csv --plot amounts.png");
     verb->callback([o] { run(*o); });
 }
 

@@ -124,7 +124,7 @@ void add_render(CLI::App& app) {
         "Examples:\n"
         "  lapfx render samples/lagb.scene.json --at 6 --set bleeding.speed=8 -o out.png\n"
         "  lapfx render samples/lagb.scene.json --at 0 --overlay vessels -o vessels.png\n"
-        "  lapfx render samples/lagb.scene.json --to 1 --size 640x512 --amounts amounts.csv -o out.mp4");
+        "  lapfx render samples/lagb.scene.json --to 1 --fps 10 --size 320x256 --amounts amounts.csv -o out.mp4");
     verb->callback([o, from, to, at] {
         o->has_at = at->count() > 0;
         o->has_span = from->count() + to->count() > 0;

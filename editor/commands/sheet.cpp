@@ -162,7 +162,7 @@ void add_sheet(CLI::App& app) {
     verb->footer(
         "Example:\n"
         "  lapfx sheet samples/lagb.scene.json --preset presets/slow_ooze.json --preset presets/brisk_bleed.json "
-        "--at 1,3,6,10 -o sheet.png");
+        "--at 3,6 -o sheet.png");
     verb->callback([o] { run(*o); });
 }
 

@@ -5,12 +5,16 @@ what it links, and a host sees nothing but what it needs.
 
     host_project_test.py PROJECT FOLDER LAPFX
 
-The folder is kept: what is built there once is not built again.
+The host's own files are compiled as the host's CMake says, and linked by its own commands; the core's libraries, which
+those commands name, are the ones that lapfx beside LAPFX was built of, so that the core is compiled once. With
+`tests/run --deep` (LAPFX_DEEP=1), and where those have a sanitizer, the host builds the core, too. The folder is kept:
+what is built there once is not built again.
 """
 import ctypes
 import json
 import os
 import re
+import shlex
 import shutil
 import struct
 import subprocess
@@ -154,6 +158,36 @@ def configure(project, source, build, needed, *options):
     return open(cache, encoding="utf-8").read()
 
 
+def builds_the_core(lapfx):
+    if os.environ.get("LAPFX_DEEP"):
+        return True
+    with open(os.path.join(os.path.dirname(lapfx), "CMakeCache.txt"), encoding="utf-8") as cache:
+        return "LAPFX_SANITIZE:STRING=OFF\n" not in cache.read()
+
+
+def link(build, built, target, file):
+    """Compiles what the host has itself, and links it with the libraries of the core that are in `built`."""
+    own = re.findall(rf"^CMakeFiles/{target}\.dir/\S+\.o$", run("ninja", "-C", build, "-t", "inputs", file), re.MULTILINE)
+    assert own, f"nothing of {target} is the host's own"
+    run("ninja", "-C", build, *own)
+    command = run("ninja", "-C", build, "-t", "commands", file).splitlines()[-1]
+    libraries = sorted({word for word in shlex.split(command) if word.startswith("lapfx/") and word.endswith(".a")})
+    assert libraries, f"{target} links nothing of the core: {command}"
+    for library in libraries:
+        shutil.copy2(os.path.join(built, os.path.relpath(library, "lapfx")), os.path.join(build, library))
+    run("sh", "-c", f"cd {shlex.quote(build)} && {command}")
+
+
+def build_host(build, lapfx):
+    if builds_the_core(lapfx):
+        run("cmake", "--build", build)
+        return
+    print("the core is not compiled again; tests/run --deep does that, too")
+    run("ninja", "-C", build, "-n")  # there is a rule for all of it
+    for target, file in (("simulator", "simulator"), ("plugin", "libplugin.so"), ("scores", "scores")):
+        link(build, os.path.dirname(lapfx), target, file)
+
+
 def check_targets(build, *others):
     targets = run("cmake", "--build", build, "--target", "help")
     for target in ("lapfx_app", "lapfx_ui", "lapfx_unit_tests", "lapfx_host", "make_sample_organs", *others):
@@ -232,7 +266,7 @@ def main(project, folder, lapfx):
     # Debug: it compiles fastest, and it is the host's own choice.
     cache = configure(project, folder, build, NEEDED, "-DCMAKE_BUILD_TYPE=Debug")
     assert re.search(r"CMAKE_BUILD_TYPE:STRING=Debug\n", cache), "the build type is the host's"
-    run("cmake", "--build", build)
+    build_host(build, lapfx)
     check_targets(build)
     check_scores(project, folder, build, lapfx)
     organ = os.path.join(project, "samples", "hook_cautery.glb")

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """What the editor's window holds in main memory while it is used at random, on the sample scene.
 
-memory_test.py LAPFX [ACTS]: how often something is done, 300 unless told otherwise; of more than 600 every fiftieth is
-printed, too. 77 where Xvfb, xdotool or OpenGL is missing, or the process's memory cannot be read.
+memory_test.py LAPFX [ACTS]: how often something is done after all has been used once, 60 unless told otherwise, with
+`tests/run --deep` (LAPFX_DEEP=1) 300; of more than 600 every fiftieth is printed, too.
+77 where Xvfb, xdotool or OpenGL is missing, or the process's memory cannot be read.
 
 A person's hands, from a fixed seed: drags, clicks and wheel all over the window, tools on the organ, keys of layouts,
 overlays, snapshots, undo. Each is done when the window has answered the one before, so that a busy machine does the
@@ -23,7 +24,9 @@ MOST = 525e6  # bytes beside the clips, as it opens and plays: 455 to 500 were s
 # triangles of the frame that it draws, up to 100 MB of them, which come and go.
 MOST_USED = 675e6
 GROWTH = 100e6  # bytes, from when all of it has been used once to the end
-USED = 200  # acts, or half of all if that is more, until all of it has been used
+DEEP = bool(os.environ.get("LAPFX_DEEP"))
+USED = 200 if DEEP else 60  # acts, or half of all if that is more, until all of it has been used
+EMPTY = 5  # frames for each act that draw nothing, at most; under 1 was seen
 REPORTS = 15  # about a second each: what is compared is their mean
 WIDTH, HEIGHT = 1440, 900
 MENU_BAR = 34  # px: what lies there may close the window
@@ -133,12 +136,16 @@ def use(open_editor, acts):
         end = held.beside_clips(REPORTS)
         said += f", {begin / 1e6:.0f} once all has been used, {end / 1e6:.0f} at the end"
         assert max(begin, end) <= MOST_USED, f"{said}; allowed: {MOST_USED / 1e6:.0f}"
+        empty = sum(not drawn for *_, drawn in editor.frames())
+        assert empty <= EMPTY * (USED + acts), f"{empty} frames drew nothing: the window is busy without a reason"
         assert end - begin <= GROWTH, f"{said}; allowed to grow by {GROWTH / 1e6:.0f}"
-        return said
+        return f"{said}; {empty} frames drew nothing"
 
 
 def main(arguments):
-    acts = int(arguments[1]) if len(arguments) > 1 else 300
+    acts = int(arguments[1]) if len(arguments) > 1 else 300 if DEEP else 60
+    if not DEEP:
+        print("a short walk; tests/run --deep takes a long one")
     editor_test.SIZE = (WIDTH, HEIGHT)
     os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[:CORES])
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""lapfx inspect on meshes of the third-party test data, and what became of their triangles: of each folder and format
-the first and every fourth after it, or with `tests/run --deep` (LAPFX_DEEP=1) every one, which takes some minutes.
+"""lapfx inspect on meshes of the third-party test data, and what became of their triangles: of each collection and
+format the first and every twelfth after it, or with `tests/run --deep` (LAPFX_DEEP=1) every one, which takes some
+minutes.
 
     organ_walk.py LAPFX DATA_FOLDER
 
@@ -9,11 +10,11 @@ the files that were refused. Fails when a file's triangles do not add up, or one
 it. Skips (77) where that data is not there.
 """
 import collections
-import concurrent.futures
 import os
 import re
-import subprocess
 import sys
+
+import inspecting
 
 FORMATS = ("glb", "gltf", "obj", "off", "ply", "stl")
 IN_THE_FILE = re.compile(r"^  in the file +(\d+) triangles?, (?:none left out|(\d+) left out: (.*))$", re.M)
@@ -28,17 +29,16 @@ class Sum:
 
 
 def meshes(folder):
-    step = 1 if os.environ.get("LAPFX_DEEP") else 4
-    for path, _, names in sorted(os.walk(folder)):
-        for kind in FORMATS:
-            of_kind = sorted(name for name in names if name.rsplit(".", 1)[-1].lower() == kind)
-            for name in of_kind[::step]:
-                yield os.path.join(path, name)
-
-
-def inspect(program, file):
-    return file, subprocess.run([program, "inspect", file], capture_output=True, text=True, errors="replace", timeout=1200,
-                                check=False)
+    """Sorted by collection, which is two folders deep, and format."""
+    found = collections.defaultdict(list)
+    for path, _, names in os.walk(folder):
+        collection = os.path.relpath(path, folder).split(os.sep)[:2]
+        for name in names:
+            if (kind := name.rsplit(".", 1)[-1].lower()) in FORMATS:
+                found[(*collection, kind)].append(os.path.join(path, name))
+    step = 1 if os.environ.get("LAPFX_DEEP") else 12
+    for _, files in sorted(found.items()):
+        yield from sorted(files)[::step]
 
 
 def reason_of(line, file):
@@ -73,18 +73,17 @@ def main():
         print(f"organ_walk: no test data in {folder}, so nothing was inspected")
         return 77
     sums, refusals, faults = collections.defaultdict(Sum), collections.Counter(), []
-    with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        for file, done in pool.map(lambda name: inspect(program, name), meshes(folder)):
-            total = sums[os.path.relpath(file, folder).split(os.sep)[0], file.rsplit(".", 1)[-1].lower()]
-            total.files += 1
-            lines = [line for line in done.stderr.splitlines() if line.startswith(f"lapfx: {file}: ")]
-            if done.returncode == 2 and lines:
-                total.refused += 1
-                refusals[reason_of(lines[0], file)] += 1
-            elif done.returncode != 0:
-                faults.append(f"{file}: exit {done.returncode}: {done.stderr[:200]}")
-            elif (fault := add(total, done.stdout)) is not None:
-                faults.append(f"{file}: {fault}")
+    for file, code, output, errors in inspecting.inspect_all(program, meshes(folder)):
+        total = sums[os.path.relpath(file, folder).split(os.sep)[0], file.rsplit(".", 1)[-1].lower()]
+        total.files += 1
+        lines = [line for line in errors.splitlines() if line.startswith(f"lapfx: {file}: ")]
+        if code == 2 and lines:
+            total.refused += 1
+            refusals[reason_of(lines[0], file)] += 1
+        elif code != 0:
+            faults.append(f"{file}: exit {code}: {errors[:200]}")
+        elif (fault := add(total, output)) is not None:
+            faults.append(f"{file}: {fault}")
     print(f"{'':14}{'files':>7}{'refused':>9}{'read':>10}{'drawn':>10}{'left out':>10}{'sewn':>8}")
     for (place, kind), total in sorted(sums.items()):
         print(f"{place + ' ' + kind:14}{total.files:7}{total.refused:9}{total.read:10}{total.drawn:10}"
@@ -93,6 +92,8 @@ def main():
     print("\nrefused:")
     for reason, count in refusals.most_common():
         print(f"{count:5}  {reason}")
+    if not os.environ.get("LAPFX_DEEP"):
+        print("\nof each collection and format the first and every twelfth; tests/run --deep inspects all of them")
     print("\n".join(faults))
     return 1 if faults else 0
 

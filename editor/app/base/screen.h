@@ -14,6 +14,10 @@ class Screen {
     void wake(const char* reason) const {
         if (ui_ != nullptr) ui_->wake(reason);
     }
+    /// The next frame is due then. In a frame, also after the panels were built.
+    void wake_at(double time, const char* reason) const {
+        if (ui_ != nullptr) ui_->wake_at(time, reason);
+    }
     /// Null where there is none.
     ui::Clipboard* clipboard() const { return ui_ != nullptr ? ui_->clipboard() : nullptr; }
     /// A pointer's button, or a key that stands for it, is held on a widget.

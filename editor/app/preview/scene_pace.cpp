@@ -1,5 +1,6 @@
 #include "app/preview/scene_pace.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lapfx::app {
@@ -12,7 +13,11 @@ void ScenePace::expect(double seconds) {
 
 bool ScenePace::due(double now) const {
     if (!touched(now)) return true;
-    return now - ended_ >= (touched_ == now ? 2 : 1) * cost_;
+    return now >= ended_ + (touched_ == now ? 2 : 1) * cost_;
+}
+
+double ScenePace::due_at(double now) const {
+    return due(now) ? now : std::min(ended_ + cost_, touched_ + rest);
 }
 
 void ScenePace::drawn(double begin, double end) {

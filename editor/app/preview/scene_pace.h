@@ -26,6 +26,8 @@ class ScenePace {
 
     /// Whether it is the scene's turn. Right after an input the panels go first, once.
     bool due(double now) const;
+    /// s: when it will be, where it is not yet at `now`. Until then frames are wanted for what happens only.
+    double due_at(double now) const;
     /// Factor on width and height of the picture, as it is to be drawn now.
     double scale(double now) const { return touched(now) ? steps[step_] : 1; }
     /// A picture has been drawn, with scale(begin).

@@ -83,6 +83,24 @@ TEST(ScenePace, AtRestItIsDrawnWholeAgain) {
     EXPECT_TRUE(pace.due(11));
 }
 
+TEST(ScenePace, TellsWhenItsTurnComes) {
+    ScenePace pace;
+    EXPECT_EQ(pace.due_at(0), 0) << "at once";
+    pace.touch(10);
+    pace.drawn(10, 10.1);
+    pace.touch(10.15);
+    EXPECT_FALSE(pace.due(10.15));
+    EXPECT_NEAR(pace.due_at(10.15), 10.2, 1e-12) << "after as much time as it took";
+    EXPECT_FALSE(pace.due(10.16));
+    EXPECT_TRUE(pace.due(pace.due_at(10.16)));
+    pace.drawn(10.2, 11.2);
+    EXPECT_TRUE(pace.due(11.2)) << "nobody works any more";
+    pace.touch(11.25);
+    pace.drawn(11.25, 12.25);
+    pace.touch(12.3);
+    EXPECT_NEAR(pace.due_at(12.3), 12.3 + ScenePace::rest, 1e-12) << "at rest it does not wait for its turn";
+}
+
 TEST(ScenePace, WhatIsNotSeenAnyMoreIsNotWaitedFor) {
     ScenePace pace;
     pace.expect(0.5);
