@@ -216,6 +216,7 @@ TEST_F(EditorDocument, SavingOverAnotherProgramsWritingAsks) {
     const fs::path file = own_preset();
     set_speed(7.5);
     Preset other;
+    other.vessels = editor().document.preset().vessels;
     other.bleeding.speed = 11;
     save_preset(other, file);
     ui().key('S', Mods::command).frame();
@@ -291,6 +292,7 @@ TEST_F(EditorDocument, OpeningOverUnsavedWorkAsks) {
     own_preset();
     set_speed(7.5);
     Preset other;
+    other.vessels = editor().document.preset().vessels;
     other.bleeding.speed = 3;
     save_preset(other, folder() / "other.json");
     open({(folder() / "other.json").string()});

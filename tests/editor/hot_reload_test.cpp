@@ -27,7 +27,7 @@ class HotReloading : public EditorTest {
         fs::copy_file(samples / "clips" / "plume_thick.mp4", folder() / "mine.mp4");
         Preset preset;
         preset.smoke.clips = {{.file = "mine.mp4"}};
-        preset.vessels.vessel_threshold = 0.0;  // the sample's burns are next to its vessels
+        preset.vessels = load_preset(source_folder() / "presets" / "gastric_banding.json").vessels;
         save_preset(preset, folder() / "mine.json");
         Scene scene = load_scene(samples / "lagb.scene.json");
         scene.preset = "mine.json";

@@ -44,6 +44,7 @@ class RestTest : public EditorTest {
     fs::path another_preset() {
         Preset preset;
         preset.name = "Another";
+        preset.vessels = editor().document.preset().vessels;
         preset.bleeding.speed = 2;
         save_preset(preset, folder() / "another.json");
         return folder() / "another.json";

@@ -24,6 +24,7 @@ class EditorDocument : public EditorTest {
         const std::filesystem::path file = folder() / name;
         Preset preset;
         preset.name = "own";
+        preset.vessels = editor().document.preset().vessels;  // to find others takes a second
         save_preset(preset, file);
         open({file.string()});
         return file;
