@@ -16,6 +16,7 @@ namespace {
 
 class EditorMemory : public EditorTest {
   protected:
+    EditorMemory() { shares_organ = false; }
     void SetUp() override {
         EditorTest::SetUp();
         if (IsSkipped()) return;

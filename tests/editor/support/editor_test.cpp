@@ -73,7 +73,7 @@ void EditorTest::start(glm::ivec2 size, bool exact) {
                                                                .software = true,
                                                                .clock = clock,
                                                                .files = nullptr},
-                                            sample_loaded());
+                                            shares_organ ? sample_loaded() : nullptr);
     panels::set_up(*editor_);
     ui_ = std::make_unique<ui::Harness>([this](ui::Ui& u) { panels::workspace(u, *editor_); }, size, 1.0F,
                                         &editor_->commands, &images_);

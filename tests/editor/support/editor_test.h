@@ -37,6 +37,9 @@ class EditorTest : public GpuTest {
     /// EditorOptions::exact_scale of the editor that start() makes: pixels of the scene take most of a test's time
     /// without a GPU, and few tests look at single ones. Those ask for 1 in the constructor of their fixture.
     double scene_scale = 0.2;
+    /// Whether the editor that start() makes shares the sample's organ with all tests. Those that look at what it holds
+    /// ask for false in the constructor of their fixture.
+    bool shares_organ = true;
 
     app::Editor& editor() { return *editor_; }
     ui::Harness& ui() { return *ui_; }
