@@ -10,6 +10,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
+fs::path program_folder() {
+    std::error_code code;
+    return fs::read_symlink("/proc/self/exe", code).parent_path();
+}
+
 /// Empty if there is none. Throws Error (bad_input) if LAPFX_DATA names what is not a folder.
 fs::path find_data_folder() {
     std::error_code code;
@@ -19,9 +24,8 @@ fs::path find_data_folder() {
             throw Error(Failure::bad_input, Fault{.file = told, .place = "LAPFX_DATA", .reason = "is not a folder"});
         return folder;
     }
-    const fs::path program = fs::read_symlink("/proc/self/exe", code).parent_path();
     for (const char* beside : {"../share/lapfx", "share/lapfx"})
-        if (fs::path folder = fs::canonical(program / beside, code); !code && fs::is_directory(folder, code))
+        if (fs::path folder = fs::canonical(program_folder() / beside, code); !code && fs::is_directory(folder, code))
             return folder;
     return {};
 }
@@ -44,8 +48,9 @@ fs::path data_folder() {
 }
 
 std::vector<fs::path> clip_folders() {
-    if (found_data_folder().empty()) return {};
-    return {data_folder() / "samples" / "clips"};
+    // Where there are none, a clip that is missing is told with the place where it would have been found.
+    const fs::path& found = found_data_folder();
+    return {(found.empty() ? program_folder() / "share/lapfx" : found) / "samples" / "clips"};
 }
 
 Preset preset_for(const Scene& scene, const std::string& preset, const std::vector<std::string>& settings) {

@@ -13,7 +13,7 @@ namespace lapfx::commands {
 /// (bad_input) where there is none.
 std::filesystem::path data_folder();
 
-/// The folders where bare clip names of presets are looked up: the shipped clips, if they are there.
+/// The folders where bare clip names of presets are looked up: the shipped clips.
 std::vector<std::filesystem::path> clip_folders();
 
 /// The preset that the scene names, or `preset` when that is not empty; then each `KEY=VALUE` of `settings`.
