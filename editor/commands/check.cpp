@@ -1,4 +1,5 @@
 // lapfx check: validates presets and scenes, with the files that they name, or prints their schema.
+#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "commands/command.h"

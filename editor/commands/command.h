@@ -2,7 +2,9 @@
 // throws lapfx::Error on failure. main.cpp turns that into lines on stderr and an exit code.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace lapfx::commands {
 

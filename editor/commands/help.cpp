@@ -1,4 +1,5 @@
 // lapfx help: what the commands do, what the tables of the program say, and both as the reference page.
+#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "commands/command.h"

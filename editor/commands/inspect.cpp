@@ -1,6 +1,7 @@
 // lapfx inspect FILE...: what a mesh, clip, preset, scene or image contains.
 #include "commands/inspect.h"
 
+#include <CLI/CLI.hpp>
 #include <fstream>
 
 #include "commands/command.h"

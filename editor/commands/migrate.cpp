@@ -1,4 +1,5 @@
 // lapfx migrate: an older preset or scene becomes today's version, in today's form.
+#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "commands/command.h"

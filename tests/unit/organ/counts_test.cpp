@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "support/folders.h"
-#include "unit/organ/fixtures.h"
+#include "unit/organ/gltf_fixtures.h"
 
 namespace lapfx::test {
 namespace {

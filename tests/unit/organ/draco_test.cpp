@@ -5,7 +5,7 @@
 #include <sys/resource.h>
 #include <cmath>
 
-#include "unit/organ/fixtures.h"
+#include "unit/organ/gltf_fixtures.h"
 
 namespace lapfx::test {
 namespace {

@@ -1,5 +1,5 @@
 #include "lapfx/authoring/organ_report.h"
-#include "unit/organ/fixtures.h"
+#include "unit/organ/gltf_fixtures.h"
 
 namespace lapfx::test {
 namespace {

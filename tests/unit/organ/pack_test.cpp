@@ -8,7 +8,7 @@
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 
-#include "unit/organ/fixtures.h"
+#include "unit/organ/gltf_fixtures.h"
 
 namespace lapfx::test {
 namespace {

@@ -13,7 +13,7 @@
 #include "lapfx/organ.h"
 #include "output/bundle.h"
 #include "support/clips.h"
-#include "unit/organ/fixtures.h"
+#include "unit/organ/gltf_fixtures.h"
 #include "unit/preset/support.h"
 
 namespace lapfx::output {
