@@ -38,7 +38,7 @@ class ClipsPanel : public EditorTest {
 TEST_F(ClipsPanel, ListsThePresetsClips) {
     ASSERT_EQ(names(), sample);
     const std::string text = ui().text(panel + "List/1 plume_thick.mp4");
-    EXPECT_NE(text.find("720x480, 5 s at 30 fps"), std::string::npos) << text;
+    EXPECT_NE(text.find("180x120, 5 s at 30 fps"), std::string::npos) << text;
     EXPECT_NE(text.find("graphics memory"), std::string::npos) << text;
     EXPECT_EQ(text.find("resident"), std::string::npos) << text;
     EXPECT_NE(editor().clips().of(0).thumbnail, 0U);

@@ -38,8 +38,8 @@ TEST_F(CopyClips, NothingIsCopiedToWhereTheProgramLies) {
 
 TEST_F(CopyClips, OnlyFoldersOfTheUserTakeFiles) {
     EXPECT_TRUE(editor().chooser().takes_files(folder()));
-    EXPECT_FALSE(editor().chooser().takes_files(source_folder() / "presets"));
-    EXPECT_FALSE(editor().chooser().takes_files(source_folder() / "samples/clips"));
+    EXPECT_FALSE(editor().chooser().takes_files(shipped() / "presets"));
+    EXPECT_FALSE(editor().chooser().takes_files(shipped() / "samples/clips"));
     EXPECT_FALSE(editor().chooser().takes_files(folder() / "not there"));
     EXPECT_FALSE(editor().chooser().takes_files({}));
 }

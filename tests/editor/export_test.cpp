@@ -377,7 +377,7 @@ TEST_F(ExportTest, ABundleIsOpenedFromItsNotice) {
     open_dialog("export.bundle");
     set_file(path("together"));
     export_it();
-    EXPECT_EQ(editor().document.scene_file(), source_folder() / "samples" / "lagb.scene.json");
+    EXPECT_EQ(editor().document.scene_file(), shipped() / "samples" / "lagb.scene.json");
     ui().click("**/Open the bundle").frame();
     EXPECT_EQ(editor().document.scene_file(), folder() / "together" / "together.scene.json");
     EXPECT_EQ(editor().document.preset_file(), folder() / "together" / "together.json");

@@ -8,6 +8,7 @@ namespace {
 
 class EyedropperTest : public EditorTest {
   protected:
+    EyedropperTest() { whole_sample = true; }  // it takes colours of single pixels
     void SetUp() override {
         EditorTest::SetUp();
         if (IsSkipped()) return;

@@ -67,14 +67,14 @@ class KeyingPanel : public EditorTest {
 TEST_F(KeyingPanel, ShowsTheSelectedClipOnItsWayToSmoke) {
     const app::KeyingBench& bench = editor().keying();
     ASSERT_TRUE(bench.ready());
-    EXPECT_EQ(bench.picture(BenchView::source).size, glm::ivec2(720, 480));
+    EXPECT_EQ(bench.picture(BenchView::source).size, glm::ivec2(180, 120));
     EXPECT_EQ(bench.frames(), 150);
     const double before = mean(BenchView::source);
     editor().clips().selected = 2;
     ui().frame().frame();
     EXPECT_GT(std::abs(mean(BenchView::source) - before), 10.0) << "another clip";
-    for (int y = 100; y < 480; y += 100) {
-        const glm::vec4 source = pixel(BenchView::source, {300, y}), matte = pixel(BenchView::matte, {300, y});
+    for (int y = 25; y < 120; y += 25) {
+        const glm::vec4 source = pixel(BenchView::source, {75, y}), matte = pixel(BenchView::matte, {75, y});
         const double luma = 0.299 * source.r + 0.587 * source.g + 0.114 * source.b;
         const double expected =
             255 * std::clamp((luma - keying().luma_low) / (keying().luma_high - keying().luma_low), 0.0, 1.0);
@@ -387,7 +387,7 @@ TEST_F(KeyingPanel, BesideTheWindowPicturesFollowWithoutWaiting) {
     double now = 1;
     const auto frame = [&] { live.frame(now += 1.0 / 60, [&] { bench.show(); }, {.visible = false}); };
     const auto until = [&](const std::function<bool()>& met) { return wait_until(met, frame); };
-    const auto matte = [&] { return bench.picture(BenchView::matte).pixels->pixel({360, 380}).r; };
+    const auto matte = [&] { return bench.picture(BenchView::matte).pixels->pixel({90, 95}).r; };
     frame();
     EXPECT_FALSE(bench.ready()) << "nothing was waited for";
     ASSERT_TRUE(until([&] { return bench.ready() && !live.jobs.busy(); }));
@@ -445,10 +445,10 @@ TEST_F(KeyingPanel, BehindTheSmokeThereIsWhatWasChosen) {
     EXPECT_EQ(pixel(BenchView::composite, corner), glm::vec4(118, 118, 118, 255));
     ui().click(panel + "Behind/Preview").frame().frame().frame();
     const Image preview = editor().preview.read();
-    const glm::vec4 middle = pixel(BenchView::composite, {100, 240});
-    const double step = std::min(preview.width / 720.0, preview.height / 480.0);
-    const int x = static_cast<int>(0.5 * (preview.width - 720 * step) + 100.5 * step);
-    const int y = static_cast<int>(0.5 * (preview.height - 480 * step) + 240.5 * step);
+    const glm::vec4 middle = pixel(BenchView::composite, {25, 60});
+    const double step = std::min(preview.width / 180.0, preview.height / 120.0);
+    const int x = static_cast<int>(0.5 * (preview.width - 180 * step) + 25.5 * step);
+    const int y = static_cast<int>(0.5 * (preview.height - 120 * step) + 60.5 * step);
     EXPECT_EQ(middle.r, preview.pixels[4 * static_cast<std::size_t>(y * preview.width + x)]);
 }
 

@@ -78,7 +78,7 @@ class MeasurePanel : public EditorTest {
 
 TEST_F(MeasurePanel, TheFrameThatIsShownIsMeasured) {
     ASSERT_TRUE(bench().ready()) << ui().dump();
-    EXPECT_EQ(bench().picture().size, glm::ivec2(640, 512));
+    EXPECT_EQ(bench().picture().size, glm::ivec2(160, 128));
     const match::FrameAmounts bloody = bench().amounts();
     EXPECT_TRUE(bloody.measurable());
     EXPECT_GT(bloody.blood.value, 0.02);
@@ -91,7 +91,7 @@ TEST_F(MeasurePanel, TheFrameThatIsShownIsMeasured) {
 
 TEST_F(MeasurePanel, TheOverlaysAreSwitched) {
     const std::size_t marked = yellow_pixels();
-    ASSERT_GT(marked, 1000U);
+    ASSERT_GT(marked, 500U);
     ui().click(panel + "Blood").frame().frame();
     EXPECT_LT(yellow_pixels(), marked / 10);
     ui().click(panel + "Blood").frame().frame();
@@ -395,7 +395,7 @@ TEST_F(MeasurePanel, NothingIsHeldWhileNobodyLooks) {
     editor().layouts().bring_to_front("Reference");
     ui().frame().frame();
     EXPECT_FALSE(bench().ready());
-    EXPECT_LE(pictures(), shown - 640 * 512 * 4);
+    EXPECT_LE(pictures(), shown - 160 * 128 * 4);
     editor().layouts().bring_to_front("Measure");
     ui().frame().frame();
     EXPECT_TRUE(bench().ready());

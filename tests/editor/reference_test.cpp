@@ -41,17 +41,17 @@ class ReferencePanel : public EditorTest {
 
 TEST_F(ReferencePanel, TheSampleSceneHasOneThatFollowsTheTimeline) {
     ASSERT_NE(reference().video(), nullptr);
-    EXPECT_EQ(reference().picture().size, glm::ivec2(640, 512));
+    EXPECT_EQ(reference().picture().size, glm::ivec2(160, 128));
     EXPECT_NEAR(reference().video()->info().duration, 8.0, 0.05);
     editor().timeline.seek(4);
     ui().frame();
     EXPECT_EQ(reference().frame(), 112) << "half a second on, 25 a second";
     EXPECT_EQ(ui().value(in("Frame")), 112);
     const ui::Picture picture = reference().picture();
-    const glm::vec4 before = picture.pixels->pixel({320, 250});
+    const glm::vec4 before = picture.pixels->pixel({80, 62});
     editor().timeline.seek(0);
     ui().frame();
-    EXPECT_GT(glm::distance(before, picture.pixels->pixel({320, 250})), 20.0F) << "blood has gone there";
+    EXPECT_GT(glm::distance(before, picture.pixels->pixel({80, 62})), 20.0F) << "blood has gone there";
     const auto span = reference().span();
     ASSERT_TRUE(span.has_value());
     EXPECT_NEAR(span->low, -0.5, 1e-9);
@@ -81,7 +81,7 @@ TEST_F(ReferencePanel, AVideoDroppedOnItIsTheReference) {
     editor().document.undo();
     ui().frame();
     EXPECT_EQ(named(), "reference/operation.mp4");
-    EXPECT_EQ(reference().picture().size, glm::ivec2(640, 512));
+    EXPECT_EQ(reference().picture().size, glm::ivec2(160, 128));
 }
 
 TEST_F(ReferencePanel, WhatIsNoVideoIsToldInPlaceWithTheWayOut) {
@@ -92,7 +92,7 @@ TEST_F(ReferencePanel, WhatIsNoVideoIsToldInPlaceWithTheWayOut) {
     drop(file);
     EXPECT_NE(ui().dump().find(told), std::string::npos) << ui().dump();
     EXPECT_EQ(named(), "reference/operation.mp4") << "the good one stays";
-    EXPECT_EQ(reference().picture().size, glm::ivec2(640, 512));
+    EXPECT_EQ(reference().picture().size, glm::ivec2(160, 128));
     EXPECT_EQ(editor().document.done(), steps);
     EXPECT_TRUE(ui().exists(in("Video")));
     ui().click(in("Choose another file...")).frame();
@@ -221,7 +221,7 @@ TEST_F(ReferencePanel, ThePreviewBesideIsTheOneOfTheViewPanel) {
     editor().timeline.seek(6);
     ui().click(in("Compare/Wipe")).frame().frame();
     const ui::Picture beside = reference().compared_preview();
-    ASSERT_EQ(beside.size, glm::ivec2(640, 512));
+    ASSERT_EQ(beside.size, glm::ivec2(160, 128));
     ASSERT_NE(beside.pixels, nullptr);
     const glm::ivec2 drawn = reference().drawn_size();
     layout("Tune");
@@ -230,8 +230,7 @@ TEST_F(ReferencePanel, ThePreviewBesideIsTheOneOfTheViewPanel) {
     editor().preview.draw(shot);
     const Image view = editor().preview.read();
     ASSERT_EQ(glm::ivec2(view.width, view.height), drawn);
-    for (const glm::ivec2 at :
-         {glm::ivec2(320, 256), glm::ivec2(200, 300), glm::ivec2(400, 180), glm::ivec2(330, 240)}) {
+    for (const glm::ivec2 at : {glm::ivec2(80, 64), glm::ivec2(50, 75), glm::ivec2(100, 45), glm::ivec2(82, 60)}) {
         const glm::ivec2 there((glm::dvec2(at) + 0.5) * glm::dvec2(drawn) / glm::dvec2(beside.size));
         const std::uint8_t* p = view.pixels.data() + 4 * (there.y * view.width + there.x);
         EXPECT_EQ(beside.pixels->pixel(at), glm::vec4(p[0], p[1], p[2], p[3])) << at.x << ", " << at.y;
@@ -239,7 +238,7 @@ TEST_F(ReferencePanel, ThePreviewBesideIsTheOneOfTheViewPanel) {
 }
 
 TEST_F(ReferencePanel, ThePreviewBesideIsThereAsSoonAsThereIsOne) {
-    app::Opened opened = app::open_sample(source_folder());
+    app::Opened opened = app::open_sample(shipped());
     start();
     EXPECT_TRUE(editor().layouts().choose("Compare"));
     editor().document.open(std::move(opened.content), opened.scene_file, opened.preset_file);
@@ -247,7 +246,7 @@ TEST_F(ReferencePanel, ThePreviewBesideIsThereAsSoonAsThereIsOne) {
     ui().frame();
     EXPECT_NE(reference().compared_preview().image, 0U);
     ASSERT_NE(reference().compared_preview().pixels, nullptr) << "drawn";
-    EXPECT_GT(reference().compared_preview().pixels->pixel({320, 256}).r, 20.0F);
+    EXPECT_GT(reference().compared_preview().pixels->pixel({80, 64}).r, 20.0F);
 }
 
 TEST_F(ReferencePanel, WhatIsNotSeenIsNotDrawn) {

@@ -37,7 +37,9 @@ constexpr glm::ivec2 size{640, 512};
 
 class WholeTest : public EditorTest {
   protected:
-    WholeTest() { scene_scale = 1; }  // its pictures are compared with exported ones, pixel by pixel
+    WholeTest() {
+        scene_scale = 1, whole_sample = true;
+    }  // its pictures are compared with exported ones, pixel by pixel
     /// Moves it in the panel; a missing slider fails the test.
     void move(const Moved& moved) {
         ASSERT_TRUE(ui().exists(moved.path)) << moved.path << " is not there\n" << ui().dump();

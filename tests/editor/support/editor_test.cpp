@@ -17,25 +17,28 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<fs::path> clip_folders() {
-    return {source_folder() / "samples" / "clips"};
-}
-
-/// The sample scene's organ and the facts about its clips, which the editors of all tests share: to load them takes a
+/// A sample scene's organ and the facts about its clips, which the editors of all tests share: to load them takes a
 /// second.
-std::shared_ptr<app::EarlyLoad> sample_loaded() {
-    struct Loaded {
-        Scene scene;
-        std::shared_ptr<const PreparedOrgan> organ;
-        std::shared_ptr<ClipCache> clips = std::make_shared<ClipCache>();
-    };
-    static const Loaded loaded = [] {
-        const document::Content content = app::open_sample(source_folder()).content;
-        Loaded l{.scene = content.scene, .organ = prepare_organ(content.scene, content.preset.vessels)};
-        l.clips->look_through(content.preset, clip_folders());
-        return l;
-    }();
-    return app::loaded_already(loaded.scene, loaded.organ, loaded.clips);
+struct Loaded {
+    explicit Loaded(const fs::path& shipped) {
+        const document::Content content = app::open_sample(shipped).content;
+        scene = content.scene;
+        organ = prepare_organ(scene, content.preset.vessels);
+        clips->look_through(content.preset, std::vector{shipped / "samples" / "clips"});
+    }
+    Scene scene;
+    std::shared_ptr<const PreparedOrgan> organ;
+    std::shared_ptr<ClipCache> clips = std::make_shared<ClipCache>();
+};
+
+std::shared_ptr<app::EarlyLoad> sample_loaded(bool whole) {
+    const auto handed_out = [](const Loaded& l) { return app::loaded_already(l.scene, l.organ, l.clips); };
+    if (whole) {
+        static const Loaded sample(source_folder());
+        return handed_out(sample);
+    }
+    static const Loaded light(light_folder());
+    return handed_out(light);
 }
 
 }  // namespace
@@ -59,10 +62,10 @@ void EditorTest::TearDown() {
 void EditorTest::start(glm::ivec2 size, bool exact) {
     editor_.reset();
     ui_.reset();
-    const fs::path data = source_folder();
+    const fs::path data = shipped();
     editor_ = std::make_unique<app::Editor>(images_,
                                             app::EditorOptions{.data_folder = data,
-                                                               .clip_folders = clip_folders(),
+                                                               .clip_folders = {data / "samples" / "clips"},
                                                                .folders = {.config = folder_ / "config",
                                                                            .state = folder_ / "state",
                                                                            .cache = folder_ / "cache",
@@ -73,15 +76,19 @@ void EditorTest::start(glm::ivec2 size, bool exact) {
                                                                .software = true,
                                                                .clock = clock,
                                                                .files = nullptr},
-                                            shares_organ ? sample_loaded() : nullptr);
+                                            shares_organ ? sample_loaded(whole_sample) : nullptr);
     panels::set_up(*editor_);
     ui_ = std::make_unique<ui::Harness>([this](ui::Ui& u) { panels::workspace(u, *editor_); }, size, 1.0F,
                                         &editor_->commands, &images_);
     ui_->around([this](double now, const std::function<void()>& build) { editor_->frame(now, build); });
 }
 
+fs::path EditorTest::shipped() const {
+    return whole_sample ? source_folder() : light_folder();
+}
+
 void EditorTest::open_sample() {
-    app::Opened opened = app::open_sample(source_folder());
+    app::Opened opened = app::open_sample(shipped());
     editor_->document.open(std::move(opened.content), opened.scene_file, opened.preset_file);
     editor_->looking.camera = editor_->document.scene().camera;
     ui_->frame().frame();

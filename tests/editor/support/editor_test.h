@@ -41,6 +41,12 @@ class EditorTest : public GpuTest {
     /// ask for false in the constructor of their fixture.
     bool shares_organ = true;
 
+    /// Whether textures and videos of the sample are those that are shipped, or those of a quarter of their width and
+    /// height (support/light_samples.cpp), which take a fraction of the time. Tests whose pictures are compared with
+    /// what `lapfx` makes of the sample ask for true in the constructor of their fixture.
+    bool whole_sample = false;
+    std::filesystem::path shipped() const;  ///< the folder of shipped files that this says
+
     app::Editor& editor() { return *editor_; }
     ui::Harness& ui() { return *ui_; }
     const std::filesystem::path& folder() const { return folder_; }  ///< the test's folder, empty at first
