@@ -9,7 +9,6 @@
 #include "bleeding/bleed_gpu.h"
 #include "foundation.h"
 #include "lapfx/memory.h"
-#include "lapfx/preset.h"
 #include "lapfx/view.h"
 #include "organ/moved_surface.h"
 #include "render/clips_gpu.h"

@@ -1,4 +1,5 @@
 #include "inputs.h"
+#include "lapfx/preset.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,10 +4,11 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "lapfx/preset.h"
 #include "lapfx/wound.h"
 
 namespace lapfx {
+
+struct Preset;
 
 /// Throws Error (bad_input) with every value that is not allowed.
 void require_valid(const Preset& preset);

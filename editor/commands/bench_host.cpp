@@ -2,6 +2,8 @@
 
 #include <glad/gl.h>
 
+#include "lapfx/preset.h"
+
 namespace lapfx::commands {
 
 HostFrame::HostFrame() {

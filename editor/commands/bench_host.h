@@ -1,8 +1,16 @@
 // A minimal host for the benchmarks: a frame under the smoke, and an organ to make smoke on.
 #pragma once
 
+#include <vector>
+
 #include "commands/bench_streaming.h"
-#include "lapfx/effects.h"
+#include "lapfx/organ.h"
+#include "lapfx/tool.h"
+#include "lapfx/view.h"
+
+namespace lapfx {
+struct Preset;
+}
 
 namespace lapfx::commands {
 

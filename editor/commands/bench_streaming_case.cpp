@@ -4,6 +4,8 @@
 #include <chrono>
 #include <thread>
 
+#include "lapfx/effects.h"
+
 namespace lapfx::commands {
 
 namespace {

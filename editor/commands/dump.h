@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "ui/core/node.h"
+#include "ui/core/node_parts.h"
 
 namespace lapfx::commands {
 

@@ -21,6 +21,7 @@
 #include "lapfx/authoring/formats.h"
 #include "output/files.h"
 #include "panels/panels.h"
+#include "ui/core/node.h"
 #include "window/ui_window.h"
 
 namespace lapfx::commands {

@@ -5,6 +5,7 @@
 
 #include "commands/inspect.h"
 #include "lapfx/authoring/suggest.h"
+#include "lapfx/preset.h"
 
 namespace lapfx::commands {
 

@@ -7,6 +7,7 @@
 
 #include "lapfx/authoring/formats.h"
 #include "lapfx/authoring/organ_report.h"
+#include "lapfx/authoring/preview.h"
 #include "lapfx/authoring/smoke_notes.h"
 
 namespace lapfx::commands {

@@ -2,9 +2,17 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <string>
 
-#include "lapfx/authoring/preview.h"
 #include "lapfx/error.h"
+
+namespace lapfx {
+class Preview;
+struct Preset;
+struct Scene;
+}  // namespace lapfx
 
 namespace lapfx::commands {
 

@@ -9,6 +9,7 @@
 #include "commands/options.h"
 #include "commands/session.h"
 #include "lapfx/authoring/command_line.h"
+#include "lapfx/authoring/preview.h"
 #include "lapfx/authoring/video.h"
 #include "output/files.h"
 

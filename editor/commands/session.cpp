@@ -3,6 +3,8 @@
 #include <cstdlib>
 
 #include "lapfx/authoring/file.h"
+#include "lapfx/preset.h"
+#include "lapfx/scene.h"
 
 namespace lapfx::commands {
 

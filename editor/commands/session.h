@@ -1,10 +1,14 @@
 // Shared by verbs that show a scene: its preset, and the folders of shipped files.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "lapfx/authoring/preview.h"
+namespace lapfx {
+struct Preset;
+struct Scene;
+}  // namespace lapfx
 
 namespace lapfx::commands {
 

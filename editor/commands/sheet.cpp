@@ -7,6 +7,7 @@
 #include "commands/progress.h"
 #include "commands/session.h"
 #include "lapfx/authoring/command_line.h"
+#include "lapfx/authoring/preview.h"
 #include "output/files.h"
 
 namespace lapfx::commands {

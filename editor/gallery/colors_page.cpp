@@ -3,6 +3,7 @@
 
 #include "gallery/gallery.h"
 #include "gallery/parts.h"
+#include "ui/core/node.h"
 
 namespace lapfx::gallery {
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gallery/parts.h"
+#include "ui/core/node.h"
 #include "ui/shell/key_editor.h"
 #include "ui/shell/palette.h"
 #include "ui/widgets/scroll.h"

@@ -2,6 +2,7 @@
 
 #include "gallery/gallery.h"
 #include "gallery/parts.h"
+#include "ui/core/node.h"
 
 namespace lapfx::gallery {
 

@@ -1,5 +1,6 @@
 #include "gallery/gallery.h"
 #include "gallery/parts.h"
+#include "ui/core/node.h"
 
 namespace lapfx::gallery {
 

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 
 namespace lapfx::gallery {

@@ -1,5 +1,6 @@
 #include "gallery/gallery.h"
 #include "gallery/parts.h"
+#include "ui/core/node.h"
 #include "ui/shell/dialog.h"
 #include "ui/shell/key_editor.h"
 #include "ui/shell/progress.h"

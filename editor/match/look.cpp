@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "lapfx/preset.h"
 #include "match/colors.h"
 #include "match/view.h"
 

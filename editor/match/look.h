@@ -16,8 +16,11 @@
 #include <vector>
 
 #include "lapfx/organ.h"
-#include "lapfx/preset.h"
 #include "lapfx/scene.h"
+
+namespace lapfx {
+struct Preset;
+}
 
 namespace lapfx::match {
 

@@ -12,8 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "lapfx/preset.h"
 #include "lapfx/scene.h"
+
+namespace lapfx {
+struct Preset;
+}
 
 namespace lapfx::output {
 

@@ -2,6 +2,7 @@
 #include "app/measure/amounts.h"
 #include "panels/panels.h"
 #include "ui/canvas/plot.h"
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/scroll.h"
 

@@ -1,6 +1,7 @@
 #include "panels/clip_parameters.h"
 
 #include "app/base/file_filters.h"
+#include "lapfx/preset.h"
 
 namespace lapfx::panels {
 

@@ -4,7 +4,7 @@
 //         table_row(ui, edited, row, keying, {.standard = &standard, .saved = &edited.saved.keying(n)});
 #pragma once
 
-#include "lapfx/preset.h"
+#include "lapfx/parameter.h"
 #include "ui/shell/file_dialog.h"
 
 namespace lapfx::panels {

@@ -8,6 +8,7 @@
 #include "panels/parts.h"
 #include "panels/place_handle.h"
 #include "panels/table_rows.h"
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/section.h"
 

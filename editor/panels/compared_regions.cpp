@@ -7,6 +7,7 @@
 
 #include "panels/parts.h"
 #include "ui/canvas/plot.h"
+#include "ui/core/node.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/scroll.h"
 #include "ui/widgets/table.h"

@@ -5,6 +5,7 @@
 #include "document/curve_text.h"
 #include "panels/panels.h"
 #include "ui/canvas/curve_editor.h"
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/scroll.h"

@@ -1,6 +1,7 @@
 // A colour that a picker wants is taken from the pictures of the view and of the reference panel.
 #include "app/base/layouts.h"
 #include "panels/parts.h"
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 
 namespace lapfx::panels {

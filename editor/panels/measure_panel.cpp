@@ -16,6 +16,7 @@
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "panels/table_rows.h"
+#include "ui/core/node.h"
 #include "ui/shell/progress.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/param.h"

@@ -10,6 +10,7 @@
 #include "app/reference/reference.h"
 #include "panels/parts.h"
 #include "ui/canvas/plot.h"
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 
 namespace lapfx::panels {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "panels/place_handle.h"
+#include "ui/core/node.h"
 
 namespace lapfx::panels {
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ui/core/node.h"
+
 namespace lapfx::panels {
 
 namespace {

@@ -9,6 +9,7 @@
 #include "panels/parts.h"
 #include "panels/preset_rows.h"
 #include "panels/randomise.h"
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/menu.h"

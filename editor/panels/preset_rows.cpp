@@ -2,6 +2,7 @@
 
 #include "app/tuning/tuning.h"
 #include "panels/table_rows.h"
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/menu.h"
 #include "ui/widgets/param.h"

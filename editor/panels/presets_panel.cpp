@@ -3,6 +3,7 @@
 #include "app/browser/browser.h"
 #include "app/files/files.h"
 #include "panels/panels.h"
+#include "ui/core/node.h"
 #include "ui/shell/dialog.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/menu.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "document/words.h"
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/field.h"
 #include "ui/widgets/menu.h"

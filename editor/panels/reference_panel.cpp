@@ -15,6 +15,7 @@
 #include "panels/parts.h"
 #include "panels/region_shapes.h"
 #include "ui/canvas/image_view.h"
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/param.h"

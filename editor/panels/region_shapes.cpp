@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "panels/place_handle.h"
+#include "ui/core/node.h"
 
 namespace lapfx::panels {
 

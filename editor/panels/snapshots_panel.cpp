@@ -8,6 +8,7 @@
 #include "app/tuning/snapshot_previews.h"
 #include "document/words.h"
 #include "panels/panels.h"
+#include "ui/core/node.h"
 #include "ui/shell/file_system.h"
 #include "ui/widgets/scroll.h"
 #include "ui/widgets/table.h"

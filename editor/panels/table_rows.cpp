@@ -9,6 +9,7 @@
 #include "app/tuning/parameter_text.h"
 #include "app/tuning/parameters.h"
 #include "document/tables.h"
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/color_field.h"
 #include "ui/widgets/combo.h"

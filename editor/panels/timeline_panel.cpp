@@ -11,6 +11,7 @@
 #include "panels/table_rows.h"
 #include "panels/titles.h"
 #include "ui/canvas/timeline.h"
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/param.h"

@@ -18,6 +18,7 @@
 #include "panels/parts.h"
 #include "panels/titles.h"
 #include "ui/canvas/viewport.h"
+#include "ui/core/node.h"
 #include "ui/shell/progress.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"

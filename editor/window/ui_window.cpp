@@ -7,6 +7,8 @@
 #include <ostream>
 #include <vector>
 
+#include "ui/core/node.h"
+
 namespace lapfx::window {
 
 namespace {

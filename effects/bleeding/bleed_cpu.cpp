@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lapfx/authoring/compare.h"
+#include "lapfx/preset.h"
 
 namespace lapfx::bleeding {
 

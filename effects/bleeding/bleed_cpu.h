@@ -22,7 +22,7 @@
 #include "bleeding/front.h"
 #include "bleeding/region.h"
 #include "bleeding/wound.h"
-#include "lapfx/preset.h"
+#include "lapfx/bleeding_parameters.h"
 #include "lapfx/tool.h"
 #include "lapfx/wound.h"
 #include "organ/changed_vertices.h"

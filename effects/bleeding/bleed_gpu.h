@@ -6,7 +6,7 @@
 #include <span>
 
 #include "gl/objects.h"
-#include "lapfx/preset.h"
+#include "lapfx/bleeding_parameters.h"
 #include "organ/changed_vertices.h"
 
 namespace lapfx::bleeding {

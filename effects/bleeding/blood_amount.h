@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "lapfx/preset.h"
+#include "lapfx/bleeding_parameters.h"
 #include "organ/surface.h"
 
 namespace lapfx::bleeding {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "lapfx/preset.h"
+#include "lapfx/bleeding_parameters.h"
 #include "lapfx/tool.h"
 #include "organ/surface.h"
 #include "tool/log.h"

@@ -18,7 +18,7 @@
 
 #include "bleeding/texture_layout.h"
 #include "lapfx/authoring/tissue_report.h"
-#include "lapfx/preset.h"
+#include "lapfx/bleeding_parameters.h"
 #include "lapfx/tissue.h"
 #include "organ/pixels.h"
 #include "work/stages.h"

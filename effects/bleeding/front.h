@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "bleeding/terrain.h"
-#include "lapfx/preset.h"
+#include "lapfx/bleeding_parameters.h"
 #include "organ/surface.h"
 
 namespace lapfx::bleeding {

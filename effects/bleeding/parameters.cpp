@@ -34,6 +34,7 @@
 // - deep_at 5 mm, opacity 0.9, thickness 0.6 mm, gloss 0.85: a pool hides the texture below, a film does not; its
 //   highlights are small, sharp and white.
 // - clot_darkening 0.85: old clots next to fresh blood are brown-black; they are dull whatever this value is.
+#include "lapfx/preset.h"
 #include "preset/tables.h"
 
 namespace lapfx::preset {

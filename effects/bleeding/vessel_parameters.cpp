@@ -62,6 +62,7 @@
 //   the red-brown of its capillaries three times as much; around the grey-brown of its veins even 10 takes patches of
 //   the fat itself for vessels, so c counts only where it stands out of what is around it, like contrast.
 // - color 92, 107, 153: a vein seen through serosa.
+#include "lapfx/preset.h"
 #include "preset/tables.h"
 
 namespace lapfx::preset {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "lapfx/preset.h"
+#include "lapfx/bleeding_parameters.h"
 #include "lapfx/wound.h"
 #include "preset/factor_curve.h"
 

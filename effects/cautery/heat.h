@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "lapfx/preset.h"
+#include "lapfx/cautery_parameters.h"
 #include "lapfx/tool.h"
 
 namespace lapfx::cautery {

@@ -42,6 +42,7 @@
 // - perfusion 0.02 per second: of the order of a well perfused liver (about 1 ml blood per ml of tissue and minute); it
 //   also includes heat that goes into the depth of the tissue, which the surface does not model.
 // - clip_length 9 mm, clip_reach 3 mm: a medium-large titanium clip, and the tissue that it gathers between its jaws.
+#include "lapfx/preset.h"
 #include "preset/tables.h"
 
 namespace lapfx::preset {

@@ -4,7 +4,7 @@
 #include <array>
 #include <memory>
 
-#include "lapfx/preset.h"
+#include "lapfx/smoke_parameters.h"
 #include "lapfx/streaming.h"
 #include "media/clip_stream.h"
 #include "media/file_stamp.h"

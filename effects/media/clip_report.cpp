@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lapfx/authoring/clip.h"
+#include "lapfx/preset.h"
 #include "media/clip_file.h"
 
 namespace lapfx {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lapfx/clip_cache.h"
-#include "lapfx/preset.h"
+#include "lapfx/smoke_parameters.h"
 #include "lapfx/streaming.h"
 #include "media/clip_frame.h"
 #include "media/decoder.h"

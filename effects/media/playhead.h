@@ -2,7 +2,7 @@
 // functions, any thread.
 #pragma once
 
-#include "lapfx/preset.h"
+#include "lapfx/smoke_parameters.h"
 #include "media/decoder.h"
 #include "media/loop.h"
 

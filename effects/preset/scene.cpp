@@ -3,6 +3,7 @@
 
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/preset.h"
 #include "preset/document.h"
 #include "preset/tables.h"
 #include "preset/text.h"

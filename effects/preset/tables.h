@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "lapfx/parameter.h"
-#include "lapfx/preset.h"
 
 namespace lapfx::preset {
 

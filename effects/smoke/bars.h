@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "lapfx/preset.h"
+#include "lapfx/smoke_parameters.h"
 
 namespace lapfx::smoke {
 

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "lapfx/preset.h"
+#include "lapfx/smoke_parameters.h"
 #include "preset/factor_curve.h"
 
 namespace lapfx::smoke {

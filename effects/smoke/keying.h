@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "lapfx/authoring/keying.h"
-#include "lapfx/preset.h"
+#include "lapfx/smoke_parameters.h"
 
 namespace lapfx::smoke {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "lapfx/preset.h"
+#include "lapfx/smoke_parameters.h"
 #include "media/clip_frame.h"
 
 namespace lapfx::smoke {

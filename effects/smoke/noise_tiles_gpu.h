@@ -8,7 +8,7 @@
 
 #include "gl/objects.h"
 #include "gl/program.h"
-#include "lapfx/preset.h"
+#include "lapfx/smoke_parameters.h"
 
 namespace lapfx::smoke {
 

@@ -14,7 +14,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "lapfx/preset.h"
+#include "lapfx/smoke_parameters.h"
 #include "smoke/burns.h"
 
 namespace lapfx::smoke {

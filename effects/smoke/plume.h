@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-#include "lapfx/preset.h"
+#include "lapfx/smoke_parameters.h"
 #include "lapfx/tool.h"
 #include "preset/factor_curve.h"
 #include "smoke/burns.h"

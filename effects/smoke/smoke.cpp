@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapfx/preset.h"
 #include "media/playhead.h"
 #include "media/schemes.h"
 #include "smoke/noise.h"

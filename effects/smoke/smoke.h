@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "lapfx/preset.h"
+#include "lapfx/smoke_parameters.h"
 #include "lapfx/view.h"
 #include "media/clip_set.h"
 #include "smoke/burns.h"
@@ -17,6 +17,10 @@
 #include "smoke/particles_gpu.h"
 #include "smoke/plume.h"
 #include "smoke/smoke_gpu.h"
+
+namespace lapfx {
+struct Preset;
+}
 
 namespace lapfx::smoke {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "lapfx/preset.h"
+#include "lapfx/smoke_parameters.h"
 #include "smoke/keying.h"
 
 namespace lapfx::smoke {

@@ -7,7 +7,7 @@
 #include <array>
 #include <glm/glm.hpp>
 
-#include "lapfx/preset.h"
+#include "lapfx/smoke_parameters.h"
 
 namespace lapfx::smoke {
 

@@ -13,6 +13,7 @@
 #include "app/tuning/snapshots.h"
 #include "app/tuning/tuning.h"
 #include "editor/support/editor_test.h"
+#include "ui/core/node.h"
 
 namespace lapfx::test {
 namespace {

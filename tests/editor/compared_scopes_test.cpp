@@ -3,6 +3,7 @@
 #include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
 #include "support/clips.h"
+#include "ui/core/tree.h"
 #include "ui/support/count_allocations.h"
 
 namespace lapfx::test {

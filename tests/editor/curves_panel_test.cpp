@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "editor/support/editor_test.h"
+#include "ui/core/tree.h"
 
 namespace lapfx::test {
 namespace {

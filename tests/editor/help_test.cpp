@@ -6,6 +6,7 @@
 #include "app/base/layouts.h"
 #include "editor/support/editor_test.h"
 #include "support/folders.h"
+#include "ui/core/tree.h"
 
 namespace lapfx::test {
 namespace {

@@ -3,6 +3,7 @@
 #include "app/base/layouts.h"
 #include "app/tuning/snapshots.h"
 #include "editor/support/editor_test.h"
+#include "ui/core/tree.h"
 
 namespace lapfx::test {
 namespace {

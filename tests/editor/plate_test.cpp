@@ -6,6 +6,7 @@
 #include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
 #include "support/endoscope.h"
+#include "ui/core/tree.h"
 
 namespace lapfx::test {
 namespace {

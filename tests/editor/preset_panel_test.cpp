@@ -6,6 +6,7 @@
 #include "app/tuning/tuning.h"
 #include "editor/support/editor_test.h"
 #include "panels/panels.h"
+#include "ui/core/tree.h"
 #include "ui/support/count_allocations.h"
 
 namespace lapfx::test {

@@ -7,6 +7,7 @@
 #include "editor/support/editor_test.h"
 #include "panels/panels.h"
 #include "support/folders.h"
+#include "ui/core/tree.h"
 #include "ui/support/count_allocations.h"
 
 namespace lapfx::test {

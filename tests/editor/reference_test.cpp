@@ -9,6 +9,7 @@
 #include "editor/support/editor_test.h"
 #include "support/clips.h"
 #include "support/folders.h"
+#include "ui/core/tree.h"
 
 namespace lapfx::test {
 namespace {

@@ -2,6 +2,7 @@
 // reached, and no texts overlap.
 #include "app/base/layouts.h"
 #include "editor/support/shaped_test.h"
+#include "ui/core/tree.h"
 
 namespace lapfx::test {
 namespace {

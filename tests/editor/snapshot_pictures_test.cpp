@@ -5,6 +5,7 @@
 #include "app/tuning/snapshot_previews.h"
 #include "app/tuning/snapshots.h"
 #include "editor/support/editor_test.h"
+#include "ui/core/tree.h"
 
 namespace lapfx::test {
 namespace {

@@ -2,6 +2,7 @@
 #include "app/base/layouts.h"
 #include "app/clips/clip_shelf.h"
 #include "editor/support/editor_test.h"
+#include "ui/core/tree.h"
 
 namespace lapfx::test {
 namespace {

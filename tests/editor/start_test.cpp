@@ -1,4 +1,5 @@
 #include "editor/support/editor_test.h"
+#include "ui/core/tree.h"
 
 namespace lapfx::test {
 namespace {

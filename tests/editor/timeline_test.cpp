@@ -4,6 +4,7 @@
 #include "app/base/layouts.h"
 #include "app/files/organ_choice.h"
 #include "editor/support/editor_test.h"
+#include "ui/core/tree.h"
 
 namespace lapfx::test {
 namespace {

@@ -2,6 +2,7 @@
 #include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
 #include "support/clips.h"
+#include "ui/core/tree.h"
 
 namespace lapfx::test {
 namespace {

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "gallery/gallery.h"
+#include "ui/core/node.h"
 #include "ui/support/harness.h"
 
 namespace lapfx::gallery {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <set>
 
+#include "ui/core/tree.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 #include "ui/widgets/tabs.h"

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/tuning/parameters.h"
+#include "lapfx/preset.h"
 
 namespace lapfx::app {
 

@@ -10,7 +10,11 @@
 #include <string>
 #include <string_view>
 
-#include "lapfx/preset.h"
+#include "lapfx/parameter.h"
+
+namespace lapfx {
+struct Preset;
+}
 
 namespace lapfx::app {
 

@@ -8,6 +8,7 @@
 
 #include "app/tuning/parameter_words.h"
 #include "document/tables.h"
+#include "lapfx/preset.h"
 
 namespace lapfx::app {
 

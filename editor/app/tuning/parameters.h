@@ -13,7 +13,11 @@
 #include <string_view>
 #include <vector>
 
-#include "lapfx/preset.h"
+#include "lapfx/parameter.h"
+
+namespace lapfx {
+struct Preset;
+}
 
 namespace lapfx::app {
 

@@ -1,5 +1,7 @@
 #include "ui/canvas/curve_drawing.h"
 
+#include "ui/core/node.h"
+
 namespace lapfx::ui::curve_drawing {
 
 namespace {

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "ui/canvas/curve_drawing.h"
+#include "ui/core/node.h"
 #include "ui/value/expression.h"
 #include "ui/value/utf8.h"
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "ui/canvas/drag_handle.h"
+#include "ui/core/node.h"
 #include "ui/value/number.h"
 #include "ui/widgets/basic.h"
 

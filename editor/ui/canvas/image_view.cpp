@@ -1,6 +1,7 @@
 #include "ui/canvas/image_view.h"
 
 #include "ui/canvas/drag_handle.h"
+#include "ui/core/node.h"
 
 namespace lapfx::ui {
 

@@ -1,6 +1,7 @@
 #include "ui/canvas/pixels.h"
 
 #include "ui/canvas/drag_handle.h"
+#include "ui/core/node.h"
 #include "ui/value/number.h"
 
 namespace lapfx::ui {

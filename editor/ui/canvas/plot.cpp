@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "ui/canvas/plot_legend.h"
+#include "ui/core/node.h"
 
 namespace lapfx::ui {
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "ui/canvas/drag_handle.h"
+#include "ui/core/node.h"
 #include "ui/value/number.h"
 
 namespace lapfx::ui {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/canvas/timeline_drawing.h"
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 
 namespace lapfx::ui {

@@ -1,5 +1,7 @@
 #include "ui/canvas/timeline_drawing.h"
 
+#include "ui/core/node.h"
+
 namespace lapfx::ui::timeline_drawing {
 
 namespace {

@@ -1,5 +1,7 @@
 #include "ui/canvas/view.h"
 
+#include "ui/core/node.h"
+
 namespace lapfx::ui {
 
 namespace {

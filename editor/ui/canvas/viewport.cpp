@@ -1,5 +1,7 @@
 #include "ui/canvas/viewport.h"
 
+#include "ui/core/node.h"
+
 namespace lapfx::ui {
 
 namespace {

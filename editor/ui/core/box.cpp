@@ -1,3 +1,4 @@
+#include "ui/core/node.h"
 #include "ui/core/ui.h"
 
 namespace lapfx::ui {

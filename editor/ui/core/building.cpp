@@ -3,6 +3,8 @@
 #include <cassert>
 #include <utility>
 
+#include "ui/core/node.h"
+
 namespace lapfx::ui {
 
 TextStyle Building::text_style(float relative_size, Weight weight) const {
@@ -11,6 +13,28 @@ TextStyle Building::text_style(float relative_size, Weight weight) const {
 
 TextStyle Building::number_style() const {
     return {.size = em(1), .tabular = true};
+}
+
+Node& Building::parent() {
+    return nodes()[stack_.back().node];
+}
+
+Node& Building::last() {
+    return nodes().back();
+}
+
+void Building::follow_size(const Node& node) {
+    followed_.push_back(static_cast<std::uint32_t>(&node - nodes().data()));
+}
+
+const Node* Building::in_place_before() const {
+    const std::size_t index = built_[now_].size();
+    return index < nodes_before().size() ? &nodes_before()[index] : nullptr;
+}
+
+void Building::set_drawer(Node& node, const Drawer& drawer, const void* look) {
+    node.arg = look;
+    node.drawer = &drawer;
 }
 
 /// The id of the next node, which would be `base`, were it not for another of that label.

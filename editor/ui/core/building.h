@@ -75,8 +75,8 @@ class Building : public UiState {
     /// A node whose children come until close(). Without a label it changes no ids: a mere arrangement.
     Node& open(Role role, std::string_view label, Axis axis, Sense sense = Sense::none);
     void close();
-    Node& parent() { return nodes()[stack_.back().node]; }
-    Node& last() { return nodes().back(); }  ///< the newest node
+    Node& parent();
+    Node& last();  ///< the newest node
     /// Until pop_seed(), all ids differ by `key`. For loops whose widgets have the same labels in each round.
     void push_seed(std::string_view key);
     void push_seed(std::uint64_t key);
@@ -89,7 +89,7 @@ class Building : public UiState {
 
     /// If layout changes the size of `node`, another build follows in this frame. For widgets that use their size of
     /// the last build, and for pictures that are rendered at that size.
-    void follow_size(const Node& node) { followed_.push_back(static_cast<std::uint32_t>(&node - nodes().data())); }
+    void follow_size(const Node& node);
 
     /// Returns what happened to the node and sets its states hovered, held, focused and ringed. Once for each node.
     Response respond(Node& node);
@@ -110,10 +110,7 @@ class Building : public UiState {
     const Node* before(Id id) const;
     Rect rect_before(Id id) const;
     /// The node of the last build at the index of the next node; null: none. For nodes without an id.
-    const Node* in_place_before() const {
-        const std::size_t index = built_[now_].size();
-        return index < nodes_before().size() ? &nodes_before()[index] : nullptr;
-    }
+    const Node* in_place_before() const;
 
     /// State that outlives frames. Made on first use, kept as long as the Ui.
     template <typename T>
@@ -127,8 +124,7 @@ class Building : public UiState {
     /// operator== and none of these has changed, the drawing of the last frame is used again.
     template <auto Function, typename T>
     void draw_with(Node& node, const T& look) {
-        node.arg = arena().make(look);
-        node.drawer = &drawer_of<Function, T>;
+        set_drawer(node, drawer_of<Function, T>, arena().make(look));
     }
     std::string_view copy(std::string_view text) { return arena().copy(text); }
     std::string_view join(std::initializer_list<std::string_view> parts);
@@ -153,6 +149,7 @@ class Building : public UiState {
     std::uint32_t index_now(const Seen& seen) const;
     Id claim(Id base, bool& duplicate);
     void take(Response& response, const Node& node, const Event& event);
+    static void set_drawer(Node& node, const Drawer& drawer, const void* look);
     template <typename T>
     static inline char type_mark = 0;
     template <typename T>

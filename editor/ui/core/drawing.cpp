@@ -2,6 +2,7 @@
 // copied.
 #include <cstring>
 
+#include "ui/core/node.h"
 #include "ui/core/ui.h"
 
 namespace lapfx::ui {
@@ -52,7 +53,7 @@ const FrameOutput& Ui::emit() {
     letters_missing_ = missing;
     remember_anchors();
     if (const char* reason = woken_.exchange(nullptr); reason != nullptr) wake_at(time(), reason);
-    tree_ = nodes();
+    tree_ = &nodes();
     fresh_ = true;
     return output_;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/core/node.h"
+
 namespace lapfx::ui {
 
 bool Input::key_down(Key key) const {

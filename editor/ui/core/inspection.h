@@ -8,7 +8,7 @@ namespace lapfx::ui {
 class Inspection : public Overlays {
   public:
     /// The nodes of the last frame() that was completed. core/tree.h finds nodes in them and writes them out.
-    std::span<const Node> tree() const { return tree_; }
+    std::span<const Node> tree() const;
     std::size_t duplicates() const { return duplicates_; }
     int builds() const { return static_cast<int>(build_); }                                        ///< so far
     std::span<const WakeReason> wake_reasons() const { return {reasons_.data(), reason_count_}; }  ///< the last 64

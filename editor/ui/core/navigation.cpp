@@ -1,6 +1,7 @@
 // Keys: first the node that has the focus may take them, then shortcuts, then they move the focus.
 #include <algorithm>
 
+#include "ui/core/node.h"
 #include "ui/core/ui.h"
 
 namespace lapfx::ui {

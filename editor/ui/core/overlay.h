@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/core/node.h"
+#include "ui/core/node_parts.h"
 
 namespace lapfx::ui {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "ui/core/node.h"
+
 namespace lapfx::ui {
 
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/core/node.h"
 #include "ui/core/ui.h"
 
 namespace lapfx::ui {

@@ -1,6 +1,6 @@
 // All data of a Ui. The classes Building, Input, Overlays, Inspection and Ui each derive from the one before: they
 // divide the functions by who calls them, and all reach the data without another pointer. Only their headers include
-// this one.
+// this one. What a node is made of is known here only by name: a widget that lays one out includes node.h.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 #include "ui/core/arena.h"
 #include "ui/core/event.h"
-#include "ui/core/node.h"
+#include "ui/core/node_parts.h"
 #include "ui/core/overlay.h"
 #include "ui/core/state_table.h"
 #include "ui/draw/images.h"
@@ -72,8 +72,8 @@ class UiState {
     UiState& operator=(const UiState&) = delete;
 
   protected:
-    UiState(Fonts& fonts, const UiOptions& options) : fonts_(fonts), options_(options) {}
-    ~UiState() = default;
+    UiState(Fonts& fonts, const UiOptions& options);
+    ~UiState();
 
     struct SlotBase {
         virtual ~SlotBase() = default;
@@ -110,7 +110,7 @@ class UiState {
     Arena arenas_[2];
     int now_ = 0;
     std::uint32_t build_ = 0;
-    std::span<const Node> tree_;
+    const std::vector<Node>* tree_ = nullptr;  ///< of the last frame that was completed
     std::vector<Level> stack_;
     std::vector<std::uint32_t> followed_;     ///< nodes of follow_size()
     std::vector<std::uint32_t> drawn_later_;  ///< nodes that draw once their children have

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "ui/core/node.h"
+#include "ui/core/node_parts.h"
 
 namespace lapfx::ui {
 

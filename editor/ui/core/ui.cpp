@@ -35,6 +35,9 @@ std::uint8_t byte_of(float v) {
 
 }  // namespace
 
+UiState::UiState(Fonts& fonts, const UiOptions& options) : fonts_(fonts), options_(options) {}
+UiState::~UiState() = default;
+
 void Ui::wake(const char* reason) {
     woken_.store(reason);
     if (waker_) waker_();
@@ -115,6 +118,10 @@ bool Ui::end() {
     if (again_ && settled_++ < most_settling) return true;
     unsettled_ = again_ ? unsettled_ + 1 : 0;
     return false;
+}
+
+std::span<const Node> Inspection::tree() const {
+    return tree_ == nullptr ? std::span<const Node>() : *tree_;
 }
 
 std::size_t Inspection::memory_used() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/core/node.h"
 #include "ui/widgets/literal.h"
 #include "ui/widgets/scroll.h"
 

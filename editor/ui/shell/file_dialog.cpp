@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/core/node.h"
 #include "ui/shell/dialog.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/literal.h"

@@ -1,5 +1,6 @@
 #include "ui/shell/file_preview.h"
 
+#include "ui/core/node.h"
 #include "ui/widgets/literal.h"
 
 namespace lapfx::ui {

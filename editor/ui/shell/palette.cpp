@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/core/node.h"
 #include "ui/shell/fuzzy.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/scroll.h"

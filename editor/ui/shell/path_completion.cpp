@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/core/node.h"
 #include "ui/value/utf8.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/field.h"

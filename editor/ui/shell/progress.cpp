@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 
 namespace lapfx::ui {

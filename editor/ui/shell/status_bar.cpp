@@ -1,5 +1,7 @@
 #include "ui/shell/status_bar.h"
 
+#include "ui/core/node.h"
+
 namespace lapfx::ui {
 
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/core/node.h"
 #include "ui/core/paragraph.h"
 #include "ui/shell/dialog.h"
 #include "ui/value/closed_list.h"

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ui/core/node.h"
 #include "ui/core/paragraph.h"
 #include "ui/value/closed_list.h"
 

@@ -1,4 +1,5 @@
 // One of a few choices, side by side. Tab goes to the chosen one, arrows choose its neighbours.
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 
 namespace lapfx::ui {

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <utility>
 
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/field.h"
 #include "ui/widgets/param.h"

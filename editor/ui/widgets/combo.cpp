@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ui/core/node.h"
 #include "ui/widgets/field.h"
 #include "ui/widgets/text_field.h"
 #include "ui/widgets/type_ahead.h"

@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "ui/core/node.h"
 #include "ui/widgets/menu.h"
 #include "ui/widgets/splitter.h"
 #include "ui/widgets/tabs.h"

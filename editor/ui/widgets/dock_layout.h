@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ui/core/node.h"
+#include "ui/core/node_parts.h"
 
 namespace lapfx::ui {
 

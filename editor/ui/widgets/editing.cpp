@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "ui/core/node.h"
 #include "ui/widgets/field.h"
 #include "ui/widgets/menu.h"
 

@@ -2,6 +2,8 @@
 
 #include <charconv>
 
+#include "ui/core/node.h"
+
 namespace lapfx::ui {
 
 Rect field_part(const Rect& row, bool caption) {

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "ui/core/node.h"
 #include "ui/value/utf8.h"
 
 namespace lapfx::ui {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ui/core/node.h"
 #include "ui/widgets/param_parts.h"
 
 namespace lapfx::ui {

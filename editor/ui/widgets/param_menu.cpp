@@ -1,4 +1,5 @@
 // The menu of a right click on a number, and the fields that set its range.
+#include "ui/core/node.h"
 #include "ui/widgets/menu.h"
 #include "ui/widgets/param_parts.h"
 

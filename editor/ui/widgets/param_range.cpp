@@ -1,6 +1,7 @@
 // Several numbers in one row.
 #include <cmath>
 
+#include "ui/core/node.h"
 #include "ui/widgets/param_parts.h"
 
 namespace lapfx::ui {

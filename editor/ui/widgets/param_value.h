@@ -7,7 +7,7 @@
 #include <span>
 
 #include "ui/core/event.h"
-#include "ui/core/node.h"
+#include "ui/core/node_parts.h"
 #include "ui/value/number.h"
 
 namespace lapfx::ui {

@@ -1,5 +1,6 @@
 #include "ui/widgets/rows.h"
 
+#include "ui/core/node.h"
 #include "ui/widgets/type_ahead.h"
 
 namespace lapfx::ui {

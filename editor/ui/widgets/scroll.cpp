@@ -1,5 +1,7 @@
 #include "ui/widgets/scroll.h"
 
+#include "ui/core/node.h"
+
 namespace lapfx::ui {
 
 namespace {
@@ -159,6 +161,12 @@ void LineWindow::show(ScrollArea& area, std::size_t line, float height) {
     const float from = static_cast<float>(line) * height, to = from + height;
     if (from < state.offset.y) state.offset.y = from;
     if (to > state.offset.y + state.view.y) state.offset.y = std::max(0.0F, to - state.view.y);
+}
+
+void open_line(Ui& ui, float height) {
+    Node& line = ui.open(Role::none, {}, Axis::x);
+    line.size[1] = px(height);
+    line.cross = ChildAlign::center;
 }
 
 }  // namespace lapfx::ui

@@ -71,6 +71,8 @@ class LineWindow {
     float below_ = 0;  ///< px
 };
 
+/// A row of virtual_rows(): its children come until close().
+void open_line(Ui& ui, float height);
 /// `each(row)` builds one row, side by side in `row_height` px. Ids inside are those of the row's number.
 template <typename Each>
 void virtual_rows(Ui& ui, std::string_view label, std::size_t count, float row_height, Each&& each,
@@ -79,9 +81,7 @@ void virtual_rows(Ui& ui, std::string_view label, std::size_t count, float row_h
     const LineWindow window(ui, area, count, row_height);
     for (std::size_t row = window.first(); row < window.last(); ++row) {
         ui.push_seed(row);
-        Node& line = ui.open(Role::none, {}, Axis::x);
-        line.size[1] = px(row_height);
-        line.cross = ChildAlign::center;
+        open_line(ui, row_height);
         each(row);
         ui.close();
         ui.pop_seed();

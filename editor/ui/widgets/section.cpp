@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 
 namespace lapfx::ui {

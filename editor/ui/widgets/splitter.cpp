@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "ui/core/node.h"
+
 namespace lapfx::ui {
 
 namespace {

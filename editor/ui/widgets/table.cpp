@@ -1,5 +1,7 @@
 #include "ui/widgets/table.h"
 
+#include "ui/core/node.h"
+
 namespace lapfx::ui {
 
 namespace {

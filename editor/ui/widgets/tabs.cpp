@@ -1,5 +1,6 @@
 #include "ui/widgets/tabs.h"
 
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/menu.h"
 

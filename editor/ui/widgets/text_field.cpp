@@ -1,5 +1,6 @@
 #include "ui/widgets/text_field.h"
 
+#include "ui/core/node.h"
 #include "ui/value/utf8.h"
 #include "ui/widgets/editing.h"
 #include "ui/widgets/field.h"

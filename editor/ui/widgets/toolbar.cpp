@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/field.h"
 

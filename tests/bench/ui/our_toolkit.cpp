@@ -3,6 +3,7 @@
 #include "bench/ui/cases.h"
 #include "ui/canvas/histogram.h"
 #include "ui/canvas/plot.h"
+#include "ui/core/node.h"
 #include "ui/core/ui.h"
 #include "ui/gl/renderer.h"
 #include "ui/value/number.h"

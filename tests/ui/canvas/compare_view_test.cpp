@@ -4,6 +4,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "ui/core/tree.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 

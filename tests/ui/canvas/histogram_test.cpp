@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "ui/canvas/drag_handle.h"
+#include "ui/core/tree.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "ui/core/tree.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/core/tree.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 

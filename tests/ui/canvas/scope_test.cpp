@@ -5,6 +5,7 @@
 #include <numeric>
 #include <random>
 
+#include "ui/core/tree.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 

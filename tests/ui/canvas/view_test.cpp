@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "ui/core/node.h"
 #include "ui/support/harness.h"
 
 namespace lapfx::ui {

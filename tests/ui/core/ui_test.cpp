@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "ui/core/tree.h"
 #include "ui/support/harness.h"
 #include "ui/widgets/basic.h"
 

@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "ui/core/node.h"
 #include "ui/shell/file_dialog.h"
 #include "ui/support/harness.h"
 

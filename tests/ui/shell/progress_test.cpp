@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ui/core/node.h"
 #include "ui/shell/status_bar.h"
 #include "ui/support/harness.h"
 

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "ui/core/node.h"
 #include "ui/support/harness.h"
 #include "ui/widgets/basic.h"
 

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "ui/core/tree.h"
 #include "ui/value/utf8.h"
 
 namespace lapfx::ui {

@@ -13,7 +13,6 @@
 #include <functional>
 #include <string>
 
-#include "ui/core/tree.h"
 #include "ui/core/ui.h"
 
 namespace lapfx::ui {

@@ -1,3 +1,4 @@
+#include "ui/core/tree.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 #include "ui/widgets/basic.h"

@@ -1,5 +1,6 @@
 #include "ui/widgets/combo.h"
 
+#include "ui/core/node.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 #include "ui/widgets/basic.h"

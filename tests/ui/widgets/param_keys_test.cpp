@@ -1,3 +1,4 @@
+#include "ui/core/tree.h"
 #include "ui/widgets/param_fixture.h"
 
 namespace lapfx::ui {

@@ -5,6 +5,7 @@
 #include <random>
 #include <set>
 
+#include "ui/core/node.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 #include "ui/widgets/basic.h"

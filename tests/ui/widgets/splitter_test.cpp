@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "ui/core/node.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 #include "ui/widgets/basic.h"

@@ -1,5 +1,6 @@
 #include "ui/widgets/tabs.h"
 
+#include "ui/core/tree.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 #include "ui/widgets/basic.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ui/core/node.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/count_decoded.h"
 #include "ui/support/harness.h"

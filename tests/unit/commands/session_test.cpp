@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "lapfx/preset.h"
+#include "lapfx/scene.h"
 #include "unit/preset/support.h"
 
 namespace lapfx::commands {

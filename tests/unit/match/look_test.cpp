@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
+#include "lapfx/preset.h"
 #include "match/colors.h"
 
 namespace lapfx::match {

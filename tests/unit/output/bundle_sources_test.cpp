@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "lapfx/preset.h"
 #include "unit/preset/support.h"
 
 namespace lapfx::output {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "lapfx/parameter.h"
+#include "unit/preset/full_documents.h"
 #include "unit/preset/support.h"
 
 namespace lapfx {

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "unit/preset/full_documents.h"
 #include "unit/preset/support.h"
 
 namespace lapfx {

@@ -1,6 +1,7 @@
 // The strict reader: every fault at once, each with its pointer, the value found and the allowed ones.
 #include <gmock/gmock.h>
 
+#include "unit/preset/full_documents.h"
 #include "unit/preset/support.h"
 
 namespace lapfx {

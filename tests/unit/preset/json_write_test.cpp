@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "preset/text.h"
+#include "unit/preset/full_documents.h"
 #include "unit/preset/support.h"
 
 namespace lapfx {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "support/folders.h"
+#include "unit/preset/full_documents.h"
 #include "unit/preset/support.h"
 
 namespace lapfx {

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "unit/preset/full_documents.h"
 #include "unit/preset/support.h"
 
 namespace lapfx {

@@ -5,6 +5,7 @@
 
 #include "lapfx/authoring/documents.h"
 #include "support/folders.h"
+#include "unit/preset/full_documents.h"
 #include "unit/preset/support.h"
 
 namespace lapfx {

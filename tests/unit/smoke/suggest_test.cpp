@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "lapfx/preset.h"
 #include "smoke/keying_pixel.h"
 #include "smoke/keying_survey.h"
 #include "support/known_smoke.h"

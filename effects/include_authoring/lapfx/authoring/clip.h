@@ -12,10 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "lapfx/preset.h"
 #include "lapfx/progress.h"
 
 namespace lapfx {
+
+struct Preset;
 
 struct ClipReport {
     glm::ivec2 size{0};                ///< pixels; a rotation that the file asks for is not applied

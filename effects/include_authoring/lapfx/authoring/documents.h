@@ -10,10 +10,11 @@
 #include <string>
 #include <string_view>
 
-#include "lapfx/preset.h"
 #include "lapfx/scene.h"
 
 namespace lapfx {
+
+struct Preset;
 
 /// Writes a new file next to it, then renames that: there is never half a file, and the old one stays when writing
 /// fails. Throws Error: bad_input for values that could not be loaded again, runtime when the file cannot be written (a

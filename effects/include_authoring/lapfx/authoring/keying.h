@@ -21,7 +21,7 @@
 
 #include "lapfx/authoring/clip.h"
 #include "lapfx/organ.h"
-#include "lapfx/preset.h"
+#include "lapfx/smoke_parameters.h"
 
 namespace lapfx {
 

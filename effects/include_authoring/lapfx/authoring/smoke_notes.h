@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lapfx/preset.h"
+#include "lapfx/smoke_parameters.h"
 
 namespace lapfx {
 

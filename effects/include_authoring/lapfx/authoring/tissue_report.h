@@ -9,8 +9,8 @@
 #include <array>
 #include <cstdint>
 
+#include "lapfx/bleeding_parameters.h"
 #include "lapfx/organ.h"
-#include "lapfx/preset.h"
 
 namespace lapfx {
 

@@ -5,6 +5,7 @@
 #include "app/tuning/parameter_words.h"
 #include "document/tables.h"
 #include "ui/widgets/combo.h"
+#include "unit/preset/full_documents.h"
 #include "unit/preset/support.h"
 
 namespace lapfx::app {
