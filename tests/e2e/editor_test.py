@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """`lapfx edit` in a window, as a person uses it.
 
-editor_test.py LAPFX DROP_FILES [NAME]: with NAME only the cases whose name contains it. DROP_FILES: the program that
-drops files on a window, or a path that is not there. 77 where Xvfb, xdotool or OpenGL is missing.
+editor_test.py LAPFX DROP_FILES SHIPPED [NAME]: with NAME only the cases whose name contains it. DROP_FILES: the program
+that drops files on a window, or a path that is not there. SHIPPED: the folder of presets and samples that the editor
+opens. 77 where Xvfb, xdotool or OpenGL is missing.
 """
 import json
 import os
@@ -17,8 +18,6 @@ from real_window import node, nodes, wait_for
 SIZE = (1200, 800)
 IDLE_S = 20
 IDLE_WAKES = 100  # of all threads in that time, at most; one a second was seen
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
-CLIP = os.path.join(ROOT, "samples", "clips", "wisps_thin.mp4")
 SPEED = "/Bleeding/Speed"  # end of the path of the parameter that is moved
 
 
@@ -26,8 +25,10 @@ class Editor(real_window.Window):
     title, verb = "lapfx", "edit"
     search = "--class"  # its name goes with what is open
 
-    def __init__(self, lapfx, drop_files, display, folder, *options):
+    def __init__(self, lapfx, drop_files, shipped, display, folder, *options):
         self.drop_files = drop_files
+        self.samples = os.path.join(shipped, "samples")
+        self.clip = os.path.join(self.samples, "clips", "wisps_thin.mp4")
         self.home = os.path.join(folder, "home")
         homes = {key: os.path.join(self.home, key.lower()) for key in
                  ("XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME")}
@@ -40,7 +41,7 @@ class Editor(real_window.Window):
         if "--at" not in options:  # without it, it plays, and is never quiet
             options = ("--at", "3", *options)
         super().__init__(lapfx, display, folder, "--size", "%dx%d" % SIZE, "--layout", "Tune", *options,
-                         environment={"HOME": self.home, **homes})
+                         environment={"HOME": self.home, "LAPFX_DATA": shipped, **homes})
 
     def brightness(self, x, y):
         """Mean of 32 x 32 px of the screen around a place of the window, 0 to 255."""
@@ -146,8 +147,8 @@ def same_as_rendered(editor, file):
     assert exported.startswith(b"\x89PNG\r\n\x1a\n")
     width, height = struct.unpack(">II", exported[16:24])
     rendered = os.path.join(editor.folder, "rendered.png")
-    subprocess.run([editor.lapfx, "render", os.path.join(ROOT, "samples", "lagb.scene.json"), "--at", "3", "--size",
-                    f"{width}x{height}", "-o", rendered], check=True, capture_output=True)
+    subprocess.run([editor.lapfx, "render", os.path.join(editor.samples, "lagb.scene.json"), "--at", "3", "--size",
+                    f"{width}x{height}", "-o", rendered], env=editor.environment, check=True, capture_output=True)
     with open(rendered, "rb") as picture:
         assert picture.read() == exported, "the editor's picture is not the one that is rendered"
 
@@ -177,7 +178,7 @@ def case_drop_arrives(open_editor):
     with open_editor() as editor:
         if not os.path.exists(editor.drop_files):
             return "not tested: there is no Xlib to drop files with"
-        editor.drop("Workspace/View/Preview", CLIP)
+        editor.drop("Workspace/View/Preview", editor.clip)
         assert editor.process.poll() is None, editor.text()
         return None
 
@@ -187,7 +188,7 @@ def case_drop_opens(open_editor):
     with open_editor() as editor:
         if not os.path.exists(editor.drop_files):
             return "not tested: there is no Xlib to drop files with"
-        editor.drop("Workspace/View/Preview", CLIP)
+        editor.drop("Workspace/View/Preview", editor.clip)
         editor.act_now("key", "Return")  # "Smoke clip": a video may be the reference, too
         editor.settle()
         saved = editor.save_as("dropped.json")
@@ -241,12 +242,12 @@ def case_close_unsaved(open_editor):
 
 
 def main(arguments):
-    lapfx, drop_files = (os.path.abspath(a) for a in arguments[:2])
-    wanted = arguments[2] if len(arguments) > 2 else ""
+    lapfx, drop_files, shipped = (os.path.abspath(a) for a in arguments[:3])
+    wanted = arguments[3] if len(arguments) > 3 else ""
     cases = real_window.cases_of(globals(), wanted)
 
     def window(display, folder):
-        return lambda *options: Editor(lapfx, drop_files, display, folder, *options)
+        return lambda *options: Editor(lapfx, drop_files, shipped, display, folder, *options)
     return real_window.run("editor", cases, window)
 
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """`lapfx help`, the reference page and README: complete, and every command in them works as printed.
 
-help_test.py LAPFX SOURCE_DIR PART: reference | examples | readme. Commands run in a folder that has copies of presets/
-and samples/, and the program as build/lapfx, so that what they write stays there.
+help_test.py LAPFX SOURCE_DIR SHIPPED_DIR PART: reference | examples | readme. Commands run in a folder that has copies of
+presets/ and samples/ of SHIPPED_DIR, and the program as build/lapfx, so that what they write stays there.
 """
 import json
 import os
@@ -80,7 +80,7 @@ def key_faults(topic, text, schema):
                 yield f"lapfx help {topic}: of {place}.{key} it does not say {words!r}, but {said!r}"
 
 
-def reference_faults(lapfx, source):
+def reference_faults(lapfx, source, _):
     with open(os.path.join(source, "presets", "REFERENCE.md"), encoding="utf-8") as file:
         page = file.read()
     printed = output(lapfx, "help", "--page")
@@ -116,10 +116,10 @@ def reference_faults(lapfx, source):
             yield f"lapfx help {' '.join(wrong)}: {done.returncode}, {done.stderr!r}"
 
 
-def workplace(folder, source):
+def workplace(folder, shipped):
     """A place like the root of the repository, to run what is printed."""
     for name in ("presets", "samples"):
-        shutil.copytree(os.path.join(source, name), os.path.join(folder, name))
+        shutil.copytree(os.path.join(shipped, name), os.path.join(folder, name))
 
 
 def command_faults(lapfx, folder, line):
@@ -131,7 +131,7 @@ def command_faults(lapfx, folder, line):
             yield f"{line}: left no {name}"
 
 
-def example_faults(lapfx, source):
+def example_faults(lapfx, _, shipped):
     lines, without = [], []
     for words in commands_and_parts(lapfx):
         found = re.findall(r"^  (lapfx .*)$", output(lapfx, "help", *words).split("\nExample", 1)[-1], re.MULTILINE)
@@ -140,13 +140,13 @@ def example_faults(lapfx, source):
         lines += found
     yield from (f"lapfx help {words}: has no example" for words in without)
     with tempfile.TemporaryDirectory(prefix="lapfx help ") as folder:
-        workplace(folder, source)
+        workplace(folder, shipped)
         for line in lines:
             if not RUN_ELSEWHERE.match(line):
                 yield from command_faults(lapfx, folder, line)
 
 
-def readme_faults(lapfx, source):
+def readme_faults(lapfx, source, shipped):
     with open(os.path.join(source, "README.md"), encoding="utf-8") as file:
         text = file.read()
     if text.count("\n") > README_LINES:
@@ -163,15 +163,15 @@ def readme_faults(lapfx, source):
     if len(lines) < 3:
         yield f"README.md has only {len(lines)} commands to run"
     with tempfile.TemporaryDirectory(prefix="lapfx readme ") as folder:
-        workplace(folder, source)
+        workplace(folder, shipped)
         for line in lines:
             yield from command_faults(lapfx, folder, line)
 
 
 def main():
-    lapfx, source, part = sys.argv[1:]
+    lapfx, source, shipped, part = sys.argv[1:]
     faults = {"reference": reference_faults, "examples": example_faults, "readme": readme_faults}[part](
-        os.path.realpath(lapfx), source)
+        os.path.realpath(lapfx), source, shipped)
     count = 0
     for fault in faults:
         print(fault)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What the editor's window holds in main memory while it is used at random, on the sample scene.
 
-memory_test.py LAPFX [ACTS]: how often something is done after all has been used once, 60 unless told otherwise, with
+memory_test.py LAPFX [ACTS]: how often something is done after all has been used once, 40 unless told otherwise, with
 `tests/run --deep` (LAPFX_DEEP=1) 300; of more than 600 every fiftieth is printed, too.
 77 where Xvfb, xdotool or OpenGL is missing, or the process's memory cannot be read.
 
@@ -19,13 +19,14 @@ import sys
 import editor_test
 import real_window
 
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))  # has what is shipped
 MOST = 525e6  # bytes beside the clips, as it opens and plays: 455 to 500 were seen, the more the busier the machine
 # After every layout was used: a preview beside the reference has more pixels, and a driver without a GPU keeps the
 # triangles of the frame that it draws, up to 100 MB of them, which come and go.
 MOST_USED = 675e6
 GROWTH = 100e6  # bytes, from when all of it has been used once to the end
 DEEP = bool(os.environ.get("LAPFX_DEEP"))
-USED = 200 if DEEP else 60  # acts, or half of all if that is more, until all of it has been used
+USED = 200 if DEEP else 40  # acts, or half of all if that is more, until all of it has been used
 EMPTY = 5  # frames for each act that draw nothing, at most; under 1 was seen
 REPORTS = 15  # about a second each: what is compared is their mean
 WIDTH, HEIGHT = 1440, 900
@@ -143,14 +144,14 @@ def use(open_editor, acts):
 
 
 def main(arguments):
-    acts = int(arguments[1]) if len(arguments) > 1 else 300 if DEEP else 60
+    acts = int(arguments[1]) if len(arguments) > 1 else 300 if DEEP else 40
     if not DEEP:
         print("a short walk; tests/run --deep takes a long one")
     editor_test.SIZE = (WIDTH, HEIGHT)
     os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[:CORES])
 
     def window(display, folder):
-        return lambda *options: editor_test.Editor(arguments[0], "", display, folder, *options)
+        return lambda *options: editor_test.Editor(arguments[0], "", ROOT, display, folder, *options)
     return real_window.run("memory", [("random_use", lambda open_editor: use(open_editor, acts))], window,
                            screen=f"{WIDTH}x{HEIGHT}")
 

@@ -209,7 +209,7 @@ class Window:
     def tree(self):
         """Of a window that has just been opened."""
         file = os.path.join(self.folder, "before.json")
-        subprocess.run([self.lapfx, self.verb, *self.common, "--scale", "1", "--dump", file], check=True)
+        subprocess.run([self.lapfx, self.verb, *self.common, "--scale", "1", "--dump", file], env=self.environment, check=True)
         with open(file, encoding="utf-8") as dump:
             return json.load(dump)
 

@@ -4,9 +4,10 @@
 # EGL's software renderer agrees with them within 1/255 in every channel of every pixel. With curves over time as well:
 # all three at once, and with tests/run --deep (LAPFX_DEEP=1) each by itself.
 #
-#   same_pixels.sh LAPFX LAPFX_HOST IMAGES_DIFFER ROOT
+#   same_pixels.sh LAPFX LAPFX_HOST IMAGES_DIFFER SHIPPED: the folder of presets and samples
 set -euo pipefail
 lapfx=$1 host=$2 differ=$3 root=$4
+export LAPFX_DATA=$root
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 scene=$root/samples/lagb.scene.json

@@ -104,7 +104,8 @@ void lighten(const fs::path& from, const fs::path& to) {
     fs::remove_all(to);
     fs::create_directories(to / "samples/clips");
     fs::create_directories(to / "samples/reference");
-    for (const char* folder : {"presets", "shaders"}) fs::create_directory_symlink(from / folder, to / folder);
+    fs::create_directory_symlink(from / "shaders", to / "shaders");
+    fs::copy(from / "presets", to / "presets");  // clips are looked for beside where a preset really lies
     for (const fs::directory_entry& file : fs::directory_iterator(from / "samples")) {
         if (file.path().extension() == ".json") fs::copy(file, to / "samples" / file.path().filename());
         if (file.path().extension() == ".glb") lighten_organ(file, to / "samples" / file.path().filename());

@@ -119,7 +119,8 @@ def run(folder, build_seconds, again, options):
     junit = os.path.join(folder, "Testing", "tests.xml")
     progress = ["--progress"] if sys.stdout.isatty() else []
     begin = time.monotonic()
-    code = ctest(folder, junit, "--parallel", str(len(os.sched_getaffinity(0))), *progress, *options)
+    # One more than there are cores: tests of windows mostly wait.
+    code = ctest(folder, junit, "--parallel", str(len(os.sched_getaffinity(0)) + 1), *progress, *options)
     if not os.path.exists(junit):  # it lists tests, or says what is wrong with an option
         return code
     programs = {group: os.path.relpath(program) for group, program in programs_of(folder).items()}
