@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """`lapfx help`, the reference page and README: complete, and every command in them works as printed.
 
-help_test.py LAPFX SOURCE_DIR SHIPPED_DIR PART: reference | examples | readme. Commands run in a folder that has copies of
-presets/ and samples/ of SHIPPED_DIR, and the program as build/lapfx, so that what they write stays there.
+help_test.py LAPFX SOURCE_DIR SHIPPED_DIR PART: reference | examples | readme. Commands run in a folder that has copies
+of presets/ and samples/ of SHIPPED_DIR, and the program as build/lapfx, so that what they write stays there.
 """
 import json
 import os
