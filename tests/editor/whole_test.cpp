@@ -37,9 +37,7 @@ constexpr glm::ivec2 size{640, 512};
 
 class WholeTest : public EditorTest {
   protected:
-    WholeTest() {
-        scene_scale = 1, whole_sample = true;
-    }  // its pictures are compared with exported ones, pixel by pixel
+    WholeTest() { scene_scale = 1; }  // its pictures are compared with exported ones, pixel by pixel
     /// Moves it in the panel; a missing slider fails the test.
     void move(const Moved& moved) {
         ASSERT_TRUE(ui().exists(moved.path)) << moved.path << " is not there\n" << ui().dump();
@@ -80,7 +78,7 @@ class WholeTest : public EditorTest {
 };
 
 TEST_F(WholeTest, LoadTuneUndoExportAndRenderTheSamePixels) {
-    const fs::path data = source_folder();
+    const fs::path data = shipped();
     open_sample();
     editor().timeline.speed = 0;
 
