@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "commands/bench_plain_smoke.h"
 #include "commands/progress.h"
@@ -103,9 +104,9 @@ void compare_with_ffmpeg(const HostFrame& host, const StreamingExtent& extent, i
                                  {"ffmpeg, each scaled, decoding", FfmpegGraph::each_scaled, FfmpegInput::decoded},
                                  {"ffmpeg, scaled once, decoding", FfmpegGraph::scaled_once, FfmpegInput::decoded}};
     const BenchClips clips(extent.compared, extent.clip_frames);
-    const int fewer = std::min(5, extent.compared);
-    Progress progress("measuring", 2 * rounds * static_cast<int>(std::size(graphs)));
-    for (const int streams : {fewer, extent.compared}) {
+    const std::set<int> numbers{std::min(5, extent.compared), extent.compared};  // the short form has one
+    Progress progress("measuring", static_cast<int>(numbers.size()) * rounds * static_cast<int>(std::size(graphs)));
+    for (const int streams : numbers) {
         std::vector<StreamingRow> rows;
         double theirs[std::size(graphs)];
         std::fill(std::begin(theirs), std::end(theirs), endless);
