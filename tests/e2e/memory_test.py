@@ -20,12 +20,14 @@ import editor_test
 import real_window
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))  # has what is shipped
-MOST = 525e6  # bytes beside the clips, as it opens and plays: 455 to 500 were seen, the more the busier the machine
 # After every layout was used: a preview beside the reference has more pixels, and a driver without a GPU keeps the
 # triangles of the frame that it draws, up to 100 MB of them, which come and go.
 MOST_USED = 675e6
 GROWTH = 100e6  # bytes, from when all of it has been used once to the end
 DEEP = bool(os.environ.get("LAPFX_DEEP"))
+# Bytes beside the clips, as it opens and plays: 455 to 500 were seen, the more the busier the machine, and up to 505
+# while clips were still decoded.
+MOST = 525e6 if DEEP else 575e6
 USED = 200 if DEEP else 40  # acts, or half of all if that is more, until all of it has been used
 EMPTY = 5  # frames for each act that draw nothing, at most; under 1 was seen
 REPORTS = 15  # about a second each: what is compared is their mean
@@ -105,12 +107,13 @@ class Held:
 
 
 def play(editor, held):
-    """Waits until all clips are in memory; gives the other bytes."""
+    """Plays the scene; gives the bytes beside the clips. A long walk waits until all frames of clips are in memory,
+    which takes a minute where there is no GPU; while they come, their decoders have memory, too."""
     editor.xdotool("key", "space")
 
     def played():
         latest = [clips for *_, clips in held.all()[-10:]]
-        return len(latest) == 10 and latest[0] > 0 and len(set(latest)) == 1
+        return len(latest) == 10 and latest[0] > 0 and (len(set(latest)) == 1 or not DEEP)
     real_window.wait_for("clips that have been played", played)
     return held.beside_clips(5)
 
