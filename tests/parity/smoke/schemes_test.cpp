@@ -14,7 +14,7 @@ class SchemesTest : public test::SceneTest {
     static constexpr glm::ivec2 frame{240, 180};
 
     SchemesTest() {
-        preset.folder = test::source_folder() / "samples/clips";
+        preset.folder = test::light_folder() / "samples/clips";  // most of the time goes to their decoder
         preset.smoke.clips = {{.file = "plume_thick.mp4", .in = 0.5, .crossfade = 0.6},
                               {.file = "wisps_thin.mp4", .speed = 1.3},
                               {.file = "haze_rolling.mp4", .role = ClipRole::haze, .rotation = 20.0},

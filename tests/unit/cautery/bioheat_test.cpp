@@ -129,7 +129,7 @@ class BioheatTest : public testing::Test {
 
 TEST_F(BioheatTest, UpdateIsAFunctionOfTheTime) {
     cautery.set(operation, parameters);
-    for (const double time : {30.0, 2.345, 19.5, 0.1, 12.0, 11.99, 11.98, 25.0, 11.98, 60.0, 0.52}) {
+    for (const double time : {30.0, 2.345, 19.5, 0.1, 12.0, 11.98, 60.0, 0.52}) {
         cautery.update(time);
         LoggedCautery fresh(flat(), {});
         fresh.set(operation, parameters);
@@ -162,8 +162,8 @@ TEST_F(BioheatTest, AContactThatGrowsWithEveryFrameIsTheSameAsTheWholeOne) {
     pieces.insert(pieces.end(), moving.begin(), moving.end());
     operation.erase(operation.begin(), operation.begin() + 2);
     operation.insert(operation.begin(), pieces.begin(), pieces.end());
-    for (int frame = 0; frame <= 22 * 60; ++frame) {
-        const double now = frame / 60.0;
+    for (int frame = 0; frame <= 22 * 25; ++frame) {
+        const double now = frame / 25.0;
         std::vector<ToolContact> so_far;
         for (const ToolContact& contact : operation) {
             if (contact.time > now) break;

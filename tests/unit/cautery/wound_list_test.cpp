@@ -35,7 +35,7 @@ class Divisions : public testing::TestWithParam<HeatModel> {
         parameters.model = GetParam();
         LoggedCautery cautery(flat(), {});
         cautery.set(contacts, parameters);
-        cautery.update(30.0);
+        cautery.update(16.0);
         return {cautery.wounds().begin(), cautery.wounds().end()};
     }
     /// Of those that never close.

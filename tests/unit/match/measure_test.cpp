@@ -59,7 +59,7 @@ TEST_F(MeasureTest, FindsTheClearFrameAndBothEpisodes) {
 }
 
 TEST_F(MeasureTest, MeasuresPartOfAVideoAtTheStepAsked) {
-    add_operation(30);
+    add_operation(22);
     VideoReader reader(video());
     const double frame = 1.0 / reader.info().frames_per_second;
     const Measurement found = measure(reader, {.baseline = 0.0, .from = 10 * frame, .to = 20 * frame, .every = 2});
@@ -84,7 +84,7 @@ TEST_F(MeasureTest, TellsThatMostIsNotMeasurable) {
     cv::transform(bag, white, cv::Matx33f(0, 0, 1.2F, 0, 0, 1.15F, 0, 0, 1.25F));
     for (int i = 0; i < 12; ++i) add(white);
     VideoReader reader(video());
-    const Measurement found = measure(reader, {.baseline = 0.0});
+    const Measurement found = measure(reader, {.baseline = 0.0, .every = 2});
     ASSERT_FALSE(found.notes.empty());
     EXPECT_EQ(
         found.notes.front(),
@@ -107,7 +107,7 @@ TEST_F(MeasureTest, RefusesAVideoInWhichNothingIsMeasurable) {
 TEST_F(MeasureTest, TellsASmokyBaseline) {
     add_operation(30);
     VideoReader reader(video());
-    const Measurement found = measure(reader, {.baseline = reader.time_of(29)});
+    const Measurement found = measure(reader, {.baseline = reader.time_of(29), .every = 5});
     ASSERT_FALSE(found.notes.empty());
     EXPECT_NE(found.notes.front().find("may be hazy itself"), std::string::npos) << found.notes.front();
 }
@@ -145,7 +145,7 @@ TEST_F(MeasureTest, StopsWhenItIsTold) {
 }
 
 TEST_F(MeasureTest, ItsPlotHasBothCurves) {
-    add_operation(20);
+    add_operation(12);
     VideoReader reader(video());
     const Measurement found = measure(reader, {});
     const Image plot = plot_of(found);

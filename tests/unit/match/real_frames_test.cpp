@@ -1,4 +1,5 @@
-// Real frames that are not part of the project; skipped if they are missing.
+// Real frames that are not part of the project; skipped if they are missing. Of most videos fewer frames are measured
+// than with `tests/run --deep`.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include "lapfx/error.h"
 #include "match/measure.h"
 #include "match/pairs.h"
+#include "support/deep.h"
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::match {
@@ -24,7 +26,7 @@ class RealFrames : public ::testing::Test {
     }
     /// Of the pairs in two folders, how many have the more smoke where a viewer sees it.
     static std::pair<int, int> right_of_all(const fs::path& smoky, const fs::path& clear) {
-        const std::vector<RankedPair> pairs = rank_pairs(smoky, clear);
+        const std::vector<RankedPair> pairs = rank_pairs(smoky, clear, lapfx::test::one_in(14, 4));
         const auto right = std::count_if(pairs.begin(), pairs.end(), [](const RankedPair& p) { return p.right(); });
         return {static_cast<int>(right), static_cast<int>(pairs.size())};
     }
@@ -51,7 +53,7 @@ TEST_F(RealFrames, ABagAndATrocarAreNotMeasurable) {
         VideoReader reader(data / "surgery/cholec80-5s-clips/train/high" / name);
         Measurement found;
         try {
-            found = measure(reader, {.every = 4});
+            found = measure(reader, {.every = lapfx::test::one_in(12, 4)});
         } catch (const Error& error) {
             EXPECT_NE(error.faults().front().reason.find("no frame that is measurable"), std::string::npos) << name;
             continue;
@@ -66,7 +68,7 @@ TEST_F(RealFrames, ABagAndATrocarAreNotMeasurable) {
 /// Tissue is pulled and an instrument goes away: nothing bleeds.
 TEST_F(RealFrames, TissueThatMovesIsNoBlood) {
     VideoReader reader(data / "surgery/cholec80-5s-clips/train/high/video01_013.mp4");
-    const Measurement found = measure(reader, {.baseline = 0.0, .every = 5});
+    const Measurement found = measure(reader, {.baseline = 0.0, .every = lapfx::test::one_in(10, 5)});
     int with_blood = 0;
     for (const FrameAmounts& f : found.frames) with_blood += f.blood.value > 0.03 ? 1 : 0;
     EXPECT_LE(with_blood, static_cast<int>(found.frames.size()) / 10);
@@ -83,7 +85,8 @@ TEST_F(RealFrames, NewBloodOfAWoundIsFound) {
 TEST_F(RealFrames, SmokeThatBuildsUpIsSeenToRise) {
     VideoReader reader(data / "surgery/cholec80-5s-clips/train/high/video01_288.mp4");
     const double frame = 1.0 / reader.info().frames_per_second;
-    const Measurement found = measure(reader, {.baseline = 50 * frame, .from = 45 * frame, .every = 5});
+    const Measurement found =
+        measure(reader, {.baseline = 50 * frame, .from = 45 * frame, .every = lapfx::test::one_in(10, 5)});
     double early = 0, late = 0;
     for (const FrameAmounts& f : found.frames) {
         if (f.time < 60 * frame) early = std::max(early, f.smoke.value);

@@ -34,9 +34,13 @@ std::vector<cv::Mat> keyed(const std::vector<cv::Mat>& frames, const KeyingSugge
 
 using Smoke = std::vector<clips::Picture>;
 
-/// Solved once for all tests of a run: it takes seconds.
+/// Solved once for all tests of a run: it takes seconds. The later pictures only, which have the more smoke.
 const Smoke& shaded_plume() {
-    static const Smoke smoke = test::solve_smoke({});
+    static const Smoke smoke = [] {
+        Smoke solved = test::solve_smoke({.cells = 32});
+        solved.erase(solved.begin(), solved.begin() + 5);
+        return solved;
+    }();
     return smoke;
 }
 Smoke plume() {
@@ -357,19 +361,22 @@ TEST(SuggestKeying, AnySizeAndNumberOfPicturesGivesKeyingInRange) {
 TEST(SuggestKeying, RealClipsAreToldFromWhatKeyingIsNotFor) {
     const std::filesystem::path data = test::data_folder() / "smoke";
     if (!std::filesystem::is_directory(data)) GTEST_SKIP() << "no folder of real clips";
-    for (const char* clip :
-         {"three-parallax2/public/assets/smoke.mp4", "smoke-effect/smoke.mp4", "Lordan_Film/smoke.mov"}) {
-        const KeyingSuggestion s = suggest_keying(data / clip);
+    const KeyingSuggestion smoke_mov = suggest_keying(data / "Lordan_Film/smoke.mov");
+    for (const auto& [clip, s] :
+         {std::pair("three-parallax2", suggest_keying(data / "three-parallax2/public/assets/smoke.mp4")),
+          std::pair("smoke-effect", suggest_keying(data / "smoke-effect/smoke.mp4")),
+          std::pair("Lordan_Film", smoke_mov)}) {
         EXPECT_GT(s.confidence, 0.5) << clip << ": " << s.reason;
         EXPECT_LT(s.keying.luma_low, 6.0) << clip;
         EXPECT_GT(s.keying.luma_high, 200.0) << clip;
         EXPECT_GT(s.background_share, 0.8) << clip;
     }
-    EXPECT_THAT(suggest_keying(data / "Lordan_Film/smoke.mov").reason, HasSubstr("a mark that never moves"));
-    EXPECT_THAT(suggest_keying(data / "forestfire-smoke/smoke.mp4").reason, HasSubstr("no plain background"));
-    for (const char* clip :
-         {"forestfire-smoke/smoke.mp4", "fire-smoke-video-augmentation/prep_real_fire_smoke_vid/smoke-2.webm",
-          "fire-smoke-video-augmentation/prep_fire_vid/fire-1.webm"})
+    EXPECT_THAT(smoke_mov.reason, HasSubstr("a mark that never moves"));
+    const KeyingSuggestion forest = suggest_keying(data / "forestfire-smoke/smoke.mp4");
+    EXPECT_THAT(forest.reason, HasSubstr("no plain background"));
+    EXPECT_LT(forest.confidence, 0.5);
+    for (const char* clip : {"fire-smoke-video-augmentation/prep_real_fire_smoke_vid/smoke-2.webm",
+                             "fire-smoke-video-augmentation/prep_fire_vid/fire-1.webm"})
         EXPECT_LT(suggest_keying(data / clip).confidence, 0.5) << clip;
 }
 
