@@ -167,7 +167,8 @@ def builds_the_core(lapfx):
 
 def link(build, built, target, file):
     """Compiles what the host has itself, and links it with the libraries of the core that are in `built`."""
-    own = re.findall(rf"^CMakeFiles/{target}\.dir/\S+\.o$", run("ninja", "-C", build, "-t", "inputs", file), re.MULTILINE)
+    inputs = [line.strip("'") for line in run("ninja", "-C", build, "-t", "inputs", file).splitlines()]
+    own = [name for name in inputs if name.startswith(f"CMakeFiles/{target}.dir/") and name.endswith(".o")]
     assert own, f"nothing of {target} is the host's own"
     run("ninja", "-C", build, *own)
     command = run("ninja", "-C", build, "-t", "commands", file).splitlines()[-1]

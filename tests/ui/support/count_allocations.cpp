@@ -1,16 +1,16 @@
 #include "ui/support/count_allocations.h"
 
-#include <atomic>
+#include <cstddef>
 #include <cstdlib>
 #include <new>
 
 namespace {
 
-std::atomic<std::size_t> allocations{0}, bytes{0};
+thread_local std::size_t allocations = 0, bytes = 0;
 
 void* allocate(std::size_t size, std::size_t alignment) {
-    allocations.fetch_add(1, std::memory_order_relaxed);
-    bytes.fetch_add(size, std::memory_order_relaxed);
+    ++allocations;
+    bytes += size;
     // aligned_alloc wants a multiple of the alignment.
     void* memory = alignment <= alignof(std::max_align_t)
                        ? std::malloc(size == 0 ? 1 : size)
@@ -24,11 +24,11 @@ void* allocate(std::size_t size, std::size_t alignment) {
 namespace lapfx::test {
 
 std::size_t allocations_so_far() {
-    return allocations.load(std::memory_order_relaxed);
+    return allocations;
 }
 
 std::size_t allocated_bytes_so_far() {
-    return bytes.load(std::memory_order_relaxed);
+    return bytes;
 }
 
 }  // namespace lapfx::test
