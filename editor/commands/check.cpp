@@ -4,6 +4,7 @@
 
 #include "commands/command.h"
 #include "commands/session.h"
+#include "commands/shown_scene.h"
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
@@ -16,34 +17,11 @@ namespace lapfx::commands {
 
 namespace {
 
+constexpr std::size_t longest_schema = std::size_t{16} << 20;  // bytes
+
 struct Options {
     std::vector<std::string> files;
     std::string schema;
-};
-
-/// Opens what a scene names, in place: faults name the scene and the place of the name.
-class SceneFiles {
-  public:
-    SceneFiles(const Scene& scene, std::string name) : scene_(scene), name_(std::move(name)) {}
-
-    template <typename Open>
-    void open(const std::string& place, const std::string& file, const Open& open) {
-        try {
-            open(named_path(scene_.folder, file, Reach::anywhere));
-        } catch (const Error& error) {
-            for (const Fault& fault : error.faults()) {
-                const std::string inner = fault.place.empty() ? "" : fault.place + ": ";
-                faults_.push_back(
-                    {.file = name_, .place = place, .reason = '"' + file + "\": " + inner + fault.reason});
-            }
-        }
-    }
-    std::vector<Fault> take() { return std::move(faults_); }
-
-  private:
-    const Scene& scene_;
-    std::string name_;
-    std::vector<Fault> faults_;
 };
 
 void check_scene(const Scene& scene, const std::string& name) {
@@ -51,15 +29,24 @@ void check_scene(const Scene& scene, const std::string& name) {
     files.open("/organ/file", scene.organ.file, [&](const auto& file) {
         load_organ(file, {.scale = scene.organ.scale, .rotation = scene.organ.rotation});
     });
-    if (!scene.tool.file.empty())
-        files.open("/tool/file", scene.tool.file,
-                   [&](const auto& file) { load_organ(file, {.scale = scene.tool.scale}); });
-    if (!scene.preset.empty())
-        files.open("/preset", scene.preset,
-                   [&](const auto& file) { check_clips(load_preset(file), file.string(), clip_folders()); });
-    if (!scene.reference.file.empty())
-        files.open("/reference/file", scene.reference.file, [&](const auto& file) { report_clip(file); });
+    files.open("/tool/file", scene.tool.file, [&](const auto& file) { load_organ(file, {.scale = scene.tool.scale}); });
+    files.open("/preset", scene.preset,
+               [&](const auto& file) { check_clips(load_preset(file), file.string(), clip_folders()); });
+    files.open("/reference/file", scene.reference.file, [&](const auto& file) { report_clip(file); });
     if (std::vector<Fault> faults = files.take(); !faults.empty()) throw Error(Failure::bad_input, std::move(faults));
+}
+
+/// Whether a file is named as a schema, as the two beside the shipped presets are. Throws Error (bad_input) for one
+/// that is not that of this version.
+bool is_schema(const std::string& file) {
+    if (!file.ends_with(".schema.json")) return false;
+    const std::string text = read_file(file, longest_schema);
+    if (text == preset_schema() || text == scene_schema()) return true;
+    throw Error(
+        Failure::bad_input,
+        Fault{.file = file,
+              .place = "",
+              .reason = "is not the schema of this version; `lapfx check --schema preset` (or scene) prints it"});
 }
 
 /// Checks every file before it throws, so that one run shows every fault.
@@ -67,6 +54,10 @@ void check_files(const std::vector<std::string>& files) {
     std::vector<Fault> faults;
     for (const std::string& file : files) {
         try {
+            if (is_schema(file)) {
+                std::cout << file << ": schema, ok\n";
+                continue;
+            }
             const CheckedDocument found = check_document(file);
             if (found.kind == "preset") check_clips(load_preset(file), file, clip_folders());
             if (found.kind == "scene") check_scene(load_scene(file), file);

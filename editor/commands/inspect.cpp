@@ -50,6 +50,7 @@ Kind kind_by_content(const fs::path& file) {
     if (const FileFormat* const format = format_beginning(head)) return kind_of(*format);
     const std::size_t first = head.find_first_not_of(" \t\r\n");
     if (first != std::string::npos && head[first] == '{') return Kind::document;
+    if (is_text(file)) refuse(file, "is a text, but not a preset, a scene or a mesh");
     return Kind::video;
 }
 

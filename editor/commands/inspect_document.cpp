@@ -32,12 +32,7 @@ std::string whereabouts(const Scene& scene, const std::string& file) {
     std::error_code error;
     const std::filesystem::path path = named_path(scene.folder, file, Reach::anywhere);
     if (!std::filesystem::exists(path, error) && file.find('%') == std::string::npos) return file + " (missing)";
-    try {
-        named_path(scene.folder, file);
-        return file;
-    } catch (const Error&) {
-        return file + " (outside the scene's folder)";
-    }
+    return lies_in(scene.folder, path) ? file : file + " (outside the scene's folder)";
 }
 
 std::string reference_of(const Scene& scene) {

@@ -1,27 +1,16 @@
-// Images, through OpenCV, and videos, through the core's decoder.
+// Images and videos, through the core's decoders.
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <opencv2/core/utils/logger.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "commands/inspect.h"
 #include "commands/progress.h"
 #include "lapfx/authoring/clip.h"
-#include "lapfx/error.h"
+#include "lapfx/authoring/picture.h"
 
 namespace lapfx::commands {
 
 namespace {
-
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
-    throw Error(Failure::bad_input, Fault{file.string(), "", reason});
-}
-
-/// Silences OpenCV on stderr, because the fault says it.
-void silence_opencv() {
-    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-}
 
 /// Every frame is decoded, because the claims of a file may be wrong.
 DecodableFrames decodable_frames(const std::filesystem::path& file) {
@@ -43,19 +32,11 @@ double rounded_down(double time) {
 }  // namespace
 
 void inspect_image(const std::filesystem::path& file) {
-    silence_opencv();
-    cv::Mat pixels;
-    try {
-        pixels = cv::imread(file.string(), cv::IMREAD_UNCHANGED);
-    } catch (const cv::Exception&) {
-        refuse(file, "is an image that cannot be decoded");
-    }
-    if (pixels.empty()) refuse(file, "is not an image that can be decoded");
+    const ImageFile found = read_image(file);
     constexpr const char* kinds[] = {"", "grey", "grey and alpha", "colour", "colour and alpha"};
     std::cout << file.string() << ": image\n"
-              << "  size                " << pixels.cols << "x" << pixels.rows << '\n'
-              << "  channels            " << kinds[std::min(pixels.channels(), 4)] << ", " << 8 * pixels.elemSize1()
-              << " bit\n";
+              << "  size                " << found.image.width << "x" << found.image.height << '\n'
+              << "  channels            " << kinds[std::min(found.channels, 4)] << ", " << found.bits << " bit\n";
 }
 
 void inspect_video(const std::filesystem::path& file) {

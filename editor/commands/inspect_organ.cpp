@@ -29,11 +29,12 @@ std::string named(const std::string& name) {
 
 /// "16 triangles, 4 left out: 1 without area, 3 there before".
 std::string counts_text(const TriangleCounts& counts) {
-    const std::pair<std::size_t, const char*> reasons[] = {{counts.unreadable, " without 3 readable corners"},
-                                                           {counts.out_of_range, " with vertices not in the file"},
-                                                           {counts.not_finite, " without finite coordinates"},
-                                                           {counts.without_area, " without area"},
-                                                           {counts.repeated, " repeated"}};
+    const std::pair<std::size_t, const char*> reasons[] = {
+        {counts.unreadable, " without 3 readable corners"},
+        {counts.out_of_range, " with vertices not in the file"},
+        {counts.not_finite, " whose coordinates are missing, not finite or beyond 1e9 mm"},
+        {counts.without_area, " without area"},
+        {counts.repeated, " repeated"}};
     std::string text = std::to_string(counts.read) + (counts.read == 1 ? " triangle, " : " triangles, ");
     if (counts.dropped() == 0) return text + "none left out";
     text += std::to_string(counts.dropped()) + " left out";

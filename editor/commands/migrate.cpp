@@ -4,6 +4,7 @@
 
 #include "commands/command.h"
 #include "lapfx/authoring/documents.h"
+#include "lapfx/authoring/file.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
 
@@ -11,14 +12,16 @@ namespace lapfx::commands {
 
 namespace {
 
-/// Loading reads every version that was ever released, and saving writes the newest: every key, in the table's order.
+constexpr std::size_t longest = std::size_t{1} << 30;  // bytes; check_document() has refused longer ones
+
+/// Loading reads every version that was ever released, and writing gives the newest: every key, in the table's order.
 void migrate(const std::string& file) {
     const CheckedDocument found = check_document(file);
-    if (found.kind == "preset")
-        save_preset(load_preset(file), file);
-    else
-        save_scene(load_scene(file), file);
-    std::cout << file << ": " << found.kind << " \"" << found.name << "\" has the current version\n";
+    const std::string now = found.kind == "preset" ? write_preset(load_preset(file)) : write_scene(load_scene(file));
+    const bool same = read_file(file, longest) == now;
+    if (!same) write_file(file, now);
+    std::cout << file << ": " << found.kind << " \"" << found.name
+              << (same ? "\" is already as this version writes it\n" : "\" rewritten in the current version\n");
 }
 
 }  // namespace

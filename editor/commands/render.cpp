@@ -3,6 +3,7 @@
 #include "commands/options.h"
 #include "commands/progress.h"
 #include "commands/session.h"
+#include "commands/shown_scene.h"
 #include "lapfx/authoring/command_line.h"
 #include "lapfx/authoring/formats.h"
 #include "output/render_job.h"
@@ -60,20 +61,22 @@ void run(const Options& o) {
     require_sound(options, o.from + 1.0);  // before anything is loaded, and again with the length of the scene
     check_folder(o.output);
     if (!o.amounts.empty()) check_folder(o.amounts);
-    const Scene scene = load_scene(o.scene);
-    const Preset preset = preset_for(scene, o.preset, o.settings);
+    const std::vector<std::string> chosen = o.preset.empty() ? std::vector<std::string>() : std::vector{o.preset};
+    const ShownScene shown = open_shown(o.scene, chosen, o.settings);
+    const Scene& scene = shown.scene;
+    const Preset& preset = shown.presets.front();
     require_sound(options, scene.duration);
     const Context context = Context::create(backend);
     Progress progress("rendering", 0);  // before the job, which begins its file
-    output::RenderJob job(scene, preset, std::move(options));
+    output::RenderJob job(scene, preset, std::move(options), {.organ = nullptr, .clips = shown.clips});
     print_warnings(job.preview());
     print_plate_note(scene, job.preview());
     print_smoke_notes(scene, preset);
     if (o.has_at) warn_after_end(scene, o.at);
     progress.expect(job.frames());
-    for (int shown = 0; !job.done();) {
+    for (int told = 0; !job.done();) {
         job.step();
-        for (; shown < job.drawn(); ++shown) progress.step();
+        for (; told < job.drawn(); ++told) progress.step();
     }
     print_clip_warnings(job.preview());
 }

@@ -6,6 +6,7 @@
 #include "commands/options.h"
 #include "commands/progress.h"
 #include "commands/session.h"
+#include "commands/shown_scene.h"
 #include "lapfx/authoring/command_line.h"
 #include "lapfx/authoring/preview.h"
 #include "output/files.h"
@@ -75,16 +76,11 @@ cv::Mat view_of(const Image& image) {
     return {image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.pixels.data())};
 }
 
-std::vector<Row> rows_of(const Options& o, const Scene& scene) {
+std::vector<Row> rows_of(const Options& o, const ShownScene& shown) {
     std::vector<Row> rows;
-    if (o.presets.empty()) {
-        rows.push_back({preset_for(scene, "", o.settings), ""});
-        rows.back().label = label_of(rows.back().preset, scene.preset);
-    }
-    for (const std::string& file : o.presets) {
-        rows.push_back({preset_for(scene, file, o.settings), ""});
-        rows.back().label = label_of(rows.back().preset, file);
-    }
+    for (std::size_t i = 0; i < shown.presets.size(); ++i)
+        rows.push_back(
+            {shown.presets[i], label_of(shown.presets[i], o.presets.empty() ? shown.scene.preset : o.presets[i])});
     return rows;
 }
 
@@ -115,8 +111,9 @@ void run(const Options& o) {
     const Backend backend = parse_backend(o.backend);
     check_picture_name("-o", o.output);
     check_folder(o.output);
-    const Scene scene = load_scene(o.scene);
-    const std::vector<Row> rows = rows_of(o, scene);
+    const ShownScene shown = open_shown(o.scene, o.presets, o.settings);
+    const Scene& scene = shown.scene;
+    const std::vector<Row> rows = rows_of(o, shown);
     // Text that can be read next to a cell of any size.
     const Layout layout{.cell = cell,
                         .count = {static_cast<int>(o.times.size()), static_cast<int>(rows.size())},
@@ -128,7 +125,8 @@ void run(const Options& o) {
                                          " pictures of " + o.size + " are more than a sheet of " +
                                          std::to_string(largest) + " pixels a side");
     const Context context = Context::create(backend);
-    Preview preview(scene, rows.front().preset, {.clip_folders = clip_folders(), .wait_for_clips = true});
+    Preview preview(scene, rows.front().preset,
+                    {.clip_folders = clip_folders(), .wait_for_clips = true, .clip_cache = shown.clips});
     print_warnings(preview);
     for (const double time : o.times) warn_after_end(scene, time);
     output::write_png(o.output, draw_sheet(preview, rows, o.times, layout));

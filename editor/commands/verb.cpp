@@ -32,16 +32,17 @@ bool could_be_file(const std::string& word) {
     return word.find_first_of("./%") != std::string::npos || std::filesystem::exists(word, error);
 }
 
-/// `what`: "is neither a command nor a file".
+/// `what`: "is neither a command nor a file". A word that resembles none is not led astray.
 Error refused(const std::string& word, const std::string& what, std::span<const std::string> known) {
     const std::string shown = word.substr(0, longest_verb);
     const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
         return difference(shown, a) < difference(shown, b);
     });
-    return {Failure::bad_input,
-            Fault{.file = "",
-                  .place = "",
-                  .reason = "\"" + shown + "\" " + what + "; nearest is " + *nearest + " (see lapfx help)"}};
+    const bool resembles = nearest != known.end() && 2 * difference(shown, *nearest) <= shown.size();
+    return {Failure::bad_input, Fault{.file = "",
+                                      .place = "",
+                                      .reason = "\"" + shown + "\" " + what +
+                                                (resembles ? "; nearest is " + *nearest : "") + " (see lapfx help)"}};
 }
 
 Error unknown_verb(const std::string& word, std::span<const std::string> verbs) {

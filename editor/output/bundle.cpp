@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <cstring>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
 
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/compare.h"
@@ -17,6 +16,7 @@
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/formats.h"
 #include "lapfx/authoring/pack.h"
+#include "lapfx/authoring/picture.h"
 #include "output/files.h"
 
 namespace lapfx::output {
@@ -268,8 +268,8 @@ class Writer {
     }
 
     void check_thumbnail() const {
-        const cv::Mat read = cv::imread((beside_ / "thumbnail.png").string());
-        if (read.cols != bundle_.thumbnail.width || read.rows != bundle_.thumbnail.height)
+        const Image read = read_image(beside_ / "thumbnail.png").image;
+        if (read.width != bundle_.thumbnail.width || read.height != bundle_.thumbnail.height)
             fail(target_ / "thumbnail.png", "is not the same when read back");
     }
 

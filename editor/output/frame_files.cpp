@@ -1,11 +1,13 @@
 #include "output/frame_files.h"
 
-#include <opencv2/imgcodecs.hpp>
+#include <opencv2/core.hpp>
 #include <regex>
 #include <string_view>
 #include <vector>
 
 #include "lapfx/authoring/formats.h"
+#include "lapfx/authoring/picture.h"
+#include "lapfx/error.h"
 #include "output/files.h"
 #include "output/kinds.h"
 
@@ -37,8 +39,7 @@ class PngFiles : public FrameFiles {
     bool check() override {
         if (checked_ == hashes_.size()) return false;
         const int index = static_cast<int>(checked_);
-        const cv::Mat read = cv::imread(beside(index).string(), cv::IMREAD_COLOR);
-        if (read.cols != size_.x || read.rows != size_.y || hash_of(read) != hashes_[checked_])
+        if (!same_when_read(index))
             throw cannot_write(target(index), "the picture is not the same when read back; is the disk damaged?");
         ++checked_;
         return true;
@@ -52,6 +53,14 @@ class PngFiles : public FrameFiles {
     }
 
   private:
+    bool same_when_read(int index) {
+        try {
+            to_bgr(read_image(beside(index)).image, bgr_);
+        } catch (const Error&) {
+            return false;
+        }
+        return bgr_.cols == size_.x && bgr_.rows == size_.y && hash_of(bgr_) == hashes_[checked_];
+    }
     fs::path target(int index) const { return sequence_ ? sequence_name(name_, index) : name_; }
     fs::path beside(int index) const { return beside_->path() / target(index).filename(); }
 

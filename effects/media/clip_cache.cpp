@@ -102,6 +102,27 @@ void ClipCache::forget(const fs::path& file) {
     });
 }
 
+void check_clips(const Preset& preset, const std::string& name, std::span<const fs::path> folders, ClipCache* cache) {
+    ClipCache own;
+    ClipCache& known = cache != nullptr ? *cache : own;
+    known.look_through(preset, folders);
+    std::vector<Fault> faults;
+    for (std::size_t i = 0; i < preset.smoke.clips.size(); ++i) {
+        const std::string& file = preset.smoke.clips[i].file;
+        try {
+            const fs::path path = media::clip_path(file, preset.folder, folders);
+            const auto found = ClipCacheAccess::state(known).find(path, media::stamp_of(path));
+            if (found && !found->faults.empty()) throw Error(Failure::bad_input, found->faults);
+        } catch (const Error& error) {
+            for (const Fault& fault : error.faults())
+                faults.push_back({.file = name,
+                                  .place = "/smoke/clips/" + std::to_string(i) + "/file",
+                                  .reason = file + ": " + fault.reason});
+        }
+    }
+    if (!faults.empty()) throw Error(Failure::bad_input, std::move(faults));
+}
+
 std::vector<fs::path> clip_places(const Preset& preset, std::span<const fs::path> folders) {
     std::vector<fs::path> places;
     const auto add = [&](const fs::path& folder, const fs::path& file) {

@@ -194,13 +194,18 @@ void set_points(ClipIndex& index, const std::vector<Entry>& entries) {
     index.points.erase(std::unique(index.points.begin(), index.points.end(), same), index.points.end());
 }
 
-/// Detects files that end early, if the container counts its packets. AVI's count alone proves nothing, because it
-/// includes empty packets.
+/// Detects files that end early, where the container counts its packets or its bytes. AVI's count alone proves nothing,
+/// because it includes empty packets.
 std::string missing(const MediaFile& file, const Packets& packets) {
+    if (file.single_image()) return "";
+    if (const std::int64_t stated = file.stated_size(); stated > file.size())
+        return "the file ends early: " + std::to_string(file.size()) + " of its " + std::to_string(stated) +
+               " bytes are there";
     const std::int64_t claimed = file.video().nb_frames, found = static_cast<std::int64_t>(packets.count);
     const bool early = is_avi(file) ? packets.cut : file.ran_out();
-    if (!early || claimed <= found || file.single_image()) return "";
-    return "frames " + std::to_string(found + 1) + " to " + std::to_string(claimed) +
+    if (!early || claimed <= found) return "";
+    const std::string first = std::to_string(found + 1);
+    return (claimed == found + 1 ? "frame " + first : "frames " + first + " to " + std::to_string(claimed)) +
            " could not be decoded: the file ends early";
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "lapfx/authoring/clip.h"
-#include "lapfx/preset.h"
 #include "media/clip_file.h"
 
 namespace lapfx {
@@ -61,22 +60,6 @@ std::filesystem::path find_clip(const std::string& file, const std::filesystem::
 
 std::vector<std::filesystem::path> clip_images(const std::filesystem::path& path) {
     return media::sequence_images(path);
-}
-
-void check_clips(const Preset& preset, const std::string& name, std::span<const std::filesystem::path> folders) {
-    std::vector<Fault> faults;
-    for (std::size_t i = 0; i < preset.smoke.clips.size(); ++i) {
-        try {
-            const media::Decoder opened(media::find_clip(preset.smoke.clips[i].file, preset.folder, folders),
-                                        media::Layout::planar);
-        } catch (const Error& error) {
-            for (const Fault& fault : error.faults())
-                faults.push_back({.file = name,
-                                  .place = "/smoke/clips/" + std::to_string(i) + "/file",
-                                  .reason = fault.file + ": " + fault.reason});
-        }
-    }
-    if (!faults.empty()) throw Error(Failure::bad_input, std::move(faults));
 }
 
 }  // namespace lapfx

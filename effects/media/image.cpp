@@ -1,31 +1,57 @@
 #include "media/image.h"
 
-#include <opencv2/core.hpp>
-#include <opencv2/core/utils/logger.hpp>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
+#include <algorithm>
+#include <string_view>
+
+#include "lapfx/authoring/file.h"
+#include "lapfx/authoring/picture.h"
+#include "lapfx/error.h"
+#include "media/jpeg.h"
+#include "media/libav.h"
+#include "media/png.h"
 
 namespace lapfx::media {
 
 namespace {
 
-/// 8-bit RGBA out of whatever the codec gave: 8 or 16 bit, grey, BGR or BGRA.
-bool to_rgba(cv::Mat pixels, cv::Mat rgba) {
-    if (pixels.depth() == CV_16U) pixels.convertTo(pixels, CV_8U, 1.0 / 257.0);
-    if (pixels.depth() != CV_8U) return false;
-    switch (pixels.channels()) {
-        case 1:
-            cv::cvtColor(pixels, rgba, cv::COLOR_GRAY2RGBA);
-            return true;
-        case 3:
-            cv::cvtColor(pixels, rgba, cv::COLOR_BGR2RGBA);
-            return true;
-        case 4:
-            cv::cvtColor(pixels, rgba, cv::COLOR_BGRA2RGBA);
-            return true;
-        default:
-            return false;
-    }
+bool begins(std::span<const std::uint8_t> file, std::string_view mark) {
+    return file.size() >= mark.size() && std::equal(mark.begin(), mark.end(), file.begin(), [](char a, std::uint8_t b) {
+               return static_cast<std::uint8_t>(a) == b;
+           });
+}
+
+/// WebP and BMP through FFmpeg: OpenCV's reader writes to stderr.
+bool decode_with_ffmpeg(std::span<const std::uint8_t> file, AVCodecID id, Image& image, ImageFacts& facts) {
+    const AVCodec* codec = avcodec_find_decoder(id);
+    if (codec == nullptr) return false;
+    const libav::Codec context(libav::made(avcodec_alloc_context3(codec)));
+    const libav::Packet packet(libav::made(av_packet_alloc()));
+    const libav::Frame frame(libav::made(av_frame_alloc()));
+    context->thread_count = 1;
+    context->max_pixels = maximum_image_pixels;
+    if (av_new_packet(packet.get(), static_cast<int>(file.size())) < 0) throw std::bad_alloc();
+    std::copy(file.begin(), file.end(), packet->data);
+    if (avcodec_open2(context.get(), codec, nullptr) < 0 || avcodec_send_packet(context.get(), packet.get()) < 0 ||
+        avcodec_receive_frame(context.get(), frame.get()) < 0)
+        return false;
+    const auto format = static_cast<AVPixelFormat>(frame->format);
+    const AVPixFmtDescriptor* about = av_pix_fmt_desc_get(format);
+    const libav::Scaler scaler(sws_getContext(frame->width, frame->height, format, frame->width, frame->height,
+                                              AV_PIX_FMT_RGBA, SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT,
+                                              nullptr, nullptr, nullptr));
+    if (about == nullptr || !scaler) return false;
+    image.width = frame->width;
+    image.height = frame->height;
+    image.pixels.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
+    std::uint8_t* const into[] = {image.pixels.data()};
+    const int stride[] = {4 * image.width};
+    sws_scale(scaler.get(), frame->data, frame->linesize, 0, frame->height, into, stride);
+    const bool palette = (about->flags & AV_PIX_FMT_FLAG_PAL) != 0, alpha = (about->flags & AV_PIX_FMT_FLAG_ALPHA) != 0;
+    facts = {.channels = palette ? 3 : static_cast<int>(about->nb_components), .bits = 8};
+    // The lowest bytes of a palette's colours are no opacity, whatever they hold.
+    if (palette || !alpha)
+        for (std::size_t i = 3; i < image.pixels.size(); i += 4) image.pixels[i] = 255;
+    return true;
 }
 
 std::string size_fault(const ImageSize& size) {
@@ -38,31 +64,38 @@ std::string size_fault(const ImageSize& size) {
 
 }  // namespace
 
-std::string decode_image(std::span<const std::uint8_t> file, Image& image) {
+std::string decode_image(std::span<const std::uint8_t> file, Image& image, ImageFacts& facts) {
     ImageSize size;
     if (!image_size(file, size)) return "not a PNG, JPEG, WebP or BMP image";
     if (std::string fault = size_fault(size); !fault.empty()) return fault;
     if (file.size() > (std::size_t{1} << 30)) return "is larger than 1 GiB";
-    // The caller warns about a broken image, so OpenCV need not log it.
-    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-    try {
-        // The codecs only read, although imdecode takes a non-const array.
-        const cv::Mat encoded(1, static_cast<int>(file.size()), CV_8U, const_cast<std::uint8_t*>(file.data()));
-        const cv::Mat pixels = cv::imdecode(encoded, cv::IMREAD_UNCHANGED);
-        if (pixels.empty()) return "cannot be decoded";
-        // Converts directly into place: copying a large texture takes longer than converting it.
-        image.pixels.resize(pixels.total() * 4);
-        if (!to_rgba(pixels, cv::Mat(pixels.size(), CV_8UC4, image.pixels.data()))) {
-            image.pixels.clear();
-            return "has a pixel format that is not read";
-        }
-        image.width = pixels.cols;
-        image.height = pixels.rows;
-    } catch (const cv::Exception&) {
-        image.pixels.clear();
-        return "cannot be decoded";
-    }
-    return {};
+    be_quiet();
+    const bool decoded = begins(file, "\x89PNG")        ? decode_png(file, image, facts)
+                         : begins(file, "\xff\xd8\xff") ? decode_jpeg(file, image, facts)
+                         : begins(file, "BM")           ? decode_with_ffmpeg(file, AV_CODEC_ID_BMP, image, facts)
+                                                        : decode_with_ffmpeg(file, AV_CODEC_ID_WEBP, image, facts);
+    return decoded ? "" : "cannot be decoded";
+}
+
+std::string decode_image(std::span<const std::uint8_t> file, Image& image) {
+    ImageFacts facts;
+    return decode_image(file, image, facts);
 }
 
 }  // namespace lapfx::media
+
+namespace lapfx {
+
+ImageFile read_image(const std::filesystem::path& path) {
+    const std::string bytes = read_file(path, std::size_t{1} << 30);
+    ImageFile made;
+    media::ImageFacts facts;
+    const std::string fault =
+        media::decode_image({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, made.image, facts);
+    if (!fault.empty()) throw Error(Failure::bad_input, Fault{.file = path.string(), .place = "", .reason = fault});
+    made.channels = facts.channels;
+    made.bits = facts.bits;
+    return made;
+}
+
+}  // namespace lapfx

@@ -21,7 +21,15 @@ struct ImageSize {
 /// Width and height from the file's header, without decoding; false when it has none of the four formats.
 bool image_size(std::span<const std::uint8_t> file, ImageSize& size);
 
+/// What the file itself has.
+struct ImageFacts {
+    int channels = 0;  ///< 1 grey, 2 grey and alpha, 3 colour, 4 colour and alpha (or four inks)
+    int bits = 0;      ///< for one value
+};
+
 /// Decodes a whole image file into `image`, whose name stays. Returns the reason of a failure, or an empty string.
+/// Writes nothing to stderr.
+std::string decode_image(std::span<const std::uint8_t> file, Image& image, ImageFacts& facts);
 std::string decode_image(std::span<const std::uint8_t> file, Image& image);
 
 }  // namespace lapfx::media

@@ -8,6 +8,7 @@ extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
 #include <libavutil/frame.h>
+#include <libavutil/pixdesc.h>
 #include <libswscale/swscale.h>
 }
 
@@ -41,3 +42,15 @@ using Scaler = std::unique_ptr<SwsContext, Free>;
 using Io = std::unique_ptr<AVIOContext, Free>;
 
 }  // namespace lapfx::media::libav
+
+namespace lapfx::media {
+
+/// FFmpeg prints a line for each fault of a file. A library should not write to its host's stderr, but the log level
+/// belongs to the whole process: a host that has set a level, or a callback (which ignores the level), keeps it. INFO
+/// is FFmpeg's default, ERROR the level that OpenCV sets.
+inline void be_quiet() {
+    const int level = av_log_get_level();
+    if (level == AV_LOG_INFO || level == AV_LOG_ERROR) av_log_set_level(AV_LOG_QUIET);
+}
+
+}  // namespace lapfx::media

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 
 #include "media/clip_file.h"
 #include "media/image.h"
+#include "media/matroska.h"
 
 namespace lapfx::media {
 
@@ -26,14 +28,6 @@ constexpr const char* formats =
     "yuv4mpegpipe,m4v,h263,h264,hevc,mjpeg,gif,apng,png_pipe,jpeg_pipe,jpegls_pipe,jpegxl_pipe,j2k_pipe,webp_pipe,"
     "bmp_pipe,tiff_pipe,qoi_pipe,sgi_pipe,psd_pipe,dpx_pipe,exr_pipe";
 
-/// FFmpeg prints a line for each fault of a file. A library should not write to its host's stderr, but the log level
-/// belongs to the whole process: a host that has set a level, or a callback (which ignores the level), keeps it. INFO
-/// is FFmpeg's default, ERROR the level that OpenCV sets.
-void quieten() {
-    const int level = av_log_get_level();
-    if (level == AV_LOG_INFO || level == AV_LOG_ERROR) av_log_set_level(AV_LOG_QUIET);
-}
-
 /// A clip is one file: what the file names besides is never opened.
 int refuse_other_file(AVFormatContext*, AVIOContext**, const char*, int, AVDictionary**) {
     return AVERROR(EACCES);
@@ -42,7 +36,7 @@ int refuse_other_file(AVFormatContext*, AVIOContext**, const char*, int, AVDicti
 }  // namespace
 
 MediaFile::MediaFile(const std::filesystem::path& path) : path_(path) {
-    quieten();
+    be_quiet();
     require_clip_file(path);
     // Does not wait, in case a pipe has replaced the file since.
     descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
@@ -116,13 +110,21 @@ void MediaFile::look_at_streams() {
     if (result < 0) throw bad_clip(path_, not_decodable);
 }
 
+std::vector<std::uint8_t> MediaFile::head() const {
+    std::vector<std::uint8_t> bytes(io_buffer);
+    const ssize_t count = ::pread(descriptor_, bytes.data(), bytes.size(), 0);
+    bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    return bytes;
+}
+
 /// Single images state their size at the beginning. FFmpeg forgets it if the image is too large for its decoders.
 void MediaFile::require_image_size() const {
-    std::vector<std::uint8_t> head(io_buffer);
-    const ssize_t count = ::pread(descriptor_, head.data(), head.size(), 0);
     media::ImageSize size;
-    if (count > 0 && media::image_size({head.data(), static_cast<std::size_t>(count)}, size))
-        require_size(size.width, size.height);
+    if (media::image_size(head(), size)) require_size(size.width, size.height);
+}
+
+std::int64_t MediaFile::stated_size() const {
+    return matroska_size(head());
 }
 
 void MediaFile::require_size(std::int64_t width, std::int64_t height) const {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include "media/libav.h"
 
@@ -35,6 +36,9 @@ class MediaFile {
     bool single_image() const;
     /// Position in the file of the bytes that were read last, 0..1.
     double read_share() const { return size_ > 0 ? static_cast<double>(offset_) / static_cast<double>(size_) : 0.0; }
+    std::int64_t size() const { return size_; }  ///< bytes
+    /// Bytes of the whole file according to its own beginning, for Matroska and WebM. 0: it does not say.
+    std::int64_t stated_size() const;
     /// Whether more bytes were wanted than the file has.
     bool ran_out() const { return avio_feof(io_.get()) != 0; }
 
@@ -42,6 +46,7 @@ class MediaFile {
     static int read(void* self, std::uint8_t* into, int size);
     static std::int64_t move(void* self, std::int64_t offset, int whence);
     void look_at_streams();
+    std::vector<std::uint8_t> head() const;
     void require_image_size() const;
     void require_size(std::int64_t width, std::int64_t height) const;
     void choose_video();

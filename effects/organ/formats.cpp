@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 
 #include "media/formats.h"
 #include "organ/gltf.h"
@@ -151,6 +152,19 @@ const FileFormat* format_named(const std::filesystem::path& file) {
 bool is_named_as(Content content, const std::filesystem::path& file) {
     const FileFormat* const format = format_named(file);
     return format != nullptr && format->content == content;
+}
+
+bool is_text(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) return false;  // opening a pipe would wait for its writer
+    std::ifstream in(file, std::ios::binary);
+    std::string begin(4096, '\0');
+    in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    begin.resize(static_cast<std::size_t>(in.gcount()));
+    return !begin.empty() && std::all_of(begin.begin(), begin.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte >= ' ' ? byte != 127 : byte == '\n' || byte == '\r' || byte == '\t' || byte == '\f';
+    });
 }
 
 const FileFormat* format_beginning(std::string_view bytes) {

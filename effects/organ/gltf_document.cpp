@@ -85,6 +85,12 @@ void make_whole(Json& value) {
         value = static_cast<std::int64_t>(number);
 }
 
+/// "[json.exception.parse_error.101] parse error at line 1 ..." without the library's own number.
+std::string without_code(const std::string& what) {
+    const std::size_t end = what.starts_with('[') ? what.find("] ") : std::string::npos;
+    return end == std::string::npos ? what : what.substr(end + 2);
+}
+
 template <typename Json>
 Json parse(std::string_view text, const std::string& file, bool with_extras) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
@@ -100,9 +106,7 @@ Json parse(std::string_view text, const std::string& file, bool with_extras) {
         if (!document.is_object()) refuse(file, "", "its JSON is not an object");
         return document;
     } catch (const json::exception& fault) {
-        const std::string what = fault.what();
-        const std::size_t start = what.find("parse error");
-        refuse(file, "", "its JSON cannot be read: " + what.substr(start == std::string::npos ? 0 : start, 160));
+        refuse(file, "", "its JSON cannot be read: " + without_code(fault.what()).substr(0, 160));
     }
 }
 
@@ -251,7 +255,7 @@ void run_tinygltf(GltfDocument& document, const json& structure) {
         done = loader.LoadASCIIFromString(&document.model, &error, &warning, text.data(),
                                           static_cast<unsigned>(text.size()), "");
     } catch (const std::exception& fault) {
-        error = fault.what();
+        error = without_code(fault.what());
     }
     // When it cannot read a primitive, it drops that with only a message and continues.
     if (!done || !error.empty()) refuse(document.file, "", first_line(error.empty() ? "is malformed" : error));

@@ -216,7 +216,8 @@ void warn(Organ& organ, const Counts& counts) {
     say(counts.out_of_range, "triangle refers to", "triangles refer to",
         " vertices that are not in the file; left out");
     say(counts.not_finite_vertices, "vertex has", "vertices have",
-        " NaN, infinite or no coordinates; left out with " + counted(counts.not_finite, "triangle", "triangles"));
+        " coordinates that are missing, not finite or beyond 1e9 mm; left out with " +
+            counted(counts.not_finite, "triangle", "triangles"));
     say(counts.without_area, "triangle", "triangles", " without area left out");
     say(counts.repeated, "triangle is", "triangles are", " in the file more than once; drawn once");
     say(counts.unused, "vertex belongs", "vertices belong", " to no triangle; left out");
@@ -227,7 +228,7 @@ std::string reason(const TriangleCounts& counts) {
     const std::pair<std::size_t, const char*> reasons[] = {
         {counts.unreadable, " without 3 readable corners"},
         {counts.out_of_range, " with vertices that are not in the file"},
-        {counts.not_finite, " without finite coordinates"},
+        {counts.not_finite, " whose coordinates are missing, not finite or beyond 1e9 mm"},
         {counts.without_area, " without area"}};
     const auto most = std::max_element(std::begin(reasons), std::end(reasons),
                                        [](const auto& a, const auto& b) { return a.first < b.first; });

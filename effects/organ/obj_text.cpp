@@ -119,7 +119,8 @@ class Reader {
         colors[vertex] = value;
     }
 
-    /// "7", "7/3", "7//2", "7/3/2"; numbers below 0 count back from the last one so far.
+    /// "7", "7/3", "7//2", "7/3/2"; numbers below 0 count back from the last one so far. A texture coordinate or a
+    /// normal that cannot be read is missing; only the vertex decides whether there is a corner.
     bool read_corner(std::string_view word, Corner& corner) const {
         std::uint32_t* const targets[] = {&corner.vertex, &corner.uv, &corner.normal};
         const std::size_t counts[] = {out_.soup.positions.size(), uvs_.size(), normals_.size()};
@@ -129,13 +130,13 @@ class Reader {
             int value = 0;
             const auto [end, code] = std::from_chars(number.data(), number.data() + number.size(), value);
             const bool read = code == std::errc() && end == number.data() + number.size() && value != 0;
-            if (!read && !(number.empty() && part > 0)) return false;
+            if (!read && part == 0) return false;
             const std::int64_t index = value > 0 ? value - 1 : static_cast<std::int64_t>(counts[part]) + value;
             if (read && index >= 0) *targets[part] = static_cast<std::uint32_t>(index);
             if (slash == std::string_view::npos) return true;
             word.remove_prefix(slash + 1);
         }
-        return false;
+        return true;
     }
 
     void face(std::string_view rest) {

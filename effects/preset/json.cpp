@@ -115,6 +115,10 @@ Json parse_json(std::string_view text, const std::string& name) {
         throw Error(Failure::bad_input, Fault{name, "",
                                               std::to_string(text.size()) + " bytes; at most " +
                                                   std::to_string(longest_document) + " are read"});
+    // Half of the bytes of western text are zero in UTF-16; usually a mark of two bytes comes first.
+    const bool utf16 = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") ||
+                       (text.size() > 1 && (text[0] == '\0') != (text[1] == '\0'));
+    if (utf16) throw Error(Failure::bad_input, Fault{name, "", "is UTF-16 text; JSON is read as UTF-8"});
     // The parser takes a zero byte for the end of the text and would ignore what follows.
     if (const auto zero = text.find('\0'); zero != std::string_view::npos) fail(text, name, zero, "a zero byte");
     TreeBuilder builder;

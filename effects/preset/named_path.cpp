@@ -39,6 +39,10 @@ std::string led_out(const fs::path& folder, const fs::path& path) {
 
 }  // namespace
 
+bool lies_in(const fs::path& folder, const fs::path& path) {
+    return led_out(folder.empty() ? fs::path(".") : folder, path).empty();
+}
+
 fs::path named_path(const fs::path& folder, std::string_view name, Reach reach, const std::string& file,
                     const std::string& place) {
     const auto refuse = [&](const std::string& reason) {

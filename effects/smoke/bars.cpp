@@ -9,11 +9,12 @@ namespace lapfx::smoke {
 
 namespace {
 
-constexpr float unlike = 8.0f;      // code values within which a stretch of a bar has its colour
-constexpr int deepest = 4;          // bars take at most this part of a side
-constexpr int thinnest = 2;         // lines
-constexpr int enough = 6;           // pictures that show what moves
-constexpr float along = 0.9f;       // share of a line that differs from the bar where the picture's background begins
+constexpr float unlike = 8.0f;  // code values within which a stretch of a bar has its colour
+constexpr int deepest = 4;      // bars take at most this part of a side
+constexpr int thinnest = 2;     // lines
+constexpr int enough = 6;       // pictures that show what moves
+constexpr float along = 0.9f;   // share of a line that differs from the bar where the picture's background begins
+constexpr float coming = 0.5f;  // share of a line where smoke comes and goes behind a bar of the background's colour
 constexpr float least_step = 2.0f;  // code values, mean along a line
 constexpr float sharp = 0.75f;      // share of the difference behind a bar that is already there one line after it
 constexpr int inside = 8;           // lines behind a bar that it is compared with
@@ -78,14 +79,17 @@ double BarSurvey::width(const Side& side) const {
     const auto step = [&](std::size_t n) {
         const Line& line = lines[std::min(n, lines.size() - 1)];
         float all = 0.0f, moving = 0.0f;
-        int differ = 0;
+        int differ = 0, move = 0;
         for (std::size_t i = 0; i < stretches; ++i) {
             if (line.most[i] > unlike) ++differ;
             all += line.most[i];
-            if (line.most[i] - line.least[i] > unlike) moving += line.most[i];
+            if (line.most[i] - line.least[i] <= unlike) continue;
+            moving += line.most[i];
+            ++move;
         }
         const bool whole = static_cast<float>(differ) >= along * stretches;
-        return (whole ? all : pictures_ >= enough ? moving : 0.0f) / stretches;
+        const bool comes = pictures_ >= enough && static_cast<float>(move) >= coming * stretches;
+        return (whole ? all : comes ? moving : 0.0f) / stretches;
     };
     float behind = 0.0f;
     for (std::size_t n = 0; n < inside; ++n) behind += step(first + 3 + n) / inside;

@@ -1,8 +1,9 @@
 // Bars that were put around a clip's picture. Pure; any thread.
 //
 // The outermost lines of a side are a bar if they have one colour in all pictures and the picture begins suddenly
-// behind them: along the whole line, or, if the background has the colour of the bar, where smoke comes and goes. Smoke
-// that ends without a bar fades, and does not end along one line; a logo stands still.
+// behind them: along the whole line, or, if the background has the colour of the bar, where smoke comes and goes along
+// half of it. Smoke that ends without a bar fades, and does not end along one line; smoke that begins at a source above
+// a clean strip is narrow there; a logo stands still.
 #pragma once
 
 #include <array>

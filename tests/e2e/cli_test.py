@@ -50,6 +50,8 @@ FILES = {
     "empty.json": "",
     "future.json": json.dumps({"format": "lapfx.preset", "version": 999}),
     "no organ.scene.json": json.dumps({**SCENE, "organ": {"file": "nowhere.obj"}}),
+    "nothing there.scene.json": json.dumps({**SCENE, "organ": {"file": "nowhere.obj"}, "tool": {"file": "nowhere.stl"}}),
+    "no clips.json": document("preset", smoke={"clips": [{"file": "nowhere.mp4"}, {"file": "words.txt"}]}),
     "bad organ.scene.json": json.dumps({**SCENE, "organ": {"file": "words.json"}}),
     "words.glb": "not a mesh at all",
     "words.txt": "not a picture at all",
@@ -88,7 +90,7 @@ def is_video(folder, name, size, frames):
 
 
 USAGE = [
-    Case("usage: no such verb", ("paint",), 2, says=r'^lapfx: "paint" is neither a command nor a file; nearest is '),
+    Case("usage: no such verb", ("paint",), 2, says=r'^lapfx: "paint" is neither a command nor a file \('),
     Case("usage: nearest verb", ("rendr", "scene.json", "-o", "out.png"), 2, says="nearest is render"),
     Case("usage: a file alone is edited", ("scene.json", "--size", "640x480", "--backend", "osmesa", "--screenshot",
          "out.png"), 0, leaves=("out.png",), then=lambda folder: is_png(folder, "out.png", (640, 480))),
@@ -152,6 +154,11 @@ RENDERING = [
     Case("render: preset out of range", RENDER + ("--preset", "low.json", "-o", "out.png"), 2, "low.json",
          says=r"/bleeding/speed: -3\b"),
     Case("render: scene without its organ", ("render", "no organ.scene.json", "-o", "out.png"), 2, says="nowhere.obj"),
+    Case("render: every file that is missing, and every bad clip", ("render", "nothing there.scene.json", "--preset", "no clips.json", "-o",
+         "out.png"), 2, says=r'(?s)^lapfx: nothing there\.scene\.json: /organ/file: "nowhere\.obj": no such file\n'
+         r'lapfx: nothing there\.scene\.json: /tool/file: "nowhere\.stl": no such file\n'
+         r'lapfx: no clips\.json: /smoke/clips/0/file: nowhere\.mp4: no such clip; [^\n]*\n'
+         r'lapfx: no clips\.json: /smoke/clips/1/file: words\.txt: is not a video[^\n]*\n$'),
     Case("render: organ is no mesh", ("render", "bad organ.scene.json", "-o", "out.png"), 2, says="words.json"),
     Case("render: set an unknown key", RENDER + ("--set", "paint=1", "-o", "out.png"), 2, says="paint"),
     Case("render: set without a value", RENDER + ("--set", "bleeding.speed", "-o", "out.png"), 2, says="bleeding.speed"),

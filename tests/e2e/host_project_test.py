@@ -95,8 +95,8 @@ extern "C" int pack(char* out, int room) {
 """
 
 # All that lapfx's CMake files look for: what the core links, and what builds it.
-NEEDED = {"Threads", "glm", "nlohmann_json", "OpenMesh", "draco", "PkgConfig", "tinygltf", "egl", "libavformat", "libavcodec",
-          "libavutil", "libswscale", "opencv2/core.hpp", "opencv_core", "opencv_imgproc", "opencv_imgcodecs", "glad", "ccache"}
+NEEDED = {"Threads", "glm", "nlohmann_json", "OpenMesh", "draco", "PNG", "JPEG", "PkgConfig", "tinygltf", "egl", "libavformat", "libavcodec",
+          "libavutil", "libswscale", "opencv2/core.hpp", "opencv_core", "opencv_imgproc", "glad", "ccache"}
 DRAWING = {"egl", "glad"}
 # What a program that scores is neither made of nor linked to. (Debian's libopencv_core loads libGLX for itself.)
 OPENGL = re.compile(r"glad|shaders|lapfx_effects|lib(?:EGL|GL|GLESv2|OpenGL|OSMesa|gbm)\.so")

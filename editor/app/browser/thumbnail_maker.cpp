@@ -15,12 +15,12 @@
 #include <condition_variable>
 #include <cstring>
 #include <mutex>
-#include <opencv2/imgcodecs.hpp>
 
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/formats.h"
+#include "lapfx/authoring/picture.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
 
@@ -116,19 +116,13 @@ std::string name_of(const ThumbnailMaker::Request& request, bool on_scene, const
 /// False: it is not a picture, or one that does not fit into `most`.
 bool read_picture(const fs::path& file, glm::ivec2 most, ThumbnailMaker::Result& result) {
     std::error_code error;
-    if (!fs::is_regular_file(file, error)) return false;
+    if (!fs::is_regular_file(file, error) || fs::file_size(file, error) > longest_picture) return false;
     try {
-        std::string text = read_file(file, longest_picture);
-        const cv::Mat bytes(1, static_cast<int>(text.size()), CV_8U, text.data());
-        const cv::Mat picture = cv::imdecode(bytes, cv::IMREAD_COLOR);
-        if (picture.empty() || picture.cols > most.x || picture.rows > most.y) return false;
-        result.size = {picture.cols, picture.rows};
-        result.rgba.reserve(picture.total() * 4);
-        for (int y = 0; y < picture.rows; ++y) {
-            const auto* row = picture.ptr<cv::Vec3b>(y);
-            for (int x = 0; x < picture.cols; ++x)
-                result.rgba.insert(result.rgba.end(), {row[x][2], row[x][1], row[x][0], 255});
-        }
+        Image picture = read_image(file).image;
+        if (picture.width > most.x || picture.height > most.y) return false;
+        result.size = {picture.width, picture.height};
+        result.rgba = std::move(picture.pixels);
+        for (std::size_t i = 3; i < result.rgba.size(); i += 4) result.rgba[i] = 255;
         return true;
     } catch (const std::exception&) {
         return false;

@@ -1,7 +1,6 @@
 #include "app/files/open.h"
 
 #include <algorithm>
-#include <fstream>
 
 #include "app/preview/orbit.h"
 #include "lapfx/authoring/documents.h"
@@ -64,21 +63,6 @@ void open_clip(Opened& opened, const fs::path& file) {
     clips.insert(clips.begin(), {.file = fs::absolute(file).lexically_normal().string()});
     document::gather_clips(preset, preset.folder, {});
     opened.preset_file.clear();
-}
-
-/// Whether it begins with printable characters alone, as texts do, and no video or picture.
-bool is_text(const fs::path& file) {
-    std::error_code error;
-    if (!fs::is_regular_file(file, error)) return false;  // asked first: opening a pipe would wait for its writer
-    std::ifstream in(file, std::ios::binary);
-    if (!in) return false;
-    std::string begin(4096, '\0');
-    in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-    begin.resize(static_cast<std::size_t>(in.gcount()));
-    return !begin.empty() && std::all_of(begin.begin(), begin.end(), [](char c) {
-        const auto byte = static_cast<unsigned char>(c);
-        return byte >= ' ' ? byte != 127 : byte == '\n' || byte == '\r' || byte == '\t' || byte == '\f';
-    });
 }
 
 }  // namespace

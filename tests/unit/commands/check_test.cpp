@@ -142,9 +142,48 @@ TEST_F(CheckCommand, InspectTellsWhatASceneNamesAndWhatIsMissing) {
     EXPECT_NE(run_lapfx(folder, "inspect scene.json").out.find("  reference           none\n"), std::string::npos);
 }
 
+TEST_F(CheckCommand, InspectKnowsTheScenesFolderHoweverAFileInItIsNamed) {
+    std::filesystem::create_directories(folder / "scenes");
+    folder.write("scenes/p.json", "{}");
+    folder.write("p.json", "{}");
+    const std::string organ = R"(, "organ": {"file": "o.ply"})";
+    for (const std::string& named :
+         {std::string("p.json"), std::string("../scenes/p.json"), (folder / "scenes/p.json").string()}) {
+        folder.write("scenes/s.json", test::scene_text(organ + ", \"preset\": \"" + named + '"'));
+        EXPECT_NE(run_lapfx(folder, "inspect scenes/s.json").out.find("  preset              " + named + "\n"),
+                  std::string::npos)
+            << named;
+    }
+    folder.write("scenes/s.json", test::scene_text(organ + ", \"preset\": \"../p.json\""));
+    EXPECT_NE(run_lapfx(folder, "inspect scenes/s.json").out.find("../p.json (outside the scene's folder)\n"),
+              std::string::npos);
+}
+
 TEST_F(CheckCommand, PrintsTheSchemas) {
     EXPECT_EQ(run_lapfx(folder, "check --schema preset").out, preset_schema());
     EXPECT_EQ(run_lapfx(folder, "check --schema scene").out, scene_schema());
+}
+
+TEST_F(CheckCommand, ASchemaBesideThePresetsIsNoFault) {
+    folder.write("preset.schema.json", preset_schema());
+    folder.write("scene.schema.json", scene_schema());
+    folder.write("old.schema.json", "{}");
+    EXPECT_EQ(run_lapfx(folder, "check preset.schema.json scene.schema.json").out,
+              "preset.schema.json: schema, ok\nscene.schema.json: schema, ok\n");
+    const Result old = run_lapfx(folder, "check old.schema.json");
+    EXPECT_EQ(old.code, 2);
+    EXPECT_EQ(old.err,
+              "lapfx: old.schema.json: is not the schema of this version; `lapfx check --schema preset` (or "
+              "scene) prints it\n");
+}
+
+TEST_F(CheckCommand, MigratingSaysWhetherItHasRewritten) {
+    EXPECT_EQ(run_lapfx(folder, "migrate good.json").out,
+              "good.json: preset \"Ooze\" rewritten in the current version\n");
+    const auto written = std::filesystem::last_write_time(folder / "good.json");
+    EXPECT_EQ(run_lapfx(folder, "migrate good.json").out,
+              "good.json: preset \"Ooze\" is already as this version writes it\n");
+    EXPECT_EQ(std::filesystem::last_write_time(folder / "good.json"), written);
 }
 
 TEST_F(CheckCommand, WrongUsageIsExitCodeTwo) {

@@ -130,7 +130,8 @@ TEST_F(InspectCommand, EveryBadFileIsOneLineAndTheGoodOnesAreStillTold) {
     write_video("video.avi");
     fs::copy_file(folder.path() / "video.avi", folder.path() / "video.obj");
     ASSERT_EQ(mkfifo((folder.path() / "pipe.mp4").c_str(), 0600), 0);
-    const Result result = run("gone.glb empty.glb text.mp4 video.obj pipe.mp4 cube.obj .");
+    folder.write("skin.mtl", "newmtl skin\nmap_Kd skin.png\n");
+    const Result result = run("gone.glb empty.glb text.mp4 video.obj pipe.mp4 cube.obj . skin.mtl");
     EXPECT_EQ(result.code, 2);
     EXPECT_TRUE(result.out.starts_with("cube.obj: mesh\n"));
     EXPECT_EQ(result.err,
@@ -139,7 +140,8 @@ TEST_F(InspectCommand, EveryBadFileIsOneLineAndTheGoodOnesAreStillTold) {
               "lapfx: text.mp4: is not a video that can be decoded\n"
               "lapfx: video.obj: is not an OBJ: it is not a text file\n"
               "lapfx: pipe.mp4: is a pipe or device, expected a plain file\n"
-              "lapfx: .: is a folder, expected a file\n");
+              "lapfx: .: is a folder, expected a file\n"
+              "lapfx: skin.mtl: is a text, but not a preset, a scene or a mesh\n");
 }
 
 TEST_F(InspectCommand, NoProtocolAndNoPlaylist) {

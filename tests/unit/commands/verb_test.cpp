@@ -42,6 +42,10 @@ TEST(Verb, AWrongOneIsToldWithTheNearest) {
     EXPECT_EQ(refused({"chekc"}), "\"chekc\" is neither a command nor a file; nearest is check (see lapfx help)");
     EXPECT_EQ(unknown_word("shet", "command or topic of help", verbs).faults().front().text(),
               "\"shet\" is not a command or topic of help; nearest is sheet (see lapfx help)");
+    EXPECT_EQ(refused({"fit", "x.json"}), "\"fit\" is neither a command nor a file (see lapfx help)");
+    EXPECT_EQ(unknown_word("nothing", "command or topic of help", verbs).faults().front().text(),
+              "\"nothing\" is not a command or topic of help (see lapfx help)")
+        << "it resembles none";
     EXPECT_NE(refused({std::string(1 << 20, 'x')}), "taken") << "a hostile one costs no minutes";
 }
 

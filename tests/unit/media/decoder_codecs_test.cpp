@@ -273,7 +273,8 @@ TEST_F(CodecTest, OfATruncatedClipTheFramesThatAreThereAreShown) {
                                 "-c:v mpeg2video t.ts", "-c:v mjpeg -q:v 2 t.avi", "-c:v libvpx t.webm", "t.gif"}) {
         const fs::path clip = make(std::string("-f lavfi -i testsrc2=size=160x120:rate=10:duration=3 ") + options);
         const std::vector<Bytes> whole = frames_of(clip);
-        fs::resize_file(clip, fs::file_size(clip) * 6 / 10);
+        const std::uintmax_t bytes = fs::file_size(clip);
+        fs::resize_file(clip, bytes * 6 / 10);
         Decoder decoder(clip, Layout::planar);
         const int count = decoder.info().frame_count();
         EXPECT_GT(count, 8) << options;
@@ -283,10 +284,15 @@ TEST_F(CodecTest, OfATruncatedClipTheFramesThatAreThereAreShown) {
             EXPECT_TRUE(decoder.read(i, picture)) << options << ' ' << i;
             EXPECT_EQ(picture.bytes, whole[static_cast<std::size_t>(i)]) << options << ' ' << i;
         }
-        if (std::string(options).ends_with("mp4")) {
-            EXPECT_EQ(decoder.info().warning,
-                      "frames " + std::to_string(count + 1) + " to 30 could not be decoded: the file ends early");
-        }
+        const std::string name = clip.extension();
+        std::string told;  // MPEG-TS says nowhere how long it is, and FFmpeg knows of a GIF only the frame that is cut
+        if (name == ".mp4" || name == ".avi")
+            told = "frames " + std::to_string(count + 1) + " to 30 could not be decoded: the file ends early";
+        if (name == ".gif") told = "frame " + std::to_string(count + 1) + " could not be decoded: the file ends early";
+        if (name == ".mkv" || name == ".webm")
+            told = "the file ends early: " + std::to_string(bytes * 6 / 10) + " of its " + std::to_string(bytes) +
+                   " bytes are there";
+        EXPECT_EQ(decoder.info().warning, told) << options;
         expect_any_order_the_same(clip);
     }
 }

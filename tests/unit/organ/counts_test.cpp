@@ -37,6 +37,16 @@ TEST_F(Counts, Obj) {
               (Row{25, 12, 5, 3, 1, 3, 1}));
 }
 
+/* A normal or a texture coordinate that cannot be read, or that there is none of, never costs the triangle.  */
+TEST_F(Counts, ObjWithNormalsAndTextureCoordinatesThatAreNone) {
+    const std::string cube = cube_obj;
+    for (const char* corner : {"3/1/0", "3/1/99", "3//0", "3/0/1", "3/99", "3/x/y", "3/-9/-9", "3/1/1/7", "3/"})
+        EXPECT_EQ(row("m.obj", cube + "vt 0 0\nvn 0 0 1\nv 9 9 9\nf 9/1/1 2/1/1 " + corner + "\n"),
+                  (Row{13, 13, 0, 0, 0, 0, 0}))
+            << corner;
+    EXPECT_EQ(row("m.obj", cube + "v 9 9 9\nf 9 2 0/1\n"), (Row{13, 12, 1, 0, 0, 0, 0}));
+}
+
 TEST_F(Counts, Ply) {
     EXPECT_EQ(row("m.ply",
                   "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"

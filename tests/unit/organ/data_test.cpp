@@ -32,7 +32,7 @@ constexpr Refused refused[] = {
     {"degenerate_mesh.obj", "no triangles that can be drawn: 1 triangle without area"},
     {"float_inf_point_cloud.ply", "no triangles: the file contains 16 points only"},
     {"float_two_att_point_cloud.ply", "no triangles: the file contains 3 points only"},
-    {"inf_nan.obj", "1 triangle without finite coordinates"},
+    {"inf_nan.obj", "1 triangle whose coordinates are missing, not finite or beyond 1e9 mm"},
     {"int_point_cloud.ply", "no triangles: the file contains 16 points only"},
     {"point_cloud_test_pos.ply", "no triangles: the file contains 4 points only"},
     {"point_cloud_test_pos_norm.ply", "no triangles: the file contains 4 points only"},

@@ -53,8 +53,9 @@ TEST_F(Obj, VertexThatIsNoNumberKeepsTheIndicesOfOthers) {
     const Organ organ = load(std::string("v nan 0 0\n") + "v 0 0 0\nv 9 0 0\nv 0 9 0\nv inf 1 1\nf 2 3 4\nf 1 2 3\n");
     EXPECT_EQ(organ.triangle_count(), 1u);
     EXPECT_EQ(organ.positions[1], glm::vec3(9, 0, 0));
-    EXPECT_TRUE(
-        has_warning(organ.warnings, "2 vertices have NaN, infinite or no coordinates; left out with 1 triangle"));
+    EXPECT_TRUE(has_warning(
+        organ.warnings,
+        "2 vertices have coordinates that are missing, not finite or beyond 1e9 mm; left out with 1 triangle"));
 }
 
 TEST_F(Obj, BadFacesAreCounted) {
@@ -256,8 +257,8 @@ TEST_F(Stl, BinaryJoinsVertices) {
               "truncated: 2 triangles need 184 bytes, the file has 150");
     std::string nan = bytes;
     nan.replace(84 + 12, 4, word(0x7fc00000));  // x of the first vertex
-    EXPECT_TRUE(
-        has_warning(load_organ(folder.write("m.stl", nan)).warnings, "1 vertex has NaN, infinite or no coordinates"));
+    EXPECT_TRUE(has_warning(load_organ(folder.write("m.stl", nan)).warnings,
+                            "1 vertex has coordinates that are missing, not finite or beyond 1e9 mm"));
 }
 
 TEST_F(Stl, Text) {

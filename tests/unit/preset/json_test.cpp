@@ -78,6 +78,9 @@ TEST(Json, InvalidUtf8IsAFault) {
 
 TEST(Json, ZeroByteDoesNotEndTheText) {
     EXPECT_THAT(syntax_faults(std::string("{}\0garbage", 10)), ElementsAre("f: 1:3: a zero byte"));
+    for (const std::string& utf16 : {std::string("\xff\xfe{\0}\0", 6), std::string("\xfe\xff\0{\0}", 6),
+                                     std::string("{\0}\0", 4), std::string("\0{\0}", 4)})
+        EXPECT_THAT(syntax_faults(utf16), ElementsAre("f: is UTF-16 text; JSON is read as UTF-8"));
 }
 
 TEST(Json, LimitsOnDepthValuesAndSize) {

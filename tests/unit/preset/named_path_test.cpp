@@ -56,6 +56,16 @@ TEST_F(NamedPath, WhatLiesInsideIsFoundAlsoByLinks) {
     EXPECT_EQ(named_path("", "nowhere/a.png"), "nowhere/a.png");
 }
 
+TEST_F(NamedPath, WhereAPathLiesDoesNotDependOnHowItIsWritten) {
+    for (const fs::path& inside : {folder / "case/a.json", folder / "case/../case/maps/a.json",
+                                   fs::path("/tmp") / ".." / folder.path().relative_path() / "case/a.json"})
+        EXPECT_TRUE(lies_in(folder / "case", inside)) << inside;
+    for (const fs::path& outside :
+         {folder / "secret", folder / "case/skin.png", folder / "case-of-others/a.json", fs::path("/")})
+        EXPECT_FALSE(lies_in(folder / "case", outside)) << outside;
+    EXPECT_TRUE(lies_in("", "nowhere/a.png"));
+}
+
 TEST_F(NamedPath, WhatAPersonHasChosenMayLieAnywhereButIsAFile) {
     EXPECT_EQ(named_path(folder / "case", "../secret", Reach::anywhere), folder / "case/../secret");
     EXPECT_EQ(named_path(folder / "case", "/data/liver.glb", Reach::anywhere), "/data/liver.glb");

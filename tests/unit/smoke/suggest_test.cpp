@@ -236,6 +236,17 @@ TEST(SuggestKeying, BarsAreCroppedAndSmokeAtEdgesFades) {
         const KeyingSuggestion without = barred(background, 0);
         EXPECT_EQ(without.crop, ClipCrop{}) << without.reason;
     }
+    // A strip below the source of the smoke stays clean; it has the colour of the background, and smoke begins
+    // suddenly.
+    const KeyingSuggestion above_a_strip = suggest_for(
+        [](glm::ivec2 at, int n) {
+            const float across =
+                std::abs(static_cast<float>(at.x - 80)) / (10.0f + 0.1f * static_cast<float>(118 - at.y));
+            return at.y >= 118 || across > 1.0f ? black
+                                                : glm::vec3(150.0f + 20.0f * static_cast<float>((at.y / 8 + n) % 3));
+        },
+        8, {160, 128});
+    EXPECT_EQ(above_a_strip.crop, ClipCrop{}) << above_a_strip.reason;
     // Smoke that does not reach the edges.
     const KeyingSuggestion away =
         suggest_for([](glm::ivec2 at, int n) { return glm::vec3(200.0f * ball(at, n, 0.8f)); }, 8, {120, 110});

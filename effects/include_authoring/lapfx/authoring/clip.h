@@ -16,6 +16,7 @@
 
 namespace lapfx {
 
+class ClipCache;
 struct Preset;
 
 struct ClipReport {
@@ -60,8 +61,9 @@ std::vector<std::filesystem::path> clip_images(const std::filesystem::path& path
 
 /// Checks that every clip of a preset exists and can be decoded. Clips are looked for in its folder, and bare names
 /// also in `folders`. `name` names the preset in faults. Throws Error (bad_input) with a fault for each clip that
-/// cannot be used; its place is "/smoke/clips/N/file".
-void check_clips(const Preset& preset, const std::string& name, std::span<const std::filesystem::path> folders);
+/// cannot be used; its place is "/smoke/clips/N/file". What is found is kept in `cache`, if given.
+void check_clips(const Preset& preset, const std::string& name, std::span<const std::filesystem::path> folders,
+                 ClipCache* cache = nullptr);
 
 /// Measures how many frames per second the decoding threads reach on this machine. They decode all `clips` at the same
 /// time into planes in main memory, for `loops` times the longest clip. `threads`: 0 for as many as there are cores.

@@ -32,6 +32,9 @@ std::filesystem::path named_path(const std::filesystem::path& folder, std::strin
                                  Reach reach = Reach::inside, const std::string& file = {},
                                  const std::string& place = {});
 
+/// Whether a path leads into the folder, or below it, once symbolic links are resolved; it need not exist.
+bool lies_in(const std::filesystem::path& folder, const std::filesystem::path& path);
+
 /// A file or folder that is made next to `target` and then renamed to it. The destructor removes it if it still exists.
 /// What a killed process has left in that folder is removed when the next Beside is made there. Those of running
 /// processes stay: each holds a lock (flock), which the kernel releases when the process ends.

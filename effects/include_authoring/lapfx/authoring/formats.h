@@ -45,6 +45,10 @@ bool is_named_as(Content content, const std::filesystem::path& file);
 /// By the first bytes of a file, at least 16; null when no row has such a signature.
 const FileFormat* format_beginning(std::string_view bytes);
 
+/// Whether a file begins with printable characters alone, as texts do and no video or picture does. False when it
+/// cannot be read, or is no plain file.
+bool is_text(const std::filesystem::path& file);
+
 /// All extensions of a content, for the filter of a dialog; with `written` only those of exports.
 std::vector<std::string> extensions(Content content, bool written = false);
 /// The usual extensions, for a sentence: ".mp4, .mov, .mkv or .avi".

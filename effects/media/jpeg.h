@@ -1,0 +1,11 @@
+// JPEG through libjpeg itself: OpenCV's reader lets libjpeg write its messages to stderr.
+#pragma once
+
+#include "media/image.h"
+
+namespace lapfx::media {
+
+/// As decode_image(), for a file that begins as a JPEG does. What is cut off at the end is grey.
+bool decode_jpeg(std::span<const std::uint8_t> file, Image& image, ImageFacts& facts);
+
+}  // namespace lapfx::media

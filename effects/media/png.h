@@ -1,0 +1,11 @@
+// PNG through libpng itself: OpenCV's reader lets libpng write its messages to stderr.
+#pragma once
+
+#include "media/image.h"
+
+namespace lapfx::media {
+
+/// As decode_image(), for a file that begins as a PNG does.
+bool decode_png(std::span<const std::uint8_t> file, Image& image, ImageFacts& facts);
+
+}  // namespace lapfx::media

@@ -1,0 +1,110 @@
+// Still images: the libraries below are silent, whatever a file holds, and give the pixels that OpenCV gives.
+#include "media/image.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace lapfx::media {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+cv::Mat pattern(int type) {
+    cv::Mat pixels(24, 40, type);
+    cv::randu(pixels, 0, pixels.depth() == CV_16U ? 65535 : 255);
+    return pixels;
+}
+
+Bytes encoded(const char* extension, const cv::Mat& pixels, const std::vector<int>& options = {}) {
+    Bytes bytes;
+    EXPECT_TRUE(cv::imencode(extension, pixels, bytes, options));
+    return bytes;
+}
+
+/// The largest difference from what OpenCV makes of it, in code values; -1: it is not decoded.
+int apart(const Bytes& bytes) {
+    Image image;
+    const std::string fault = decode_image(bytes, image);
+    EXPECT_EQ(fault, "");
+    if (!fault.empty()) return -1;
+    cv::Mat wanted = cv::imdecode(bytes, cv::IMREAD_UNCHANGED), rgba;
+    if (wanted.depth() == CV_16U) wanted.convertTo(wanted, CV_8U, 1.0 / 257.0);
+    cv::cvtColor(wanted, rgba,
+                 wanted.channels() == 1   ? cv::COLOR_GRAY2RGBA
+                 : wanted.channels() == 3 ? cv::COLOR_BGR2RGBA
+                                          : cv::COLOR_BGRA2RGBA);
+    EXPECT_EQ(image.width, rgba.cols);
+    EXPECT_EQ(image.height, rgba.rows);
+    return static_cast<int>(cv::norm(rgba, cv::Mat(rgba.size(), CV_8UC4, image.pixels.data()), cv::NORM_INF));
+}
+
+TEST(DecodeImage, GivesWhatOpenCvGives) {
+    for (const int type : {CV_8UC1, CV_8UC3, CV_8UC4, CV_16UC1, CV_16UC3, CV_16UC4})
+        EXPECT_EQ(apart(encoded(".png", pattern(type))), 0) << type;
+    for (const int type : {CV_8UC1, CV_8UC3}) {
+        EXPECT_EQ(apart(encoded(".jpg", pattern(type))), 0) << type;
+        EXPECT_EQ(apart(encoded(".jpg", pattern(type), {cv::IMWRITE_JPEG_PROGRESSIVE, 1})), 0) << type;
+        EXPECT_EQ(apart(encoded(".bmp", pattern(type))), 0) << type;
+    }
+    EXPECT_EQ(apart(encoded(".webp", pattern(CV_8UC4), {cv::IMWRITE_WEBP_QUALITY, 101})), 0) << "lossless";
+}
+
+TEST(DecodeImage, TellsWhatTheFileHas) {
+    const auto facts_of = [](const Bytes& bytes) {
+        Image image;
+        ImageFacts facts;
+        EXPECT_EQ(decode_image(bytes, image, facts), "");
+        return std::pair(facts.channels, facts.bits);
+    };
+    EXPECT_EQ(facts_of(encoded(".png", pattern(CV_16UC1))), std::pair(1, 16));
+    EXPECT_EQ(facts_of(encoded(".png", pattern(CV_8UC3))), std::pair(3, 8));
+    EXPECT_EQ(facts_of(encoded(".png", pattern(CV_8UC4))), std::pair(4, 8));
+    EXPECT_EQ(facts_of(encoded(".jpg", pattern(CV_8UC1))), std::pair(1, 8));
+    EXPECT_EQ(facts_of(encoded(".jpg", pattern(CV_8UC3))), std::pair(3, 8));
+}
+
+/// libpng and libjpeg write their messages to stderr unless told otherwise.
+TEST(DecodeImage, WritesNothingToStderr) {
+    const std::vector<Bytes> files{
+        encoded(".png", pattern(CV_8UC3)),  encoded(".png", pattern(CV_16UC4)),
+        encoded(".jpg", pattern(CV_8UC3)),  encoded(".jpg", pattern(CV_8UC1), {cv::IMWRITE_JPEG_PROGRESSIVE, 1}),
+        encoded(".webp", pattern(CV_8UC3)), encoded(".bmp", pattern(CV_8UC3))};
+    int refused = 0, tried = 0;
+    testing::internal::CaptureStderr();
+    for (const Bytes& file : files) {
+        std::uint32_t random = 1;
+        const auto next = [&] { return random = random * 1664525u + 1013904223u; };
+        for (int i = 0; i < 150; ++i, ++tried) {
+            Bytes broken = file;
+            if (i % 3 == 0) broken.resize(1 + next() % file.size());
+            for (int k = 0; k < i % 5; ++k)
+                broken[(next() >> 8) % broken.size()] = static_cast<std::uint8_t>(next() >> 24);
+            Image image;
+            const std::string fault = decode_image(broken, image);
+            refused += !fault.empty();
+            if (!fault.empty()) {
+                EXPECT_TRUE(image.pixels.empty()) << fault;
+            }
+        }
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_GT(refused, tried / 5);
+    EXPECT_LT(refused, tried);
+}
+
+TEST(DecodeImage, OfAJpegThatIsCutOffThePartThatIsThereIsShown) {
+    const cv::Mat pixels = pattern(CV_8UC3);
+    Bytes bytes = encoded(".jpg", pixels);
+    bytes.resize(bytes.size() * 3 / 4);
+    Image image;
+    ASSERT_EQ(decode_image(bytes, image), "");
+    cv::Mat whole;
+    cv::cvtColor(cv::imdecode(encoded(".jpg", pixels), cv::IMREAD_UNCHANGED), whole, cv::COLOR_BGR2RGBA);
+    const cv::Mat shown(whole.size(), CV_8UC4, image.pixels.data());
+    EXPECT_EQ(cv::norm(whole.rowRange(0, 12), shown.rowRange(0, 12), cv::NORM_INF), 0.0);
+}
+
+}  // namespace
+}  // namespace lapfx::media
