@@ -38,8 +38,8 @@ class ThumbnailMaker {
         bool render = true;  ///< false: only what is in the cache is shown
         glm::ivec2 size = standard_size;
         std::chrono::seconds longest{60};  ///< then a child is ended
-        int niceness = 19;                 ///< of a child: 0 to 19
-        std::function<void()> wake{};      ///< any thread; a result has come
+        int niceness = 10;  ///< of a child, 0 to 19: it disturbs nobody, and comes in minutes beside busy programs
+        std::function<void()> wake{};  ///< any thread; a result has come
     };
     struct Request {
         std::filesystem::path file;
