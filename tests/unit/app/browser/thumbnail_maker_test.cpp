@@ -169,11 +169,16 @@ TEST_F(Thumbnails, WhateverMakesThemHasLimits) {
     const std::string memory = std::to_string(ThumbnailMaker::most_memory / 1024) + ' ';
 #endif
     const std::string tells = memory.empty() ? "" : "$(ulimit -d) ";
-    // Limits come when it runs already, its niceness last.
+    ThumbnailMaker::Options wanted = options("");
+    wanted.niceness = 12;
+    // Limits come when it runs already, its niceness last. A wrong one is told after a minute.
     const std::string waits =
-        "until read -r -a stat < /proc/$$/stat && [ \"$(ulimit -t) ${stat[18]}\" = '600 19' ]; "
-        "do sleep 0.01; done\n";
-    ThumbnailMaker maker(options(program(waits + "echo \"" + tells + "$(ulimit -t) $(ulimit -c)\" >&2\nexit 1")));
+        "for ((i = 0; i < 6000; ++i)); do read -r -a stat < /proc/$$/stat && [ \"$(ulimit -t) ${stat[18]}\" = '600 12' "
+        "] "
+        "&& break; sleep 0.01; done\n";
+    wanted.program = program(waits + "((i < 6000)) || echo never nice >&2\necho \"" + tells +
+                             "$(ulimit -t) $(ulimit -c)\" >&2\nexit 1");
+    ThumbnailMaker maker(wanted);
     EXPECT_EQ(made(maker, {request("a.json")}).at(0).fault, memory + "600 0") << "a preset";
     EXPECT_EQ(made(maker, {{.file = folder_.write("a.mp4", "x")}}).at(0).fault, memory + "600 0") << "any other";
 }
