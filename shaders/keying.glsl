@@ -49,14 +49,15 @@ vec3 lapfx_tint(float luma, vec2 chroma) {
     return clamp(1.0 + vec3(1.402 * share.y, -0.344 * share.x - 0.714 * share.y, 1.772 * share.x), 0.0, 2.0);
 }
 
-// How brightly smoke is lit, 1 at middle grey, if its opacity comes from the clip itself. When keyed by luma, brighter
-// only means denser; here luma can distinguish light from shadow. The clip's colour counts as premultiplied, as in
-// clips over black. In very thin smoke colour over opacity is only rounding, so adding 0.05 to both draws it to 1.
-// Squared code values are almost linear light. The result is bounded, so that dark smoke does not turn black and the
-// edge of a clip with straight alpha does not glow.
+// How brightly smoke is lit, 1 from middle grey on, if its opacity comes from the clip itself. When keyed by luma,
+// brighter only means denser, and dense smoke is lit to 1; here luma can distinguish light from shadow. The clip's
+// colour counts as premultiplied, as in clips over black. In very thin smoke colour over opacity is only rounding, so
+// adding 0.05 to both draws it to 1. Squared code values are almost linear light. The result is bounded: dark smoke
+// does not turn black, white smoke is as bright as the same clip keyed from black, and the edge of a clip with straight
+// alpha does not glow.
 float lapfx_shade(float luma, float alpha) {
     float own = (max(luma, 0.0) / 128.0 + 0.05) / (lapfx_unit(alpha) + 0.05);
-    return clamp(own * own, 0.1, 2.0);
+    return clamp(own * own, 0.1, 1.0);
 }
 
 // Alpha varied by noise in -1..1: mean kept, never outside 0..1.

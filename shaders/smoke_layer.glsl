@@ -11,7 +11,7 @@ struct LapfxSmokeLayer {
     vec4 amount;        // x: density; y: unevenness of haze, softness of a plume in mm; zw: size of the clip, pixels
     vec4 turn;          // columns of the matrix from drawn to clip coordinates, about the middle
     vec4 tile;          // xy: start, zw: extent of the noise, coordinates of u_noise
-    vec4 chroma_scale;  // xy: chroma coordinates per clip coordinate; z: share of a plume's clip below its source
+    vec4 chroma_scale;  // xy: chroma coordinates per clip coordinate; plume: z: clip below its source, w: widening
     vec4 corners[4];    // corners of a plume, camera space, mm: top left, top right, bottom left, bottom right
     vec4 color;         // rgb: linear colour; a: extinction of the transmission, for layers directly over the frame
     vec4 extinction;    // the frame
@@ -19,7 +19,7 @@ struct LapfxSmokeLayer {
     vec4 fades;         // left, top, right, bottom: over how many clip pixels smoke fades inside it
     vec4 part;          // haze: xy: start, zw: extent, clip coordinates; plume: its corners as window, drawn ones
     vec4 masks[12];     // xy: upper left, zw: lower right corner, clip pixels
-    vec4 mask_count;    // x: how many; y: over how many clip pixels smoke fades around them
+    vec4 mask_count;    // x: how many; y: over how many clip pixels smoke fades around them; zw: source of a plume
 };
 
 layout(std140, binding = 2) uniform LapfxSmokeLayers {

@@ -46,11 +46,11 @@ inline glm::vec3 tint(float y, glm::vec2 value) {
                       2.0f);
 }
 
-/// How brightly smoke is lit, 1 at middle grey, where its opacity `alpha` (0..1) comes from the clip itself; `y`: luma,
-/// premultiplied.
+/// How brightly smoke is lit, 1 from middle grey on, where its opacity `alpha` (0..1) comes from the clip itself; `y`:
+/// luma, premultiplied.
 inline float shade(float y, float alpha) {
     const float own = (std::max(y, 0.0f) / 128.0f + 0.05f) / (unit(alpha) + 0.05f);
-    return std::clamp(own * own, 0.1f, 2.0f);
+    return std::clamp(own * own, 0.1f, 1.0f);
 }
 
 inline float vary_alpha(float alpha, float noise, float strength) {

@@ -34,7 +34,7 @@ void set_window(LayerBlock& block, const Layer& layer, glm::ivec2 size) {
     const Window window = window_of(layer.clip != nullptr ? *layer.clip : SmokeClip{}, size);
     block.window = glm::vec4(window.low, window.high);
     block.fades = window.fades;
-    block.mask_count = glm::vec4(static_cast<float>(window.masks), window.softness, 0.0f, 0.0f);
+    block.mask_count = glm::vec4(static_cast<float>(window.masks), window.softness, layer.source);
     std::copy(window.mask.begin(), window.mask.end(), block.masks);
     const glm::vec2 low = window.low / glm::vec2(size), high = window.high / glm::vec2(size);
     if (window.fills_view)
@@ -60,7 +60,7 @@ LayerBlock layer_block(const Layer& layer, const Medium& medium, double extra) {
     block.turn = glm::vec4(layer.mirrored ? -1.0f : 1.0f, 0.0f, 0.0f, 1.0f);
     // An odd size has half a chroma sample too many at its end.
     block.chroma_scale =
-        glm::vec4(0.5f * size / glm::vec2(format.chroma_size()), static_cast<float>(layer.below), 0.0f);
+        glm::vec4(0.5f * size / glm::vec2(format.chroma_size()), static_cast<float>(layer.below), layer.widening);
     block.color = glm::vec4(gl::to_linear(glm::vec3(medium.color)), 0.0f);
     block.extinction = glm::vec4(glm::vec3(medium.extinction), 0.0f);
     set_window(block, layer, format.size);

@@ -22,9 +22,11 @@ struct Layer {
     const SmokeClip* clip = nullptr;  ///< its crop, fade and masks apply; null: the whole frame
     bool mirrored = false;            ///< left and right exchanged
     float angle = 0.0f;               ///< radians, haze only: a plume is turned by its corners
-    double density = 1.0;  ///< plume: multiplies the optical thickness; haze: thickness at the focus distance
-    double time = 0.0;     ///< s, for the noise drift
-    double below = 1.0;    ///< plume: share of the clip's height below the start of its smoke, 0..1
+    double density = 1.0;          ///< plume: multiplies the optical thickness; haze: thickness at the focus distance
+    double time = 0.0;             ///< s, for the noise drift
+    double below = 1.0;            ///< plume: share of the clip's height below the start of its smoke, 0..1
+    glm::vec2 source{0.5f, 1.0f};  ///< plume: where its smoke starts, drawn coordinates
+    float widening = 1.0f;         ///< plume: PlumeState::widening
     std::uint32_t seed = 0;
 };
 

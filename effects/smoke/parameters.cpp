@@ -8,8 +8,9 @@
 //   alpha = l * c * (1 + noise_strength * noise(position / noise_scale, drifting by noise_drift)), within 0..1
 //
 // The ramps are linear, like the mixture of smoke of one colour with a flat background. A plume is a quad at the tool
-// tip; when the tool stops it drifts by `rise` and grows by 1 + growth * age. The haze fills the view with optical
-// thickness E:
+// tip. Its smoke is age = 2 s * (1 - exp(-t / 2 s)) old at the top after t of burning: by then it has risen by rise *
+// age and is 1 + growth * age as wide, and as much thinner. When the tool stops it drifts by `rise` and grows by 1 +
+// growth * time. The haze fills the view with optical thickness E:
 //
 //   emission = power * (1 + fat_gain * fat density under the tool), for the plume too
 //   dE/dt = accumulation * emission - (ventilation + suction while one runs) * E
@@ -120,7 +121,10 @@ constexpr Parameter clip_rows[] = {
     again(redo::keyed_frame,
           choice<&S::polarity>("polarity", "Polarity", polarities,
                                "light: light smoke on a dark background. dark: dark smoke on a light background.")),
-    number<&S::weight>("weight", "Weight", {0, 4, 0.05}, "Share of this clip where several are blended."),
+    number<&S::weight>(
+        "weight", "Weight", {0, 4, 0.05},
+        "Share of this clip in the smoke of its role, plume or haze: its weight, divided by the weights of all clips "
+        "of that role. A clip that is alone shows all of it, whatever its weight."),
     number<&S::speed>("speed", "Speed", {0.1, 4, 0.05, "x", Scale::logarithmic},
                       "How fast the clip plays; 1 is as filmed."),
     again(redo::keyed_frame,
@@ -218,17 +222,21 @@ constexpr Range fade{0, 10, 0.1, "s"};
 using P = PlumeParameters;
 constexpr Parameter plume_rows[] = {
     number<&P::size>("size", "Size", {1, 300, 1, "mm", Scale::logarithmic},
-                     "Height of the plume when it leaves the tip."),
+                     "Height of the plume before it rises and grows."),
     number<&P::density>("density", "Density", {0, 4, 0.05}, "How thick the plume is at full emission; 1 is as keyed."),
-    number<&P::rise>("rise", "Rise", {0, 100, 0.5, "mm/s"}, "How fast the plume drifts up from the tip."),
-    number<&P::growth>("growth", "Growth", {0, 3, 0.01, "1/s"},
-                       "How much the plume grows per second, as a part of its size."),
+    number<&P::rise>(
+        "rise", "Rise", {0, 100, 0.5, "mm/s"},
+        "How fast the smoke rises: the plume gets longer while the tool burns, and drifts up from the tip afterwards."),
+    number<&P::growth>(
+        "growth", "Growth", {0, 3, 0.01, "1/s"},
+        "How much the smoke widens per second, as a part of its width: the plume gets wider upwards while the "
+        "tool burns, and grows as a whole afterwards."),
     number<&P::fade_in>("fade_in", "Fade in", fade,
                         "How long the plume takes to reach full density once cautery starts."),
     number<&P::fade_out>("fade_out", "Fade out", fade, "How long the plume stays once cautery ends."),
-    number<&P::lean>(
-        "lean", "Lean", {0, 1.5, 0.05},
-        "How far the plume leans towards the camera, in mm for each mm that it rises: smoke moves away from a wall."),
+    number<&P::lean>("lean", "Lean", {0, 1.5, 0.05},
+                     "How far the plume leans towards the camera, in mm for each mm that it rises, and less "
+                     "the closer it comes to the lens: smoke moves away from a wall."),
     number<&P::softness>("softness", "Softness", {0.1, 50, 0.1, "mm", Scale::logarithmic},
                          "The distance over which the plume fades out where it meets tissue or instruments."),
     again(redo::amounts,

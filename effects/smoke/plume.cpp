@@ -40,11 +40,21 @@ PlumeState plume_state(const Burn& burn, std::span<const BurnPart> parts, const 
     state.density = plume.density *
                     mean_emission(burn, parts, plume, factor, std::max(burn.start, burning - plume.fade_in), burning) *
                     envelope;
+    const double age = carried_time * -std::expm1(-(burning - burn.start) / carried_time);
     state.anchor = burn.at(parts, burning).contact.tip(burning) + plume.rise * after * up;
     // A young plume is small: it reaches its size as it fades in.
-    state.height = plume.size * (0.6 + 0.4 * fade(burn.start, burn.start + 2.0 * plume.fade_in, burning)) *
-                   (1.0 + plume.growth * after);
+    const double grown = 1.0 + plume.growth * after;
+    const double young = plume.size * (0.6 + 0.4 * fade(burn.start, burn.start + 2.0 * plume.fade_in, burning));
+    state.size = young * grown;
+    state.height = (young + plume.rise * age) * grown;
+    state.widening = (grown + plume.growth * age) / grown;
     return state;
+}
+
+PlumePlace plume_place(glm::vec2 drawn, glm::vec2 source, float widening) noexcept {
+    const float risen = glm::clamp((source.y - drawn.y) / std::max(source.y, 1e-3f), 0.0f, 1.0f);
+    const float width = 1.0f + (widening - 1.0f) * risen;
+    return {.uv = {source.x + (drawn.x - source.x) * widening / width, drawn.y}, .thickness = 1.0f / width};
 }
 
 ClipTurn clip_turn(const SmokeClip& clip, std::uint32_t chance) noexcept {
@@ -53,6 +63,16 @@ ClipTurn clip_turn(const SmokeClip& clip, std::uint32_t chance) noexcept {
     return {.mirrored = clip.mirror == ClipMirror::on || (clip.mirror == ClipMirror::seeded && by_chance),
             .angle = static_cast<float>(glm::radians(clip.rotation) * share)};
 }
+
+namespace {
+
+/// Towards the camera, mm: `wanted` far from the lens, less and less near it, for there the smoke would fill the view.
+float leant(float wanted, float distance) {
+    const float most = 0.6f * distance;
+    return most > 0.0f ? wanted / std::sqrt(1.0f + wanted * wanted / (most * most)) : 0.0f;
+}
+
+}  // namespace
 
 std::array<glm::vec3, 4> plume_corners(const PlumeQuad& quad) noexcept {
     const glm::vec2 right(quad.up.y, -quad.up.x);
@@ -64,9 +84,8 @@ std::array<glm::vec3, 4> plume_corners(const PlumeQuad& quad) noexcept {
         const glm::vec2 upright = glm::vec2(uv.x - source_x, quad.source.y - uv.y) * quad.extent;
         const glm::vec2 offset(c * upright.x - s * upright.y, s * upright.x + c * upright.y);
         glm::vec3& corner = corners[static_cast<std::size_t>(i)];
-        corner = quad.anchor + glm::vec3(right * offset.x + quad.up * offset.y, quad.lean * std::max(offset.y, 0.0f));
-        // The smoke must not lean as far as the lens, where it would fill the view.
-        corner.z = std::min(corner.z, 0.45f * quad.anchor.z);
+        corner = quad.anchor + glm::vec3(right * offset.x + quad.up * offset.y,
+                                         leant(quad.lean * std::max(offset.y, 0.0f), -quad.anchor.z));
     }
     return corners;
 }

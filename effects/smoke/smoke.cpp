@@ -6,6 +6,7 @@
 #include "lapfx/preset.h"
 #include "media/playhead.h"
 #include "media/schemes.h"
+#include "smoke/clip_share.h"
 #include "smoke/noise.h"
 
 namespace lapfx::smoke {
@@ -124,20 +125,20 @@ Smoke::Shown Smoke::show(std::size_t clip, double time, media::Policy policy) no
 
 void Smoke::draw(const View& view, const SmokeScene& scene, GLuint scene_depth, media::Policy policy) noexcept {
     gpu_.begin(medium_of(parameters_.plume), medium_of(parameters_.haze), parameters_.plume.softness);
-    double haze_weight = 0.0;
-    for (const SmokeClip& clip : parameters_.clips)
-        if (clip.role == ClipRole::haze) haze_weight += clip.weight;
-    // Several haze clips share its density. Without a clip, or while a clip has no frame, the haze is even.
+    // Without a clip, or while a clip has no frame, the haze is even.
     const double density = std::min(scene.haze, thickest);
-    double even = haze_weight > 0.0 ? 0.0 : density;
+    double even = 0.0;
+    bool clips_show_haze = false;
     for (std::size_t i = 0; i < parameters_.clips.size(); ++i) {
-        const SmokeClip& clip = parameters_.clips[i];
-        if (clip.role == ClipRole::plume)
-            add_plumes(i, view, scene, policy);
-        else if (haze_weight > 0.0 && !add_haze(i, scene.time, density * clip.weight / haze_weight, policy))
-            even += density * clip.weight / haze_weight;
+        const double share = clip_share(parameters_.clips, parameters_.clips[i]);
+        if (parameters_.clips[i].role == ClipRole::plume) {
+            add_plumes(i, share, view, scene, policy);
+            continue;
+        }
+        clips_show_haze = clips_show_haze || share > 0.0;
+        if (!add_haze(i, scene.time, density * share, policy)) even += density * share;
     }
-    gpu_.even_haze(even);
+    gpu_.even_haze(clips_show_haze ? even : density);
     draw_particles(scene, scene_depth);  // smoke lies over them
     gpu_.draw(scene_depth);
     clips_.end_cycle();
@@ -151,30 +152,34 @@ Layer Smoke::layer(std::size_t clip, double time) const noexcept {
             .time = time};
 }
 
-void Smoke::add_plumes(std::size_t clip, const View& view, const SmokeScene& scene, media::Policy policy) noexcept {
+void Smoke::add_plumes(std::size_t clip, double share, const View& view, const SmokeScene& scene,
+                       media::Policy policy) noexcept {
     const SmokeClip& settings = parameters_.clips[clip];
     const PlumeParameters& plume = parameters_.plume;
     const glm::vec2 size(clips_.info(clip).size);
     std::optional<Shown> shown;
     for (const Burn& burn : scene.burns.after(scene.time - plume.fade_out)) {
         const PlumeState state = plume_state(burn, scene.burns.parts(), plume, scene.up, scene.time, scene.factor);
-        if (state.density * settings.weight <= 0.0) continue;
+        if (state.density * share <= 0.0) continue;
         if (!shown) shown = show(clip, scene.time, policy);
         const std::uint32_t seed = chance(seed_ + 1, clip * 4099 + burn.number);
-        const auto height = static_cast<float>(state.height);
+        const double width = state.size * state.widening * size.x / size.y;
+        const ClipTurn turn = clip_turn(settings, seed);
+        const glm::vec2 source(glm::dvec2(settings.source_x, settings.source_y));
         const auto corners = plume_corners({.anchor = glm::vec3(view.view * glm::vec4(glm::vec3(state.anchor), 1.0f)),
-                                            .extent = glm::vec2(height * size.x / size.y, height),
-                                            .source = glm::vec2(glm::dvec2(settings.source_x, settings.source_y)),
+                                            .extent = glm::vec2(glm::dvec2(width, state.height)),
+                                            .source = source,
                                             .up = screen_up(view.view, scene.up),
                                             .lean = static_cast<float>(plume.lean),
-                                            .turn = clip_turn(settings, seed)});
+                                            .turn = turn});
         Layer drawn = layer(clip, scene.time);
-        drawn.mirrored = clip_turn(settings, seed).mirrored;
+        drawn.mirrored = turn.mirrored;
         drawn.seed = seed;
+        drawn.source = {turn.mirrored ? 1.0f - source.x : source.x, source.y};
+        drawn.widening = static_cast<float>(state.widening);
         drawn.below = 1.0 - settings.crop.bottom - settings.source_y;
         const glm::vec4 bounds = view_bounds(corners, view.projection);
-        add_shown(*shown, drawn, state.density * settings.weight,
-                  [&](const Layer& one) { gpu_.plume(one, corners, bounds); });
+        add_shown(*shown, drawn, state.density * share, [&](const Layer& one) { gpu_.plume(one, corners, bounds); });
     }
 }
 

@@ -72,7 +72,8 @@ class Smoke {
     void take_wanted();
     Shown show(std::size_t clip, double time, media::Policy policy) noexcept;
     Layer layer(std::size_t clip, double time) const noexcept;
-    void add_plumes(std::size_t clip, const View& view, const SmokeScene& scene, media::Policy policy) noexcept;
+    void add_plumes(std::size_t clip, double share, const View& view, const SmokeScene& scene,
+                    media::Policy policy) noexcept;
     bool add_haze(std::size_t clip, double time, double density, media::Policy policy) noexcept;
     void draw_particles(const SmokeScene& scene, GLuint scene_depth) noexcept;
 

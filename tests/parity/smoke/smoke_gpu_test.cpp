@@ -306,6 +306,64 @@ TEST_F(SmokeGpuPlume, ThickSmokeFadesEvenlyTowardsTheBorder) {
     }
 }
 
+// Opaque white smoke is the same, whether the clip brings its opacity or it is keyed from black.
+TEST_F(SmokeGpuPlume, WhiteWithItsOwnOpacityIsAsBrightAsKeyedFromBlack) {
+    set_depth([](glm::ivec2) { return 400.0f; });
+    const KeyingParameters keying = by_luma();
+    const auto middle_of = [&](bool alpha) {
+        HandMade clip(size, media::Layout::rgb, alpha, 1, {});
+        std::fill(clip.planes[0].begin(), clip.planes[0].end(), std::uint8_t{255});
+        clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
+        if (alpha) {
+            std::fill(clip.planes[2].begin(), clip.planes[2].end(), std::uint8_t{255});
+            clip.textures[2].upload(GL_RED, clip.planes[2].data(), 2);
+        }
+        SmokeGpu gpu(SmokeResolution::clip, false);
+        gpu.set_clip_pixels(size.x * size.y, 0);
+        return draw(gpu, [&] {
+            gpu.plume({.frame = clip.frame(), .keying = &keying}, corners(100.0f), everywhere);
+        })[index(size / 2)];
+    };
+    const glm::vec4 keyed = middle_of(false), own = middle_of(true);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(keyed[c], gl::to_linear(glm::vec3(plume.color))[c], 1e-2f) << "nothing shows through";
+        EXPECT_NEAR(own[c], keyed[c], 1e-4f);
+    }
+}
+
+// The clip's left and right border, where it widens to twice its width at the top: a trapezoid about its source.
+TEST_F(SmokeGpuPlume, WidensUpwardsAndGetsThinner) {
+    set_size({200, 100});
+    set_depth([](glm::ivec2) { return 400.0f; });
+    plume.color = glm::dvec3(0.0);  // then only its transmission is seen
+    HandMade clip({200, 100}, media::Layout::rgb, false, 1, {});
+    std::fill(clip.planes[0].begin(), clip.planes[0].end(), std::uint8_t{120});
+    clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
+    const KeyingParameters keying = by_luma();
+    const float tall = 2.0f * 100.0f * std::tan(glm::radians(30.0f));  // fills the view
+    const auto filling = plume_corners(
+        {.anchor = {0.0f, 0.0f, -100.0f}, .extent = glm::vec2(2.0f, 1.0f) * tall, .source = {0.5f, 0.5f}});
+    SmokeGpu gpu(SmokeResolution::clip, false);
+    gpu.set_clip_pixels(size.x * size.y, 0);
+    const auto pixels = draw(gpu, [&] {
+        gpu.plume({.frame = clip.frame(), .keying = &keying, .source = {0.5f, 1.0f}, .widening = 2.0f}, filling,
+                  everywhere);
+    });
+    const auto thickness = [&](int x, int y) {
+        return -std::log(pixels[index({x, y})].r / background.r) / static_cast<float>(plume.extinction.r);
+    };
+    const float whole = -std::log(1.0f - (120.0f - 16.0f) / (220.0f - 16.0f));
+    for (const int row : {20, 50, 80}) {
+        const float width = 1.0f + (static_cast<float>(row) + 0.5f) / 100.0f;  // rows from the bottom
+        EXPECT_NEAR(thickness(100, row), whole / width, 0.01f) << row;
+        const int half = static_cast<int>(std::lround(50.0f * width));
+        for (const int side : {-1, 1}) {
+            EXPECT_NEAR(thickness(100 + side * (half + 3), row), 0.0f, 1e-3f) << row << " beyond its border";
+            EXPECT_GT(thickness(100 + side * (half - 10), row), 0.2f * whole / width) << row << " inside";
+        }
+    }
+}
+
 TEST_F(SmokeGpuPlume, LeavesTheRestOfTheFrameAlone) {
     set_depth([](glm::ivec2) { return 300.0f; });
     HandMade clip(size, media::Layout::rgb, false, 1, {});

@@ -123,13 +123,16 @@ TEST(Keying, TheTintIsThatOfBrightSmokeAndBoundedForDarkOne) {
 TEST(Keying, SmokeWithItsOwnOpacityIsShadedByItsLuma) {
     for (const float alpha : {0.02f, 0.1f, 0.5f, 1.0f})
         EXPECT_NEAR(shade(128.0f * alpha, alpha), 1.0f, 1e-5f) << "middle grey, premultiplied, " << alpha;
-    EXPECT_NEAR(shade(160.0f, 1.0f), std::pow(1.3f / 1.05f, 2.0f), 1e-5f);
+    for (const float alpha : {0.0f, 0.02f, 0.5f, 1.0f})
+        EXPECT_EQ(shade(255.0f * std::max(alpha, 0.01f), alpha), 1.0f)
+            << "white, as the same keyed from black, " << alpha;
+    EXPECT_EQ(shade(160.0f, 1.0f), 1.0f);
+    EXPECT_NEAR(shade(96.0f, 1.0f), std::pow(0.8f / 1.05f, 2.0f), 1e-5f);
     EXPECT_NEAR(shade(32.0f, 0.5f), std::pow(0.3f / 0.55f, 2.0f), 1e-5f);
     EXPECT_EQ(shade(0.0f, 0.0f), 1.0f) << "nothing is there, so nothing is known";
-    EXPECT_NEAR(shade(1.0f, 0.0f), 1.34f, 0.01f) << "a code value of rounding changes little";
+    EXPECT_NEAR(shade(0.0f, 0.004f), 0.857f, 0.01f) << "a code value of rounding changes little";
     EXPECT_EQ(shade(0.0f, 1.0f), 0.1f);
-    EXPECT_EQ(shade(255.0f, 1.0f), 2.0f);
-    EXPECT_EQ(shade(255.0f, 0.0f), 2.0f);
+    EXPECT_EQ(shade(255.0f, 0.0f), 1.0f) << "straight alpha";
 }
 
 TEST(Keying, ConstantsComeFromThePreset) {

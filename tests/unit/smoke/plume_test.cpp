@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "unit/smoke/support.h"
@@ -81,13 +82,75 @@ TEST(Plume, StandsOnTheTipAndRisesWhenItStops) {
 }
 
 TEST(Plume, IsSmallWhenYoungAndGrowsWhenTheToolStops) {
-    const auto height = [](double time) { return plume_state(contact(), parameters(), up, time).height; };
-    EXPECT_NEAR(height(1.0), 24.0, 1e-9);
-    EXPECT_NEAR(height(1.4), 32.0, 1e-9);
-    EXPECT_NEAR(height(1.8), 40.0, 1e-9);
-    EXPECT_NEAR(height(3.0), 40.0, 1e-9);
-    EXPECT_NEAR(height(4.0), 50.0, 1e-9);
-    EXPECT_NEAR(height(5.0), 60.0, 1e-9);
+    PlumeParameters p = parameters();
+    p.rise = 0.0;
+    for (const auto& [time, wanted] :
+         {std::pair{1.0, 24.0}, {1.4, 32.0}, {1.8, 40.0}, {3.0, 40.0}, {4.0, 50.0}, {5.0, 60.0}}) {
+        EXPECT_NEAR(plume_state(contact(), p, up, time).height, wanted, 1e-9) << time;
+        EXPECT_NEAR(plume_state(contact(), p, up, time).size, wanted, 1e-9) << time;
+    }
+}
+
+// Smoke at the top is as old as the burn, but slows down: 2 * (1 - exp(-1 / 2)) s after 1 s.
+TEST(Plume, RisesAndWidensWhileTheToolIsOn) {
+    constexpr double one = 0.7869386805747332, two = 1.2642411176571153;  // age after 1 and 2 s of burning
+    const auto at = [](double time, double rise, double growth) {
+        PlumeParameters p = parameters();
+        p.rise = rise, p.growth = growth;
+        return plume_state(contact(), p, up, time);
+    };
+    for (const double rise : {6.0, 20.0, 60.0})
+        for (const double growth : {0.25, 1.0, 3.0}) {
+            EXPECT_NEAR(at(1.0, rise, growth).height, 24.0, 1e-9) << "nothing has risen yet";
+            EXPECT_EQ(at(1.0, rise, growth).widening, 1.0);
+            EXPECT_NEAR(at(2.0, rise, growth).height, 40.0 + rise * one, 1e-9);
+            EXPECT_NEAR(at(2.0, rise, growth).widening, 1.0 + growth * one, 1e-9);
+            EXPECT_NEAR(at(2.0, rise, growth).size, 40.0, 1e-9) << "at the tip it is as wide as ever";
+            EXPECT_NEAR(at(3.0, rise, growth).height, 40.0 + rise * two, 1e-9);
+            EXPECT_NEAR(at(3.0, rise, growth).widening, 1.0 + growth * two, 1e-9);
+        }
+    EXPECT_NEAR(at(4.0, 6.0, 0.25).height, 1.25 * (40.0 + 6.0 * two), 1e-9) << "afterwards it grows as a whole";
+    EXPECT_NEAR(at(4.0, 6.0, 0.25).widening, (1.25 + 0.25 * two) / 1.25, 1e-9);
+    EXPECT_NEAR(at(3.0 + 1e-9, 6.0, 0.25).height, at(3.0, 6.0, 0.25).height, 1e-6) << "without a jump";
+}
+
+TEST(Plume, ComesToRestHoweverLongTheToolIsOn) {
+    ToolContact longer = contact();
+    longer.duration = 600.0;
+    EXPECT_NEAR(plume_state(longer, parameters(), up, 600.0).height, 40.0 + 6.0 * 2.0, 1e-6);
+    EXPECT_NEAR(plume_state(longer, parameters(), up, 600.0).widening, 1.0 + 0.25 * 2.0, 1e-6);
+}
+
+TEST(PlumePlace, IsThatOfTheClipAtTheTipAndWiderAndThinnerAbove) {
+    const glm::vec2 source(0.25f, 0.8f);
+    const auto expect = [&](glm::vec2 drawn, glm::vec2 uv, float thickness) {
+        const PlumePlace place = plume_place(drawn, source, 2.0f);
+        EXPECT_NEAR(glm::distance(place.uv, uv), 0.0f, 1e-6f) << drawn.x << ' ' << drawn.y;
+        EXPECT_NEAR(place.thickness, thickness, 1e-6f) << drawn.x << ' ' << drawn.y;
+    };
+    expect(source, source, 1.0f);
+    expect({0.0f, 0.0f}, {0.0f, 0.0f}, 0.5f);
+    expect({1.0f, 0.0f}, {1.0f, 0.0f}, 0.5f);
+    expect({0.5f, 0.8f}, {0.75f, 0.8f}, 1.0f);
+    expect({0.55f, 0.4f}, {0.65f, 0.4f}, 1.0f / 1.5f);
+    expect({0.5f, 1.0f}, {0.75f, 1.0f}, 1.0f);
+    for (float x = 0.0f; x <= 1.0f; x += 0.125f)
+        EXPECT_NEAR(plume_place({x, 0.3f}, source, 1.0f).uv.x, x, 1e-6f) << "without widening it is where it is drawn";
+    EXPECT_NEAR(plume_place({0.4f, 0.0f}, {0.5f, 0.0f}, 2.0f).uv.x, 0.3f, 1e-6f) << "a source at the very top";
+}
+
+// The sum of thickness over a row, per width of the clip at the tip.
+TEST(PlumePlace, WideningAddsNoSmoke) {
+    for (const float widening : {1.0f, 1.7f, 4.0f})
+        for (const float y : {0.0f, 0.3f, 0.85f}) {
+            double sum = 0.0;
+            for (int i = 0; i < 10000; ++i) {
+                const PlumePlace place =
+                    plume_place({(static_cast<float>(i) + 0.5f) / 10000.0f, y}, {0.4f, 0.9f}, widening);
+                if (place.uv.x >= 0.0f && place.uv.x <= 1.0f) sum += place.thickness * widening / 10000.0;
+            }
+            EXPECT_NEAR(sum, 1.0, 1e-3) << widening << ' ' << y;
+        }
 }
 
 TEST(Plume, FatSmokesMore) {
@@ -121,6 +184,8 @@ std::vector<ToolContact> split(const ToolContact& whole, std::span<const double>
 void expect_same(const PlumeState& a, const PlumeState& b, double time) {
     EXPECT_NEAR(a.density, b.density, 1e-12) << time;
     EXPECT_NEAR(a.height, b.height, 1e-9) << time;
+    EXPECT_NEAR(a.size, b.size, 1e-9) << time;
+    EXPECT_NEAR(a.widening, b.widening, 1e-12) << time;
     EXPECT_LT(glm::distance(a.anchor, b.anchor), 1e-9) << time;
 }
 
@@ -199,16 +264,32 @@ TEST(PlumeQuad, LeansTowardsTheCameraAsFarAsItRisesButNotToTheLens) {
     PlumeQuad q = quad();
     q.lean = 0.5f;
     auto c = plume_corners(q);
-    EXPECT_NEAR(c[0].z, -100.0f + 0.5f * 36.0f, 1e-4f);
+    const auto leant = [](float wanted) { return -100.0f + wanted / std::sqrt(1.0f + wanted * wanted / 3600.0f); };
+    EXPECT_NEAR(c[0].z, leant(18.0f), 1e-4f);
     EXPECT_NEAR(c[2].z, -100.0f, 1e-4f) << "below the source it stays";
     q.turn.angle = glm::radians(180.0f);
     c = plume_corners(q);
     EXPECT_NEAR(c[0].z, -100.0f, 1e-4f) << "the clip's top hangs down";
-    EXPECT_NEAR(c[2].z, -100.0f + 0.5f * 4.0f, 1e-4f);
+    EXPECT_NEAR(c[2].z, leant(2.0f), 1e-4f);
     q.turn.angle = 0.0f;
     q.lean = 1.5f;
     q.extent = {600.0f, 400.0f};
-    EXPECT_NEAR(plume_corners(q)[0].z, -45.0f, 1e-4f);
+    EXPECT_NEAR(plume_corners(q)[0].z, leant(540.0f), 1e-4f);
+}
+
+// A plume of 110 mm, 60 to 150 mm before the lens: every step of lean moves its top, and never to the lens.
+TEST(PlumeQuad, LeanActsOverItsWholeRange) {
+    for (const float distance : {60.0f, 100.0f, 150.0f}) {
+        PlumeQuad q{.anchor = {0.0f, 0.0f, -distance}, .extent = {160.0f, 110.0f}, .source = {0.5f, 0.92f}};
+        float before = -distance;
+        for (float lean = 0.05f; lean < 1.51f; lean += 0.05f) {
+            q.lean = lean;
+            const float top = plume_corners(q)[0].z;
+            EXPECT_GT(top, before + 0.05f) << distance << ' ' << lean;
+            EXPECT_LE(top, -0.4f * distance);
+            before = top;
+        }
+    }
 }
 
 TEST(PlumeQuad, BoundsAreThoseOfItsPicture) {
