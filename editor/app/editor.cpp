@@ -81,6 +81,7 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options, std::shared_p
                        .snapshots = *snapshots_,
                        .commands = commands,
                        .notices = toasts,
+                       .jobs = jobs,
                        .options = options_,
                        .forget_document = [this](bool scene_too) { forget_document(scene_too); }})),
       file_previews_(std::make_unique<FilePreviews>(options_, document, images, screen_)),

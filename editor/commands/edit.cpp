@@ -43,10 +43,11 @@ glm::ivec2 size_of(const Options& o) {
     return o.size.empty() ? standard_size : parse_size(o.size);
 }
 
-/// Runs before there is a window, so that a file that cannot be opened is reported on the command line.
-app::Opened open_all(const std::vector<std::string>& files) {
+/// Runs before there is a window, so that a file that cannot be opened is reported on the command line. What `videos`
+/// are for takes longer to find out.
+app::Opened open_all(const std::vector<std::string>& files, std::vector<std::string>& videos) {
     app::Opened opened = app::open_sample(data_folder());
-    app::open_files(opened, files);
+    videos = app::open_files(opened, files);
     for (const std::string& warning : opened.warnings) std::cerr << "lapfx: warning: " << warning << '\n';
     return opened;
 }
@@ -71,10 +72,12 @@ void write_files(const Options& o) {
     for (const std::string& file : {o.screenshot, o.dump}) {
         if (!file.empty()) check_folder(file);
     }
-    app::Opened opened = open_all(o.files);
+    std::vector<std::string> videos;
+    app::Opened opened = open_all(o.files, videos);
     const auto early = app::load_early(opened.content.scene, opened.content.preset, clip_folders());
     HeadlessEditor headless(size, o.scale, o.backend, true, early);
     set_up(headless.editor(), std::move(opened), o);
+    headless.editor().files().bring_videos(videos);
     headless.settle();
     if (!o.dump.empty()) write_dump(o.dump, headless.ui().tree());
     if (!o.screenshot.empty()) output::write_png(o.screenshot, headless.picture());
@@ -127,7 +130,8 @@ class HeapKeeper {
 
 void show_window(const Options& o) {
     if (!o.dump_on_close.empty()) check_folder(o.dump_on_close);
-    app::Opened opened = open_all(o.files);
+    std::vector<std::string> videos;
+    app::Opened opened = open_all(o.files, videos);
     const auto early = app::load_early(opened.content.scene, opened.content.preset, clip_folders());
     ui::ImageStore images;
     window::UiWindow window({.title = "lapfx",
@@ -158,6 +162,7 @@ void show_window(const Options& o) {
     float scale = settings.scale;
     if (o.size.empty()) window.put(settings.window);
     editor->files().note_opened();
+    editor->files().bring_videos(videos);
     editor->autosave().find();
     if (o.at < 0) editor->timeline.speed = 1;  // plays at once, so that blood and smoke are visible
     double touched = -1;                       // s, time of the last input known to the editor
@@ -213,7 +218,8 @@ void add_edit(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("edit", "Open the editor; on the sample scene if no file is given");
     verb->add_option("FILE", o->files,
                      "A scene or preset (.json), an organ (" + listed(Content::mesh, ", ") +
-                         "), a smoke video or image, numbered images (smoke_%04d.png)");
+                         "), a video or image of smoke (added to the preset's clips) or of a surgery (the reference), "
+                         "numbered images (smoke_%04d.png)");
     verb->add_option("--screenshot", o->screenshot, "Write a PNG of the editor instead of opening a window")
         ->option_text("FILE");
     verb->add_option("--size", o->size,

@@ -9,6 +9,7 @@
 #include "app/base/layouts.h"
 #include "app/clips/keying_bench.h"
 #include "app/editor.h"
+#include "app/files/files.h"
 #include "lapfx/authoring/smoke_notes.h"
 #include "panels/clip_parameters.h"
 #include "panels/panels.h"
@@ -76,9 +77,9 @@ void move_clip(document::Document& document, app::ClipShelf& shelf, int by) {
     shelf.selected = to;
 }
 
-void ask_for_clips(app::FileChooser& chooser, app::ClipShelf& shelf) {
+void ask_for_clips(app::FileChooser& chooser, app::Files& files) {
     chooser.ask(clip_request("Add smoke clips", true),
-                [&shelf](const std::vector<std::string>& files) { shelf.add(files); });
+                [&files](const std::vector<std::string>& chosen) { files.bring_clips(chosen); });
 }
 
 void ask_for_another(app::FileChooser& chooser, app::ClipShelf& shelf) {
@@ -363,19 +364,20 @@ void left_out(ui::Ui& ui, const document::Document& document) {
 }
 
 /// Files dropped anywhere on the panel.
-void take_drops(ui::Ui& ui, app::ClipShelf& shelf) {
+void take_drops(ui::Ui& ui, app::Files& files) {
     ui::Node& panel = ui.parent();
     panel.sense = panel.sense | ui::Sense::drop;
     ui.events_of(panel.id, [&](const ui::Event& event) {
         if (event.kind != ui::EventKind::drop) return;
-        shelf.add(dropped_files(event.paths));
+        if (const auto dropped = dropped_files(event.paths); !dropped.empty()) files.bring_clips(dropped);
     });
 }
 
 }  // namespace
 
-void clips_panel(ui::Ui& ui, app::ClipShelf& shelf, const Edited& edited, ui::CommandTable& commands) {
-    take_drops(ui, shelf);
+void clips_panel(ui::Ui& ui, app::ClipShelf& shelf, const Edited& edited, app::Files& files,
+                 ui::CommandTable& commands) {
+    take_drops(ui, files);
     {
         const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
         ui::command_button(ui, commands, "clip.add");
@@ -418,7 +420,7 @@ void add_clip_commands(app::Editor& editor) {
     };
     add(
         "clip.add", "Add clip...", {ui::key_of('A'), Mods::command | Mods::shift}, Icon::plus,
-        [&editor, &shelf] { ask_for_clips(editor.chooser(), shelf); }, {}, "", "Smoke videos for this preset");
+        [&editor] { ask_for_clips(editor.chooser(), editor.files()); }, {}, "", "Smoke videos for this preset");
     add(
         "clip.replace", "Replace file...", {}, Icon::folder,
         [&editor, &shelf] { ask_for_another(editor.chooser(), shelf); }, any, "no clip is selected",

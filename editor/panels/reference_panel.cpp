@@ -36,19 +36,19 @@ constexpr float side_width = 8;                                                 
 constexpr const auto& ways = app::way_titles;
 
 /// A video becomes the reference; a scene, a preset or an organ is opened, as anywhere in the window.
-void take_dropped(Reference& reference, app::Files& opens, std::string_view paths) {
+void take_dropped(app::Files& opens, std::string_view paths) {
     const std::vector<std::string> files = dropped_files(paths);
     if (files.empty()) return;
     const std::filesystem::path first = files.front();
     if (app::is_organ_name(first) || app::is_document_name(first)) return opens.bring(files);
-    reference.choose(files.front());  // if it is no video, the panel says so
+    opens.bring_reference(files.front());  // if it is no video, the panel says so
 }
 
-void accept_drops(ui::Ui& ui, Reference& reference, app::Files& files) {
+void accept_drops(ui::Ui& ui, app::Files& files) {
     ui::Node& panel = ui.parent();
     panel.sense = panel.sense | ui::Sense::drop;
     ui.events_of(panel.id, [&](const ui::Event& event) {
-        if (event.kind == ui::EventKind::drop) take_dropped(reference, files, event.paths);
+        if (event.kind == ui::EventKind::drop) take_dropped(files, event.paths);
     });
 }
 
@@ -486,7 +486,7 @@ void ask_for_video(Reference& reference, app::FileChooser& chooser) {
 
 void reference_panel(ui::Ui& ui, Reference& reference, const Edited& edited, app::Files& files,
                      ui::CommandTable& commands) {
-    accept_drops(ui, reference, files);
+    accept_drops(ui, files);
     reference.follow();
     if (reference.video() == nullptr) {
         if (reference.compares_video()) return without_video(ui, reference, edited.chooser);

@@ -34,7 +34,7 @@ constexpr PanelRow panel_rows[] = {
     {"Preset", "The preset's parameters",
      [](Ui& ui, Editor& e) { preset_panel(ui, e.tuning(), edited_in(e), e.commands, e.layouts(), e.toasts); }},
     {"Clips", "The preset's smoke videos",
-     [](Ui& ui, Editor& e) { clips_panel(ui, e.clips(), edited_in(e), e.commands); }},
+     [](Ui& ui, Editor& e) { clips_panel(ui, e.clips(), edited_in(e), e.files(), e.commands); }},
     {"Keying", "What in the selected clip is smoke",
      [](Ui& ui, Editor& e) { keying_panel(ui, e.keying(), e.clips(), edited_in(e), e.commands); }},
     {"Reference", "The surgery video to match, alone or against the preview",

@@ -26,6 +26,15 @@ constexpr float edge_opacity = 0.08f;      // opacity at an edge of the picture 
 constexpr double proposed_fade = 0.06;     // share of the smaller side: as wide as a wisp
 constexpr float hard_step = 48.0f;  // difference of neighbouring pixels, in code values, that smoke does not have
 
+constexpr float black_end = 48.0f, white_end = 208.0f;  // luma of a background that is called black or white
+constexpr double most_tissue = 0.6;                     // share of the picture that tissue of just one colour has
+constexpr float tissue_red = 1.25f;  // red over green and blue: pale fat has 1.3, liver 2, blood 4, smoke 1
+
+bool like_tissue(glm::vec3 code) {
+    const float other = std::max(code.g, code.b);
+    return code.r > tissue_red * other && code.r > other + 16.0f;
+}
+
 glm::vec3 to_vec(glm::u8vec3 code) {
     return glm::vec3(code);
 }
@@ -103,6 +112,8 @@ struct Foreground {
     double odd_colour = 0.0;             ///< share that smoke over this background cannot have
     double hard_edges = 0.0;             ///< share of neighbours that differ too much
     double lighter = 0.0, darker = 0.0;  ///< sums of code values
+    double colour = 0.0;                 ///< mean distance from grey
+    double tissue = 0.0;                 ///< share in the colours of tissue and blood
 };
 
 /// Distance of a colour, in Cb and Cr, from the mixtures of grey smoke and the background.
@@ -142,7 +153,45 @@ class Suggester {
         return found;
     }
 
+    ClipLook look() {
+        measure_noise();
+        measure_sides();
+        measure_foreground();
+        ClipLook found{.plain = s_.plain,
+                       .coloured = coloured_,
+                       .background = s_.share,
+                       .odd_colour = smoke_.odd_colour,
+                       .hard_edges = smoke_.hard_edges,
+                       .colour = smoke_.colour,
+                       .tissue = smoke_.tissue};
+        const float light = luma(s_.background);
+        found.ends = coloured_ || light < black_end || light > white_end;
+        std::size_t changing = 0, never = 0, outer = 0, outer_background = 0;
+        for (std::size_t b = 0; b < s_.blocks; ++b) {
+            std::size_t here = 0;
+            for (std::size_t p = 0; p < s_.pictures(); ++p) here += s_.at(p, b).background ? 1u : 0u;
+            changing += here < s_.pictures() ? 1u : 0u;
+            never += here == 0 ? 1u : 0u;
+            if (s_.at(0, b).weight <= 1.0f) continue;
+            outer += s_.pictures(), outer_background += here;
+        }
+        found.filled = share(never, changing);
+        found.border = share(outer_background, outer);
+        // Tissue of one colour is no key colour, but for a red screen that is most of the picture.
+        if (coloured_ && like_tissue(s_.background) && s_.share < most_tissue) {
+            found.plain = found.coloured = false;
+            found.tissue = s_.share + (1.0 - s_.share) * found.tissue;
+            found.background = found.border = 0.0;
+            found.filled = 1.0;
+        }
+        return found;
+    }
+
   private:
+    static double share(std::size_t n, std::size_t of) {
+        return static_cast<double>(n) / static_cast<double>(std::max<std::size_t>(of, 1));
+    }
+
     float beyond(glm::vec3 code) const {
         if (coloured_) return glm::distance(chroma(code), key_);
         const float up = luma(code) - luma(s_.background);
@@ -174,7 +223,8 @@ class Suggester {
     }
 
     void measure_foreground() {
-        std::size_t odd = 0, hard = 0, pairs = 0;
+        std::size_t odd = 0, hard = 0, pairs = 0, tissue = 0;
+        double colour = 0.0;
         const auto row = static_cast<std::size_t>(s_.edge);
         for_blocks(s_, pictures_, [&](std::span<const glm::u8vec3> pixels, std::size_t, std::size_t b) {
             if (s_.kinds[b] == BlockKind::mark) return;
@@ -184,16 +234,17 @@ class Suggester {
                 if (static_cast<double>(amount) <= noise_ + 1.0) continue;
                 smoke_.amount.add(amount);
                 if (off_the_mix(chroma(code), key_) > off_tint) ++odd;
+                colour += static_cast<double>(glm::length(chroma(code)));
+                if (like_tissue(code)) ++tissue;
                 if (i % row == 0) continue;  // the row before ends elsewhere
                 ++pairs;
                 if (std::abs(luma(code) - luma(to_vec(pixels[i - 1]))) > hard_step) ++hard;
             }
         });
-        const auto share = [](std::size_t n, std::size_t of) {
-            return static_cast<double>(n) / static_cast<double>(std::max<std::size_t>(of, 1));
-        };
         smoke_.odd_colour = share(odd, smoke_.amount.count());
         smoke_.hard_edges = share(hard, pairs);
+        smoke_.colour = colour / static_cast<double>(std::max<std::size_t>(smoke_.amount.count(), 1));
+        smoke_.tissue = share(tissue, smoke_.amount.count());
     }
 
     /// Luma beyond the background at which smoke is full. Smoke of one opacity has many pixels at one luma; thin smoke
@@ -348,10 +399,10 @@ void KeyingSurvey::add(glm::ivec2 size, std::span<const std::uint8_t> rgb) {
             }
 }
 
-KeyingSuggestion KeyingSurvey::suggest() const {
-    if (pictures_.empty()) return {.reason = "no picture to look at"};
-    const ClipCrop crop = bars_.crop();
-    Study study;
+KeyingSurvey::Looked KeyingSurvey::study() const {
+    Looked looked;
+    const ClipCrop crop = looked.crop = bars_.crop();
+    Study& study = looked.study;
     study.edge = edge_;
     study.pixels = static_cast<std::size_t>(edge_ * edge_);
     study.size = size_;
@@ -365,9 +416,8 @@ KeyingSuggestion KeyingSurvey::suggest() const {
             kept.push_back(b), study.corners.push_back(corners_[b]);
     study.blocks = kept.size();
     const glm::vec2 margin = border * glm::vec2(study.high - study.low);
-    std::vector<std::vector<glm::u8vec3>> pictures;
     for (const auto& picture : pictures_) {
-        auto& blocks = pictures.emplace_back();
+        auto& blocks = looked.pictures.emplace_back();
         blocks.reserve(kept.size() * study.pixels);
         for (const std::size_t b : kept) {
             const auto block = std::span(picture).subspan(b * study.pixels, study.pixels);
@@ -382,9 +432,45 @@ KeyingSuggestion KeyingSurvey::suggest() const {
     }
     find_background(study);
     find_kinds(study);
-    KeyingSuggestion found = Suggester(study, pictures).work_out();
-    found.crop = crop;
+    return looked;
+}
+
+KeyingSuggestion KeyingSurvey::suggest() const {
+    if (pictures_.empty()) return {.reason = "no picture to look at"};
+    const Looked looked = study();
+    KeyingSuggestion found = Suggester(looked.study, looked.pictures).work_out();
+    found.crop = looked.crop;
     return found;
+}
+
+ClipLook KeyingSurvey::look() const {
+    if (pictures_.empty()) return {};
+    const Looked looked = study();
+    return Suggester(looked.study, looked.pictures).look();
+}
+
+UseSuggestion use_of(const ClipLook& l) {
+    // Seen in real videos (figures of 77 surgeries and 43 clips): 0.25 and more of nearly all surgeries have the
+    // colours of tissue, through thick smoke 0.25 to 0.55, and 0.8 and more of what the endoscope's surround leaves is
+    // always filled. Smoke has none of these colours, and the plain background takes half of the picture or of its
+    // border.
+    const bool tissue = l.tissue >= 0.15, grey = l.odd_colour < 0.05 && l.tissue < 0.05;
+    const bool in_front = l.plain && l.ends && (l.background >= 0.4 || l.border >= 0.5);
+    const bool nothing = l.background > 0.999;
+    const bool all_over = !l.plain && l.border < 0.2 && l.odd_colour >= 0.3;
+    const auto found = [](VideoUse use, bool sure, const char* reason) { return UseSuggestion{use, sure, reason}; };
+    if (nothing) return found(VideoUse::smoke, false, "it shows nothing but one colour");
+    if (tissue && l.filled >= 0.7 && !l.coloured)
+        return found(VideoUse::reference, true,
+                     l.plain ? "tissue fills the picture inside a plain surround" : "tissue fills the picture");
+    if (all_over) return found(VideoUse::reference, true, "the picture has colours all over");
+    if (in_front && grey && l.hard_edges < 0.08)
+        return found(VideoUse::smoke, true, "it is grey in front of a plain background");
+    if (in_front && l.background >= 0.6 && l.hard_edges < 0.08)
+        return found(VideoUse::smoke, false, "it has a plain background, but colours that smoke does not have");
+    if (grey && l.colour < 8.0 && l.hard_edges < 0.02)
+        return found(VideoUse::smoke, false, "it is grey like haze, without a plain background");
+    return found(VideoUse::reference, false, "it has no plain background, and little colour of tissue");
 }
 
 }  // namespace lapfx::smoke

@@ -22,6 +22,7 @@
 
 #include "lapfx/authoring/suggest.h"
 #include "smoke/bars.h"
+#include "smoke/suggest_study.h"
 
 namespace lapfx::smoke {
 
@@ -31,6 +32,20 @@ constexpr double assumed_white = 232.0;
 /// The same for soot before something bright: a camera does not show black under light as 0.
 constexpr double assumed_black = 32.0;
 
+/// What is in the pictures of a video, as far as it tells smoke from a surgery. Shares are 0..1.
+struct ClipLook {
+    bool plain = false;       ///< there is a plain background
+    bool coloured = false;    ///< it has a colour to key by
+    bool ends = false;        ///< it is coloured, black or white: smoke is filmed before these
+    double background = 0.0;  ///< share of the picture over time
+    double border = 0.0;      ///< the same of the picture's border
+    double filled = 0.0;      ///< of what is not always background, what never is
+    double odd_colour = 0.0;  ///< of what is not background, what has colours that smoke does not have
+    double hard_edges = 0.0;  ///< of neighbouring pixels there, those that differ more than in smoke
+    double colour = 0.0;      ///< its mean distance from grey, code values
+    double tissue = 0.0;      ///< its share with the colours of tissue and blood: red over green and blue
+};
+
 /// Takes pictures of one clip and suggests thresholds. It keeps only small samples, at most 1 MB per picture.
 class KeyingSurvey {
   public:
@@ -39,13 +54,25 @@ class KeyingSurvey {
 
     /// Without pictures: defaults and confidence 0.
     KeyingSuggestion suggest() const;
+    /// What the pictures are of, smoke before a plain background or something else. Without pictures: all is 0.
+    ClipLook look() const;
 
   private:
+    struct Looked {
+        Study study;
+        std::vector<std::vector<glm::u8vec3>> pictures;  ///< pixels of the study's blocks
+        ClipCrop crop{};
+    };
+    Looked study() const;
+
     glm::ivec2 size_{0};
     BarSurvey bars_;
     std::vector<glm::ivec2> corners_;                 ///< of the blocks that are looked at, pixels
     int edge_ = 0;                                    ///< pixels
     std::vector<std::vector<glm::u8vec3>> pictures_;  ///< pixels of the blocks, block after block
 };
+
+/// What a video without opacity of its own is for.
+UseSuggestion use_of(const ClipLook& look);
 
 }  // namespace lapfx::smoke

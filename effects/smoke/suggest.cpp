@@ -10,6 +10,27 @@ namespace lapfx {
 namespace {
 
 constexpr int looked_at = 24;  // pictures, enough to see smoke everywhere on its path
+constexpr int looked_at_for_use = 16;
+constexpr int any_frames = 10'000'000;  // of a surgery, which may last for hours; a clip may not
+
+/// Adds `wanted` pictures, evenly spaced over the clip.
+media::ClipInfo look_through(const std::filesystem::path& clip, int wanted, int most_frames,
+                             smoke::KeyingSurvey& survey, const std::atomic<bool>* stop) {
+    media::Decoder decoder = media::open_stoppable(clip, media::Layout::rgb, most_frames, stop);
+    const media::ClipInfo& info = decoder.info();
+    media::Picture picture;
+    wanted = std::min(info.frame_count(), wanted);
+    for (int i = 0; i < wanted; ++i) {
+        const auto index = static_cast<int>((2L * i + 1) * info.frame_count() / (2L * wanted));
+        const bool read = decoder.read(index, picture, stop);
+        if (stop != nullptr && *stop)
+            throw Error(Failure::runtime,
+                        Fault{.file = clip.string(), .place = "", .reason = "was not read to its end"});
+        if (!read) continue;  // a broken frame repeats the one before
+        survey.add(info.size, {picture.bytes.data(), decoder.format().color_bytes()});
+    }
+    return info;
+}
 
 }  // namespace
 
@@ -29,24 +50,19 @@ void KeyingSuggestion::apply(SmokeClip& clip) const {
 }
 
 KeyingSuggestion suggest_keying(const std::filesystem::path& clip, const std::atomic<bool>* stop) {
-    media::Decoder decoder = media::open_stoppable(clip, media::Layout::rgb, media::Decoder::most_frames, stop);
-    const media::ClipInfo& info = decoder.info();
     smoke::KeyingSurvey survey;
-    media::Picture picture;
-    const int wanted = std::min(info.frame_count(), looked_at);
-    for (int i = 0; i < wanted; ++i) {
-        const auto index = static_cast<int>((2L * i + 1) * info.frame_count() / (2L * wanted));
-        const bool read = decoder.read(index, picture, stop);
-        if (stop != nullptr && *stop)
-            throw Error(Failure::runtime,
-                        Fault{.file = clip.string(), .place = "", .reason = "was not read to its end"});
-        if (!read) continue;  // a broken frame repeats the one before
-        survey.add(info.size, {picture.bytes.data(), decoder.format().color_bytes()});
-    }
+    const media::ClipInfo info = look_through(clip, looked_at, media::Decoder::most_frames, survey, stop);
     KeyingSuggestion found = survey.suggest();
     found.alpha = info.alpha;
     if (info.alpha) found.reason = "the clip has its own opacity, which is used instead of keying; " + found.reason;
     return found;
+}
+
+UseSuggestion suggest_use(const std::filesystem::path& video, const std::atomic<bool>* stop) {
+    smoke::KeyingSurvey survey;
+    const media::ClipInfo info = look_through(video, looked_at_for_use, any_frames, survey, stop);
+    if (info.alpha) return {.use = VideoUse::smoke, .sure = true, .reason = "it has its own opacity"};
+    return smoke::use_of(survey.look());
 }
 
 }  // namespace lapfx

@@ -7,9 +7,11 @@ opens. 77 where Xvfb, xdotool or OpenGL is missing.
 """
 import json
 import os
+import shutil
 import struct
 import subprocess
 import sys
+import tempfile
 import time
 
 import real_window
@@ -18,6 +20,7 @@ from real_window import node, nodes, wait_for
 SIZE = (1200, 800)
 IDLE_S = 20
 IDLE_WAKES = 100  # of all threads in that time, at most; one a second was seen
+SAMPLE_CLIPS = ["plume_thick.mp4", "wisps_thin.mp4", "haze_rolling.mp4"]
 SPEED = "/Bleeding/Speed"  # end of the path of the parameter that is moved
 
 
@@ -189,11 +192,23 @@ def case_drop_opens(open_editor):
         if not os.path.exists(editor.drop_files):
             return "not tested: there is no Xlib to drop files with"
         editor.drop("Workspace/View/Preview", editor.clip)
-        editor.act_now("key", "Return")  # "Smoke clip": a video may be the reference, too
         editor.settle()
         saved = editor.save_as("dropped.json")
-        assert any(c["file"] == "wisps_thin.mp4" for c in saved["smoke"]["clips"]), saved["smoke"]["clips"]
+        assert [c["file"] for c in saved["smoke"]["clips"]] == [*SAMPLE_CLIPS, "wisps_thin.mp4"], saved["smoke"]["clips"]
         return None
+
+
+def case_surgery_named_at_start(open_editor):
+    """A surgery video named on the command line is the reference: no clip is gone, and quitting asks."""
+    with tempfile.TemporaryDirectory() as folder:
+        video = os.path.join(folder, "operation_2.mp4")
+        shutil.copy(os.path.join(sys.argv[3], "samples", "reference", "operation.mp4"), video)
+        with open_editor(video) as editor:
+            told = "operation_2.mp4 becomes the reference"
+            wait_for("the notice", lambda: any(told in n.get("label", "") for n in nodes(editor.tree())))
+            clips = [c["file"] for c in editor.save_as("named.json")["smoke"]["clips"]]
+            assert clips == SAMPLE_CLIPS, clips
+            editor.discard()
 
 
 def case_drag_type_save_undo(open_editor):

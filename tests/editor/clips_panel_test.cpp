@@ -270,7 +270,7 @@ TEST_F(ClipsPanel, AClipFromElsewhereLeavesWhatIsSavedOfTheOthers) {
     EXPECT_EQ(editor().saved().known_clip(1), nullptr) << "another one of that name";
 }
 
-TEST_F(ClipsPanel, AVideoOpenedWithAPresetLeavesThatOnesHaze) {
+TEST_F(ClipsPanel, AVideoOpenedWithAPresetIsAddedToItsClips) {
     const fs::path home = folder() / "preset", elsewhere = folder() / "videos";
     for (const fs::path& made : {home, elsewhere}) fs::create_directory(made);
     Preset preset;
@@ -278,11 +278,13 @@ TEST_F(ClipsPanel, AVideoOpenedWithAPresetLeavesThatOnesHaze) {
     preset.smoke.clips = {
         {.file = write_clip(home / "haze.avi", 5).filename().string(), .role = ClipRole::haze, .weight = 2.5}};
     save_preset(preset, home / "mine.json");
-    const fs::path video = write_clip(elsewhere / "smoke.avi", 5);
+    const fs::path video = write_smoke(elsewhere / "smoke.avi");
     const auto expect = [&](const char* how) {
         ASSERT_EQ(clips().size(), 2U) << how;
-        EXPECT_EQ(editor().document.preset().folder / clips()[0].file, video) << how;
-        EXPECT_EQ(editor().document.preset().folder / clips()[1].file, home / "haze.avi") << how;
+        EXPECT_EQ(editor().document.preset().folder / clips()[0].file, home / "haze.avi") << how;
+        EXPECT_EQ(editor().document.preset().folder / clips()[1].file, video) << how;
+        EXPECT_EQ(editor().document.preset_file(), home / "mine.json") << how;
+        EXPECT_TRUE(editor().document.preset_unsaved()) << how;
         EXPECT_TRUE(editor().document.preset_faults().empty()) << how;
         EXPECT_TRUE(editor().preview.preset_faults().empty()) << how;
     };
@@ -292,7 +294,6 @@ TEST_F(ClipsPanel, AVideoOpenedWithAPresetLeavesThatOnesHaze) {
     open({(home / "mine.json").string()});
     open({video.string()});
     expect("one after the other");
-    EXPECT_EQ(editor().document.preset_file(), home / "mine.json");
 }
 
 TEST_F(ClipsPanel, InAndOutAreARangeOfTheClip) {

@@ -53,9 +53,19 @@ class KeyingPanel : public EditorTest {
         writer.release();
         return path;
     }
-    /// Opens the clip as the preset's only one that is not haze. The history is forgotten.
+    /// Makes the clip the preset's only one that is not haze.
+    void put_clip(const fs::path& file) {
+        editor().document.change("Clip", [&](document::Content& c) {
+            auto& clips = c.preset.smoke.clips;
+            std::erase_if(clips, [](const SmokeClip& clip) { return clip.role == ClipRole::plume; });
+            clips.insert(clips.begin(), {.file = file.string()});
+            editor().document.gather_clips(c.preset);
+        });
+        ui().frame().frame();
+    }
+    /// The same, and the history is forgotten.
     void open_clip(const fs::path& clip) {
-        open({clip.string()});
+        put_clip(clip);
         document::Document& document = editor().document;
         document.open(document::Content(document.content()), fs::path(document.scene_file()),
                       fs::path(document.preset_file()));
@@ -523,7 +533,7 @@ TEST_F(KeyingPanel, AClipWithItsOwnOpacityHasNoThresholds) {
     image(cv::Rect(20, 20, 30, 30)) = cv::Scalar(200, 200, 200, 160);
     const fs::path path = folder() / "own.png";
     ASSERT_TRUE(cv::imwrite(path.string(), image));
-    open({path.string()});
+    put_clip(path);
     ASSERT_TRUE(editor().keying().ready());
     EXPECT_NEAR(pixel(BenchView::matte, {30, 30}).r, 160, 1);
     EXPECT_EQ(pixel(BenchView::matte, {80, 50}).r, 0);
@@ -542,7 +552,7 @@ TEST_F(KeyingPanel, WithoutAClipOneCanBeAdded) {
 
 TEST_F(KeyingPanel, AClipThatBreaksWhileItIsOpenDoesNoHarm) {
     const fs::path path = green_clip();
-    open({path.string()});
+    put_clip(path);
     ASSERT_TRUE(editor().keying().ready());
     std::ofstream(path, std::ios::trunc) << "no video any more";
     editor().keying().look.time = 0.75;

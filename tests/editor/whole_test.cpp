@@ -93,7 +93,8 @@ TEST_F(WholeTest, LoadTuneUndoExportAndRenderTheSamePixels) {
     ui().click("**/Discard").frame().frame();  // the organ was a change
     EXPECT_GT(differing(organ, picture(0)), 10'000U);
     open({(data / "samples/clips/wisps_thin.mp4").string()});
-    EXPECT_EQ(editor().document.preset().smoke.clips.front().file, "wisps_thin.mp4");
+    EXPECT_EQ(editor().document.preset().smoke.clips.back().file, "wisps_thin.mp4");
+    ui().click("Workspace/tabs/Preset").frame();  // the clips came to the front
 
     // Each of the four changes the picture, is one step, and undo restores every pixel.
     for (const Moved& moved : four) {

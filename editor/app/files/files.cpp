@@ -82,6 +82,11 @@ void Files::answer(std::size_t index) {
     const Then act = std::move(question_->answers[index].act);
     question_.reset();  // before `act`, which may ask again
     if (act) act();
+    while (!question_ && !after_question_.empty()) {
+        const Then next = std::move(after_question_.front());
+        after_question_.erase(after_question_.begin());
+        next();
+    }
 }
 
 std::vector<std::string> Files::unsaved_words() const {

@@ -17,6 +17,7 @@
 
 #include "app/files/open.h"
 #include "document/lock.h"
+#include "lapfx/authoring/suggest.h"
 
 namespace lapfx::ui {
 class CommandTable;
@@ -28,6 +29,7 @@ class Autosave;
 class ClipShelf;
 class Exports;
 class FileChooser;
+class Jobs;
 class Layouts;
 class Notices;
 class OrganChoice;
@@ -57,6 +59,7 @@ class Files {
         Snapshots& snapshots;
         ui::CommandTable& commands;  ///< a question may lead to the export of a bundle
         Notices& notices;
+        Jobs& jobs;
         const EditorOptions& options;
         /// Another document, or another preset alone, is open: whoever works on the former one lets go of it.
         std::function<void(bool scene_too)> forget_document;
@@ -77,11 +80,11 @@ class Files {
     bool closed() const { return closed_; }  ///< the window is to close
 
     // --- opening -----------------------------------------------------------------------------------------------------
-    /// Scenes, presets, organs, clips, whatever they are (app/files/open.h). What is wrong is told by notices. Asks
+    /// Scenes, presets, organs, videos, whatever they are (app/files/open.h). What is wrong is told by notices. Asks
     /// first when work would be lost, or another editor has the file.
     void open(const std::vector<std::string>& files);
-    /// The same for files that a person brings (dropped, chosen, recent): a video may be a smoke clip or the reference,
-    /// and is asked about; an organ is opened by the dialog that sets its unit and orientation.
+    /// The same for files that a person brings (dropped, chosen, recent): an organ is opened by the dialog that sets
+    /// its unit and orientation.
     void bring(const std::vector<std::string>& files);
     /// Does the same as open(), but discards unsaved changes: the person has been asked.
     void open_anyway(const std::vector<std::string>& files);
@@ -91,8 +94,16 @@ class Files {
     /// afterwards.
     void note_opened();
 
-    /// Asks what videos are to be: clips of smoke, or, the first of them, the reference.
-    void ask_use(const std::vector<std::string>& videos);
+    // --- videos (files_videos.cpp)
+    // ------------------------------------------------------------------------------------
+    /// Looks by a job at what is in them. Smoke is added to the clips of the preset, the first surgery becomes the
+    /// reference, and a notice offers the other way; what is neither for certain is asked about. Nothing else of the
+    /// preset or the scene changes, and each change can be undone.
+    void bring_videos(const std::vector<std::string>& videos) { look_at(videos, {}); }
+    /// The same for videos that were brought to a place that says what for: done without a word, but asked first where
+    /// what is in them contradicts it for certain.
+    void bring_clips(const std::vector<std::string>& videos) { look_at(videos, VideoUse::smoke); }
+    void bring_reference(const std::string& video) { look_at({video}, VideoUse::reference); }
 
     // --- what is asked -----------------------------------------------------------------------------------------------
     struct Answer {
@@ -117,6 +128,16 @@ class Files {
     enum class Kind { scene, preset };
     const std::filesystem::path& file(Kind kind) const;
     bool needs_name(Kind kind) const;
+    struct LookedAt {
+        std::string file;
+        UseSuggestion found;
+        std::vector<Fault> faults;  ///< it cannot be looked at
+    };
+    void look_at(const std::vector<std::string>& videos, std::optional<VideoUse> meant);
+    void take_videos(std::vector<LookedAt> videos, std::optional<VideoUse> meant);
+    void ask_use(const std::vector<LookedAt>& videos, std::function<void(std::optional<VideoUse>)> then);
+    void use(const std::vector<std::string>& videos, VideoUse as);
+    void tell_use(const std::vector<std::string>& videos, VideoUse as, const std::string& reason);
     /// False: there is unsaved work that would go; it is asked, and open() called again after the answer.
     bool ready_to_open(const std::vector<std::string>& files);
     /// What was opened becomes the document; asks first when it is open in another editor.
@@ -147,6 +168,7 @@ class Files {
 
     Parts parts_;
     std::optional<Question> question_;
+    std::vector<Then> after_question_;  ///< what has come meanwhile and may ask, too
     std::uint64_t serial_ = 0;
     bool agreed_ = false, lock_told_ = false, closed_ = false;
     std::optional<document::Lock> locks_[2];

@@ -1,19 +1,16 @@
-// The part of Files that opens documents, organs and videos, and asks before they replace others.
+// The part of Files that opens documents and organs, and asks before they replace others.
 #include <algorithm>
 
 #include "app/base/editor_options.h"
 #include "app/base/file_chooser.h"
 #include "app/base/file_filters.h"
 #include "app/base/file_words.h"
-#include "app/base/layouts.h"
 #include "app/base/notices.h"
 #include "app/base/settings.h"
-#include "app/clips/clip_shelf.h"
 #include "app/files/autosave.h"
 #include "app/files/files.h"
 #include "app/files/organ_choice.h"
 #include "app/preview/looking.h"
-#include "app/reference/reference.h"
 
 namespace lapfx::app {
 
@@ -64,13 +61,17 @@ void Files::open(const std::vector<std::string>& files) {
     if (!ready_to_open(files)) return;
     const document::Document& d = parts_.document;
     Opened opened{.content = d.content(), .scene_file = d.scene_file(), .preset_file = d.preset_file(), .warnings = {}};
+    std::vector<std::string> videos, others = files;
     try {
-        open_files(opened, files);
+        videos = open_files(opened, files);
     } catch (const Error& error) {
         parts_.settings.forget_missing(files);
         return parts_.notices.tell(error);
     }
-    put(std::move(opened), files);
+    std::erase_if(
+        others, [&](const std::string& file) { return std::find(videos.begin(), videos.end(), file) != videos.end(); });
+    if (!others.empty()) put(std::move(opened), others);
+    if (!videos.empty()) bring_videos(videos);
 }
 
 void Files::bring(const std::vector<std::string>& files) {
@@ -90,7 +91,7 @@ void Files::bring(const std::vector<std::string>& files) {
     if (organs.size() > 1)
         parts_.notices.add(
             {.kind = ui::ToastKind::warning, .text = "A scene has one organ: the first of them is opened"});
-    if (!videos.empty()) ask_use(videos);
+    if (!videos.empty()) bring_videos(videos);
 }
 
 void Files::recover(std::size_t offer) {
@@ -134,27 +135,6 @@ void Files::put(Opened opened, const std::vector<std::string>& files) {
     const auto go_on = [this, shared, files, kinds] { become(std::move(*shared), files, kinds); };
     if (used.empty()) return go_on();
     ask_in_use(used, names, go_on, [this] { relock(); });
-}
-
-void Files::ask_use(const std::vector<std::string>& videos) {
-    const bool one = videos.size() == 1;
-    const auto clips = [this, videos] {
-        parts_.layouts.bring_to_front("Clips");
-        parts_.clips.add(videos);
-    };
-    const auto reference = [this, video = videos.front()] {
-        parts_.layouts.bring_to_front("Reference");
-        parts_.reference.choose(video);
-    };
-    ask({.title = one ? "What is " + in_marks(videos.front()) + '?' : "What are these videos?",
-         .text = "Smoke on a plain background becomes a clip of the preset. A surgery video becomes the reference, "
-                 "with which the preview is compared.",
-         .answers = {{.label = one ? "Smoke clip" : "Smoke clips",
-                      .tip = "Adds to the clips of the preset",
-                      .act = clips,
-                      .standard = true},
-                     {.label = "Reference", .tip = "Compares the preview with the first of them", .act = reference},
-                     {.label = "Cancel", .cancel = true}}});
 }
 
 void Files::note_opened() {
@@ -204,8 +184,7 @@ void Files::become(Opened opened, const std::vector<std::string>& files, Kinds k
         d.open(std::move(opened.content), opened.scene_file, opened.preset_file);
     } else {
         if (kinds.preset) d.open_preset(opened.content.preset, opened.preset_file);
-        // Organs and clips are changes of the document, which can be undone.
-        if (!kinds.preset && !document::same(opened.content.preset, d.preset())) d.gather_clips(opened.content.preset);
+        // An organ is a change of the document, which can be undone.
         d.change("Open " + fs::path(files.front()).filename().string(),
                  [&](document::Content& c) { c = std::move(opened.content); });
     }

@@ -51,18 +51,10 @@ void open_organ(Opened& opened, const fs::path& file) {
     opened.scene_file.clear();
 }
 
-/// A smoke video becomes the plume; the haze stays, wherever its clips lie.
-void open_clip(Opened& opened, const fs::path& file) {
-    const bool numbered =
-        file.filename().string().find('%') != std::string::npos;  // the preview tells when no such file exists
+void check_exists(const fs::path& file) {
+    const bool numbered = file.filename().string().find('%') != std::string::npos;  // told when none is found
     if (!numbered && !fs::exists(file))
         throw Error(Failure::bad_input, Fault{.file = file.string(), .place = "", .reason = "no such file"});
-    Preset& preset = opened.content.preset;
-    auto& clips = preset.smoke.clips;
-    std::erase_if(clips, [](const SmokeClip& clip) { return clip.role == ClipRole::plume; });
-    clips.insert(clips.begin(), {.file = fs::absolute(file).lexically_normal().string()});
-    document::gather_clips(preset, preset.folder, {});
-    opened.preset_file.clear();
 }
 
 }  // namespace
@@ -97,8 +89,8 @@ Opened open_sample(const fs::path& data_folder) {
     return opened;
 }
 
-void open_files(Opened& opened, const std::vector<std::string>& files) {
-    std::vector<std::string> presets, organs, clips;
+std::vector<std::string> open_files(Opened& opened, const std::vector<std::string>& files) {
+    std::vector<std::string> presets, organs, videos;
     for (const std::string& file : files) {
         switch (kind_of(file)) {
             case FileKind::scene:
@@ -111,12 +103,13 @@ void open_files(Opened& opened, const std::vector<std::string>& files) {
                 organs.push_back(file);
                 break;
             default:
-                clips.push_back(file);
+                check_exists(file);
+                videos.push_back(file);
         }
     }
     for (const std::string& file : presets) open_preset(opened, file);
     for (const std::string& file : organs) open_organ(opened, file);
-    for (const std::string& file : clips) open_clip(opened, file);
+    return videos;
 }
 
 }  // namespace lapfx::app

@@ -30,9 +30,10 @@ struct Opened {
 Opened open_sample(const std::filesystem::path& data_folder);
 
 /// Opens files into `opened`: a scene replaces everything, a preset the preset, an organ the scene's organ (seen from
-/// the front, without events), and a video becomes the plume. The scene is always opened first, in whatever order the
-/// files are named. Throws Error.
-void open_files(Opened& opened, const std::vector<std::string>& files);
+/// the front, without events). The scene is always opened first, in whatever order the files are named. Gives the
+/// videos among them, which exist and are not opened: what they are for is in their pictures (Files::bring_videos).
+/// Throws Error.
+std::vector<std::string> open_files(Opened& opened, const std::vector<std::string>& files);
 
 /// The preset that a scene names; the default one if it names none. Throws Error.
 Preset preset_of(const Scene& scene);

@@ -4,11 +4,15 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <fstream>
 #include <functional>
+#include <opencv2/imgcodecs.hpp>
 
 #include "lapfx/preset.h"
 #include "smoke/keying_pixel.h"
 #include "smoke/keying_survey.h"
+#include "support/clips.h"
+#include "support/folders.h"
 #include "support/known_smoke.h"
 #include "unit/organ/fixtures.h"
 #include "unit/preset/support.h"
@@ -389,6 +393,90 @@ TEST(SuggestKeying, RealClipsAreToldFromWhatKeyingIsNotFor) {
     for (const char* clip : {"fire-smoke-video-augmentation/prep_real_fire_smoke_vid/smoke-2.webm",
                              "fire-smoke-video-augmentation/prep_fire_vid/fire-1.webm"})
         EXPECT_LT(suggest_keying(data / clip).confidence, 0.5) << clip;
+}
+
+class SuggestUse : public testing::Test {
+  protected:
+    test::Folder folder;
+    UseSuggestion used(const std::filesystem::path& file) {
+        const UseSuggestion found = suggest_use(file);
+        EXPECT_FALSE(found.reason.empty());
+        return found;
+    }
+};
+
+TEST_F(SuggestUse, SmokeBeforeAPlainBackgroundIsAClip) {
+    for (const cv::Vec3d& background : {cv::Vec3d(0, 0, 0), cv::Vec3d(40, 170, 30), cv::Vec3d(200, 60, 20)}) {
+        const UseSuggestion found = used(test::write_smoke(folder / "smoke.avi", background));
+        EXPECT_EQ(found.use, VideoUse::smoke) << background << found.reason;
+        EXPECT_TRUE(found.sure) << background << found.reason;
+    }
+    const UseSuggestion white = used(test::write_seen(folder / "soot.avi", [](cv::Point2d at, int frame) {
+        const double away = cv::norm(at - cv::Point2d(48, 60 - 3 * frame)) / 14;
+        return cv::Vec3d::all(250 - 200 * std::exp(-away * away));
+    }));
+    EXPECT_EQ(white.use, VideoUse::smoke) << white.reason;
+    EXPECT_TRUE(white.sure) << white.reason;
+    for (const char* name : {"plume_thick.mp4", "wisps_thin.mp4", "plume_green.mp4"}) {
+        const UseSuggestion found = used(test::source_folder() / "samples/clips" / name);
+        EXPECT_EQ(found.use, VideoUse::smoke) << name << found.reason;
+        EXPECT_TRUE(found.sure) << name << found.reason;
+    }
+}
+
+TEST_F(SuggestUse, OpacityOfItsOwnIsAClipWhateverItShows) {
+    cv::Mat image(64, 96, CV_8UC4, cv::Scalar(20, 30, 220, 255));
+    image(cv::Rect(20, 20, 30, 30)) = cv::Scalar(200, 200, 200, 160);
+    ASSERT_TRUE(cv::imwrite((folder / "own.png").string(), image));
+    const UseSuggestion found = used(folder / "own.png");
+    EXPECT_EQ(found.use, VideoUse::smoke);
+    EXPECT_TRUE(found.sure);
+    EXPECT_THAT(found.reason, HasSubstr("its own opacity"));
+}
+
+TEST_F(SuggestUse, TissueAllOverIsAReferenceAlsoInsideASurround) {
+    const auto tissue = [](cv::Point2d at, int frame) {
+        return cv::Vec3d(60, 70, 190) * (0.75 + 0.25 * std::sin(0.3 * at.x + 0.4 * frame) * std::cos(0.23 * at.y));
+    };
+    const auto hazy = [&](cv::Point2d at, int frame) {
+        return tissue(at, frame) * 0.5 + cv::Vec3d(180, 180, 180) * 0.5;
+    };
+    const std::filesystem::path seen[] = {
+        test::write_surgery(folder / "round.avi"), test::write_seen(folder / "whole.avi", tissue),
+        test::write_seen(folder / "hazy.avi", hazy), test::source_folder() / "samples/reference/operation.mp4"};
+    for (const std::filesystem::path& file : seen) {
+        const UseSuggestion found = used(file);
+        EXPECT_EQ(found.use, VideoUse::reference) << file << found.reason;
+        EXPECT_TRUE(found.sure) << file << found.reason;
+    }
+}
+
+TEST_F(SuggestUse, WhatIsNeitherIsNotSureAndTheLikelierIsSaid) {
+    const UseSuggestion haze = used(test::source_folder() / "samples/clips/haze_rolling.mp4");
+    EXPECT_EQ(haze.use, VideoUse::smoke);
+    EXPECT_FALSE(haze.sure) << haze.reason;
+    const UseSuggestion flat = used(test::write_clip(folder / "flat.avi", 10));
+    EXPECT_FALSE(flat.sure) << flat.reason;
+    // Of a room: neither tissue nor strong colours, and hard edges.
+    const UseSuggestion room = used(test::write_seen(folder / "room.avi", [](cv::Point2d at, int frame) {
+        const bool tile = (static_cast<int>(at.x) / 5 + static_cast<int>(at.y) / 5 + frame) % 2 == 0;
+        return tile ? cv::Vec3d(150, 140, 120) : cv::Vec3d(60, 70, 80) + cv::Vec3d::all(at.x);
+    }));
+    EXPECT_EQ(room.use, VideoUse::reference) << room.reason;
+    EXPECT_FALSE(room.sure) << room.reason;
+    const UseSuggestion flame = used(test::write_seen(folder / "flame.avi", [](cv::Point2d at, int frame) {
+        const double away = cv::norm(at - cv::Point2d(48, 50 - 2 * frame)) / 8;
+        return cv::Vec3d(20, 120, 250) * std::exp(-away * away);
+    }));
+    EXPECT_EQ(flame.use, VideoUse::smoke) << flame.reason;
+    EXPECT_FALSE(flame.sure) << flame.reason;
+}
+
+TEST_F(SuggestUse, WhatIsNoVideoIsAFault) {
+    std::ofstream(folder / "words.mp4") << "words";
+    EXPECT_THROW(suggest_use(folder / "words.mp4"), Error);
+    const std::atomic<bool> stop = true;
+    EXPECT_THROW(suggest_use(test::write_surgery(folder / "stopped.avi"), &stop), Error);
 }
 
 }  // namespace

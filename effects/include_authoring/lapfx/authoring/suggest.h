@@ -4,6 +4,8 @@
 //     if (found.confidence > 0.5) found.apply(clip);
 //     else log(found.reason);
 //
+// What a video is for at all is told by suggest_use(): the editor asks it about files that are dropped or named.
+//
 // How it decides: effects/smoke/keying_survey.h. Any thread; no GL.
 #pragma once
 
@@ -54,5 +56,19 @@ struct SourceSuggestion {
 /// as suggested (effects/smoke/find_source.h). Throws Error (bad_input) for what is not a clip. If given, `stop` ends
 /// it early, with Error (runtime) or any place.
 SourceSuggestion suggest_source(const std::filesystem::path& clip, const std::atomic<bool>* stop = nullptr);
+
+enum class VideoUse { reference, smoke };
+
+/// What a video is for: a clip of smoke, or a surgery that the preview is compared with.
+struct UseSuggestion {
+    VideoUse use = VideoUse::reference;  ///< the likelier one
+    bool sure = false;                   ///< otherwise a person should be asked
+    std::string reason;                  ///< what was found, one line for people
+};
+
+/// Looks at about 16 frames of a video, or at an image: smoke has its own opacity, or a plain background of a key
+/// colour, black or white behind it; a surgery fills the picture, perhaps inside the black surround of an endoscope.
+/// Throws Error: bad_input for what is neither video nor image, runtime when `stop` ended it early.
+UseSuggestion suggest_use(const std::filesystem::path& video, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace lapfx
