@@ -80,14 +80,18 @@ std::vector<HelpSection> preset_sections() {
               "values out of range are faults, and `lapfx check` prints all of them. `lapfx migrate` writes every key "
               "out.",
               "Blood: speed (mm/s) and max_extent (mm) are what the picture shows, on every mesh and at every frame "
-              "rate. Edges longer than 4.5 mm are split before anything bleeds or burns; tissue that nothing has "
+              "rate. Edges longer than 2 mm are split before anything bleeds or burns; tissue that nothing has "
               "happened to is still drawn with the triangles of the file.",
               "Vessels: density is found in the textures or vertex colours of the organ. A cut bleeds where the "
               "density around the tip reaches vessel_threshold, and more where it is higher (vessel_strength). "
               "Vessels that are redder than the tissue around them are found on any organ; for blue and pale ones "
               "set vessel_color and vessel_tolerance. Where an organ shows no vessels, such as one of a single "
               "colour, every cut bleeds equally, and `lapfx inspect` says so.",
-              "Heat: at their defaults the models radial and bioheat burn equally.",
+              "Heat: what several tools give at one place adds; nothing cold undoes a burn; a wound is there once. A "
+              "hot tool "
+              "closes a wound whose tissue is between the coagulation and the cut temperature, unless its own heat was "
+              "there when the wound opened. At their defaults the models radial and bioheat burn equally: the burnt "
+              "areas are within 20 % from 0.5 to 8 s at powers from 0.3 to 1.",
               "Smoke: clips are videos of smoke on a plain background, and keying says what in a frame is smoke. A "
               "preset without clips makes no smoke. `lapfx inspect --keying` suggests keying for a clip. crop, masks "
               "and edge_fade leave out bars, logos and hard edges."},

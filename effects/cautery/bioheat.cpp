@@ -226,8 +226,7 @@ void Bioheat::advance(const Track& track) {
     record_peaks();
     divide(track, from);
     if (step_ > furthest_) {
-        std::stable_sort(opened_.begin(), opened_.end(),
-                         [](const Division& a, const Division& b) { return a.wound.start < b.wound.start; });
+        std::sort(opened_.begin(), opened_.end(), opens_before);
         // A wound that is closed in a step does not count for one that opens in it, which can be closed in the next
         // step.
         close_wounds(track, from);
@@ -245,7 +244,7 @@ void Bioheat::heat_under(const Stay& stay, const glm::dvec3& tip, double from, d
     if (!(centre.distance <= farthest_touch)) return;
     // Coagulation holds its temperature: it heats only while the tissue under it is below.
     if (stay.contact.action == ToolAction::coagulate &&
-        heat_.rise_at(centre, heat_.field().now) >= highest_rise(stay.contact, parameters_))
+        heat_.rise_at(centre, heat_.field().now) >= gentle_rise(parameters_))
         return;
     surface_.points_within(centre.position, source_reach * parameters_.tip_radius, near_);
     for (const std::uint32_t p : near_) {
@@ -295,10 +294,11 @@ void Bioheat::divide(const Track& track, double from) {
         }
         if (!place.wound || step_ <= furthest_) continue;
         const ToolContact& contact = track.stays()[pending.stay].contact;
+        const double start = std::max(crossing(before, after, wanted, from), place.arrival);
         opened_.push_back({.wound = {.position = place.point.position,
-                                     .start = std::max(crossing(before, after, wanted, from), place.arrival),
+                                     .start = start,
                                      .strength = wound_strength(contact, place.point.position, strength_at_)},
-                           .chain = chain,
+                           .tip = track.stays()[tip->stay].contact.tip(start),
                            .by_heat = true});
     }
     pending_.resize(kept);
@@ -313,33 +313,42 @@ void Bioheat::open_cold(const Stay& stay, const Track& track, double from, doubl
             opened_.push_back({.wound = {.position = place->point.position,
                                          .start = place->arrival,
                                          .strength = wound_strength(stay.contact, place->point.position, strength_at_)},
-                               .chain = stay.chain});
+                               .tip = place->tip});
 }
 
 void Bioheat::close_wounds(const Track& track, double from) {
     const double wanted = parameters_.coagulation_temperature - body_temperature;
+    const double cut = parameters_.cut_temperature - body_temperature;
     if (wanted > highest_rise(parameters_)) return;
     const glm::dvec3 reach(source_reach * parameters_.tip_radius + wound_spacing);
     for (const Running& running : running_) {
         const Stay& stay = track.stays()[running.stay];
-        if (!stay.contact.hot()) continue;
+        if (!stay.contact.hot() || !(rise_rate(stay.contact, parameters_) > 0.0)) continue;
         wounds_.find(running.tip - reach, running.tip + reach, near_);
         for (const std::uint32_t w : near_) {
             const Wound wound = wounds_.wounds()[w];
-            if (wound.stop < never) continue;
+            if (wound.stop < never || has_opened(track, stay, w)) continue;
             const SurfacePoint place = surface_.closest_point(wound.position);
             const double after = heat_.rise_at(place, heat_.field().now);
             if (!(after >= wanted)) continue;
+            // Tissue that is hot enough to part does not close.
+            if (after >= cut && cut <= highest_rise(parameters_)) continue;
             const double before = heat_.rise_at(place, heat_.field().before);
             const double closed = std::max(crossing(before, after, wanted, from), stay.contact.time);
-            wounds_.close(w, std::max(closed, wound.start),
-                          {.chain = stay.chain, .divides = divides(stay.contact.action)}, step_);
+            wounds_.close(w, std::max(closed, wound.start), step_);
         }
     }
 }
 
+/// Whether a contact's own heat was there when heat divided the tissue of a wound.
+bool Bioheat::has_opened(const Track& track, const Stay& stay, std::uint32_t wound) const {
+    const Burn burn = wounds_.burn_of(wound);
+    return burn.time < never && divides(stay.contact.action) &&
+           track.is_near(stay.chain, burn.time, burn.tip, parameters_.tip_radius);
+}
+
 double Bioheat::peak(std::uint32_t point) const {
-    return body_temperature + std::min<double>(peak_[point], highest_rise(parameters_));
+    return peak_[point];
 }
 
 double Bioheat::temperature(const SurfacePoint& place) const {

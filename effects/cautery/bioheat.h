@@ -31,7 +31,7 @@ class Bioheat {
 
     /// Degrees Celsius at `place`, at the time of the last seek.
     double temperature(const SurfacePoint& place) const;
-    /// Per point: the hottest that it has been, and 0..1 divided by heat.
+    /// Per point: the highest rise, degrees above the body, not bounded, and 0..1 divided by heat.
     double peak(std::uint32_t point) const;
     double divided(std::uint32_t point) const { return divided_[point]; }
     /// Points whose marks have changed since the last call; valid until the next seek.
@@ -79,6 +79,7 @@ class Bioheat {
     void divide(const Track& track, double from);
     void open_cold(const Stay& stay, const Track& track, double from, double to);
     void close_wounds(const Track& track, double from);
+    bool has_opened(const Track& track, const Stay& stay, std::uint32_t wound) const;
     void record_peaks();
 
     const Surface& surface_;

@@ -7,6 +7,13 @@
 
 namespace lapfx::cautery {
 
+namespace {
+
+/// Degrees below which heat is not kept: no tissue changes.
+constexpr double least_rise = 2.0;
+
+}  // namespace
+
 Cautery::Cautery(const Surface& surface, StrengthAt strength_at)
     : surface_(surface),
       strength_at_(std::move(strength_at)),
@@ -17,7 +24,8 @@ Cautery::Cautery(const Surface& surface, StrengthAt strength_at)
       point_vertices_(surface.weld.size()),
       is_dirty_(surface.positions.size(), false),
       marks_(surface.weld.size(), glm::vec2(0.0f)),
-      changed_(surface.weld.size()) {
+      changed_(surface.weld.size()),
+      peaks_(surface.positions.size(), 0.0f) {
     settled_.values.assign(surface.positions.size(), glm::vec2(0.0f));
     last_.values = settled_.values;
     for (const std::uint32_t point : surface.weld) ++vertex_start_[point + 1];
@@ -27,8 +35,7 @@ Cautery::Cautery(const Surface& surface, StrengthAt strength_at)
 }
 
 void Cautery::choose_model(const CauteryParameters& parameters) {
-    radial_.truncate(0);
-    radial_.set_parameters(parameters);
+    radial_.reset(parameters);
     if (bioheat_)
         for (const std::uint32_t point : bioheat_->touched()) touch(point);
     const std::uint64_t before = heat_version();
@@ -39,7 +46,7 @@ void Cautery::choose_model(const CauteryParameters& parameters) {
     if (bioheat_) bioheat_->reset(parameters);
     versions_ = before + 1 - list().version();
     parameters_ = parameters;
-    all_stale_ = true;
+    all_stale_ = remeasure_ = true;
 }
 
 void Cautery::set(const tool::Log& log, const CauteryParameters& parameters) {
@@ -47,27 +54,27 @@ void Cautery::set(const tool::Log& log, const CauteryParameters& parameters) {
     std::size_t first = track_.set(log, parameters);
     const std::size_t count = track_.stays().size();
     const double clips_from = clips_.set(track_, first, parameters);
+    double from = track_.same_until();
     if (!(parameters == parameters_) || !chosen_) {
         choose_model(parameters);
         chosen_ = true;
         first = 0;
+        from = -never;
     } else if (first == before && first == count) {
         return;
     }
     if (bioheat_) {
         bioheat_->changed_from(std::min(track_.same_until(), clips_from));
     } else {
+        radial_.truncate(first);
+        for (std::size_t i = first; i < count; ++i) radial_.append(track_, static_cast<std::uint32_t>(i));
         // Earlier clips may decide whether a wound opens.
-        const auto stays = track_.stays();
-        const auto later =
-            std::ranges::partition_point(stays, [&](const Stay& s) { return s.latest_end < clips_from; });
-        const std::size_t from = std::min(first, static_cast<std::size_t>(later - stays.begin()));
-        radial_.truncate(from);
-        for (std::size_t i = from; i < count; ++i) radial_.append(track_, static_cast<std::uint32_t>(i));
+        radial_.resolve(track_, std::min(from, clips_from));
     }
     seal();
-    // Only the marks of the last contact can be removed.
-    if (first + 1 < before || count < before) all_stale_ = true;
+    // Only the marks of the last contact can be removed, and heat adds: it changes what others do at the same time.
+    const bool beside = first > 0 && first < count && track_.stays()[first - 1].latest_end > from && from < updated_;
+    if (first + 1 < before || count < before || beside) all_stale_ = true;
     last_stale_ = true;
     if (all_stale_) return;
     for (std::size_t i = std::min(first, before > 0 ? before - 1 : 0); i + 1 < count; ++i)
@@ -147,18 +154,14 @@ void Cautery::contribute(std::uint32_t number, double time, Layer& layer) {
         return;
     }
     if (!stay.contact.hot() || bioheat_) return;
-    // Heat that does not cook leaves no mark.
-    const double least = std::max(parameters_.coagulation_temperature - body_temperature, 0.5);
-    radial_.bells(number, time, bells_);
+    radial_.bells(track_, number, time, bells_);
     for (const Bell& bell : bells_) {
         if (bell.divided) divide_around(bell.position, stay.contact.action, layer);
-        if (!(bell.rise > least)) continue;
-        surface_.points_within(bell.position, bell.radius * std::sqrt(std::log(bell.rise / least)), near_);
+        if (!(bell.rise > least_rise)) continue;
+        surface_.points_within(bell.position, bell.radius * std::sqrt(std::log(bell.rise / least_rise)), near_);
         work_ += near_.size();
-        for (const std::uint32_t point : near_) {
-            const double peak = body_temperature + bell.at(surface_.positions[point]);
-            raise(layer, point, {static_cast<float>(char_of(peak, parameters_)), 0.0f});
-        }
+        for (const std::uint32_t point : near_)
+            raise(layer, point, {static_cast<float>(bell.at(surface_.positions[point])), 0.0f});
     }
 }
 
@@ -171,12 +174,12 @@ void Cautery::divide_around(const glm::dvec3& place, ToolAction action, Layer& l
     }
 }
 
-void Cautery::raise(Layer& layer, std::uint32_t point, glm::vec2 mark) {
-    glm::vec2& value = layer.values[point];
-    const glm::vec2 higher = glm::max(value, mark);
-    if (higher == value) return;
-    if (value == glm::vec2(0.0f)) layer.points.push_back(point);
-    value = higher;
+void Cautery::raise(Layer& layer, std::uint32_t point, glm::vec2 value) {
+    glm::vec2& known = layer.values[point];
+    const glm::vec2 higher = glm::max(known, value);
+    if (higher == known) return;
+    if (known == glm::vec2(0.0f)) layer.points.push_back(point);
+    known = higher;
     touch(point);
 }
 
@@ -190,12 +193,16 @@ void Cautery::publish() {
     for (const std::uint32_t point : dirty_) {
         is_dirty_[point] = false;
         glm::vec2 mark = glm::max(settled_.values[point], last_.values[point]);
-        if (bioheat_) {
-            const auto charred = static_cast<float>(char_of(bioheat_->peak(point), parameters_));
-            mark = glm::max(mark, {charred, static_cast<float>(bioheat_->divided(point))});
+        if (bioheat_)
+            mark = glm::max(mark,
+                            {static_cast<float>(bioheat_->peak(point)), static_cast<float>(bioheat_->divided(point))});
+        if (mark.x != peaks_[point] || remeasure_) {
+            peaks_[point] = mark.x;
+            reheated_.push_back(point);
         }
+        const double peak = body_temperature + std::min<double>(mark.x, highest_rise(parameters_));
+        mark.x = static_cast<float>(char_of(peak, parameters_));
         const std::uint32_t first = vertex_start_[point];
-        if (first < vertex_start_[point + 1] && marks_[point_vertices_[first]].x != mark.x) recharred_.push_back(point);
         for (std::uint32_t i = first; i < vertex_start_[point + 1]; ++i) {
             const std::uint32_t vertex = point_vertices_[i];
             if (marks_[vertex] == mark) continue;
@@ -204,16 +211,20 @@ void Cautery::publish() {
         }
     }
     dirty_.clear();
+    remeasure_ = false;
     measure_burnt();
 }
 
+/// The logarithm of a bell of heat has no kinks and no shoulders, as char has; between points it is taken as linear.
 void Cautery::measure_burnt() {
-    if (recharred_.empty()) return;
+    if (reheated_.empty()) return;
     burnt_at_.resize(surface_.triangles.size(), 0);
+    const double wanted = std::max(parameters_.char_temperature - body_temperature, least_rise);
+    const double highest = highest_rise(parameters_);
     const auto beyond = [&](std::uint32_t point) {
-        return static_cast<double>(marks_[point_vertices_[vertex_start_[point]]].x) - browned;
+        return std::log(std::clamp<double>(peaks_[point], least_rise, std::max(highest, least_rise)) / wanted);
     };
-    for (const std::uint32_t point : recharred_)
+    for (const std::uint32_t point : reheated_)
         for (const std::uint32_t t : surface_.triangles_at(point)) {
             const auto& corners = surface_.triangles[t];
             const double share = organ::above_zero(beyond(corners[0]), beyond(corners[1]), beyond(corners[2])).share;
@@ -221,7 +232,7 @@ void Cautery::measure_burnt() {
             burnt_ += now - burnt_at_[t];
             burnt_at_[t] = now;
         }
-    recharred_.clear();
+    reheated_.clear();
 }
 
 double Cautery::temperature(const glm::dvec3& place, double time) {

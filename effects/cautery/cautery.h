@@ -65,7 +65,8 @@ class Cautery {
     std::uint64_t work() const { return track_.work() + radial_.work() + work_; }
 
   private:
-    /// Marks per point of the surface, and the points where there are any.
+    /// Per point of the surface the highest rise in degrees and how far it is divided, and the points where there is
+    /// any.
     struct Layer {
         std::vector<glm::vec2> values;
         std::vector<std::uint32_t> points;
@@ -78,7 +79,7 @@ class Cautery {
     void seal();
     void clear(Layer& layer);
     void contribute(std::uint32_t contact, double time, Layer& layer);
-    void raise(Layer& layer, std::uint32_t point, glm::vec2 mark);
+    void raise(Layer& layer, std::uint32_t point, glm::vec2 value);
     void divide_around(const glm::dvec3& place, ToolAction action, Layer& layer);
     void touch(std::uint32_t point);
     void publish();
@@ -112,8 +113,10 @@ class Cautery {
     // In whole units, so that the sum does not depend on the order of changes.
     static constexpr double burnt_unit = 1e-6;  // mm2
     std::int64_t burnt_ = 0;
-    std::vector<std::int64_t> burnt_at_;    // per triangle; empty until something is burnt
-    std::vector<std::uint32_t> recharred_;  // points whose char has changed
+    std::vector<std::int64_t> burnt_at_;   // per triangle; empty until something is burnt
+    std::vector<float> peaks_;             // per point: the highest rise, degrees
+    std::vector<std::uint32_t> reheated_;  // points where it has changed
+    bool remeasure_ = true;                // all of them count as changed
 
     std::vector<Bell> bells_;
     std::vector<std::uint32_t> near_;

@@ -42,10 +42,9 @@ inline double highest_rise(const CauteryParameters& c) noexcept {
     return c.maximum_temperature > body_temperature ? c.maximum_temperature - body_temperature : 0.0;
 }
 
-/// Highest rise that a contact makes. Coagulation is gentle: it ends half way between the coagulation and the char
+/// Highest rise that coagulation makes. It is gentle: it heats only up to half way between the coagulation and the char
 /// temperature, so that tissue blanches and does not char.
-inline double highest_rise(const ToolContact& contact, const CauteryParameters& c) noexcept {
-    if (contact.action != ToolAction::coagulate) return highest_rise(c);
+inline double gentle_rise(const CauteryParameters& c) noexcept {
     return std::min(highest_rise(c), 0.5 * (c.coagulation_temperature + c.char_temperature) - body_temperature);
 }
 

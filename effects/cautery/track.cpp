@@ -42,6 +42,16 @@ std::size_t Track::set(const tool::Log& log, const CauteryParameters& parameters
     return first;
 }
 
+bool Track::is_near(std::uint32_t chain, double time, const glm::dvec3& tip, double radius) const {
+    auto i = std::partition_point(stays_.begin(), stays_.end(), [&](const Stay& s) { return s.contact.time <= time; });
+    while (i != stays_.begin() && (i - 1)->latest_end >= time) {
+        --i;
+        if (i->chain == chain && i->contact.end() >= time && glm::distance(i->contact.tip(time), tip) <= radius)
+            return true;
+    }
+    return false;
+}
+
 void Track::append(const tool::Piece& piece) {
     const ToolContact& contact = piece.contact;
     const auto number = static_cast<std::uint32_t>(stays_.size());

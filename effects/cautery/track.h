@@ -50,6 +50,8 @@ class Track {
     std::span<const Place> places_of(const Stay& stay) const {
         return std::span(places_).subspan(stay.first_place, stay.end_place - stay.first_place);
     }
+    /// Whether the tip of this stroke is within `radius` mm of `tip` at a time at which the stroke runs.
+    bool is_near(std::uint32_t chain, double time, const glm::dvec3& tip, double radius) const;
     /// mm between places: a whole fraction of the spacing of wounds.
     double spacing() const { return spacing_; }
     /// The time up to which the last set() has not changed what the tips did.

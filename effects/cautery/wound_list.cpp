@@ -1,8 +1,18 @@
 #include "cautery/wound_list.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace lapfx::cautery {
+
+bool opens_before(const Division& a, const Division& b) {
+    const auto order = [](const Division& d) {
+        const Wound& w = d.wound;
+        return std::tuple(w.start, -w.strength, !d.by_heat, w.position.x, w.position.y, w.position.z, d.tip.x, d.tip.y,
+                          d.tip.z);
+    };
+    return order(a) < order(b);
+}
 
 double WoundList::closed_at(const Wound& wound) const {
     return sealed_at_ ? std::min(wound.stop, sealed_at_(wound.position)) : wound.stop;
@@ -10,6 +20,7 @@ double WoundList::closed_at(const Wound& wound) const {
 
 bool WoundList::add(const Division& division, std::int64_t key) {
     const Wound& wound = division.wound;
+    stands_for_ = none;
     if (!(wound.strength > 0.0)) return false;
     const glm::dvec3 reach(closest);
     grid_.find(wound.position - reach, wound.position + reach, near_);
@@ -18,9 +29,10 @@ bool WoundList::add(const Division& division, std::int64_t key) {
         if (!(glm::distance(other.position, wound.position) < closest) || other.start > wound.start ||
             other.strength < wound.strength || wound.start >= closed_at(other))
             continue;
-        if (division.by_heat && chains_[i] != division.chain) {
-            takings_.push_back({key, i, chains_[i]});
-            chains_[i] = division.chain;
+        stands_for_ = i;
+        if (division.by_heat) {
+            burnings_.push_back({key, i, burns_[i]});
+            burns_[i] = {.time = wound.start, .tip = division.tip};
         }
         return false;
     }
@@ -30,14 +42,13 @@ bool WoundList::add(const Division& division, std::int64_t key) {
     }
     grid_.insert(static_cast<std::uint32_t>(wounds_.size()), wound.position, wound.position);
     wounds_.push_back(wound);
-    chains_.push_back(division.chain);
+    burns_.push_back(division.by_heat ? Burn{.time = wound.start, .tip = division.tip} : Burn{});
     added_.push_back(key);
     ++version_;
     return true;
 }
 
-bool WoundList::close(std::uint32_t wound, double stop, const Heater& heater, std::int64_t key) {
-    if (heater.divides && chains_[wound] == heater.chain) return false;
+bool WoundList::close(std::uint32_t wound, double stop, std::int64_t key) {
     double& current = wounds_[wound].stop;
     if (!(stop < current)) return false;
     closings_.push_back({key, wound, current});
@@ -52,14 +63,14 @@ void WoundList::truncate(std::int64_t key) {
         closings_.pop_back();
         ++version_;
     }
-    while (!takings_.empty() && takings_.back().key >= key) {
-        chains_[takings_.back().wound] = takings_.back().before;
-        takings_.pop_back();
+    while (!burnings_.empty() && burnings_.back().key >= key) {
+        burns_[burnings_.back().wound] = burnings_.back().before;
+        burnings_.pop_back();
     }
     while (!added_.empty() && added_.back() >= key) {
         const glm::dvec3 place = wounds_.back().position;
         wounds_.pop_back();
-        chains_.pop_back();
+        burns_.pop_back();
         added_.pop_back();
         grid_.remove(static_cast<std::uint32_t>(wounds_.size()), place, place);
         ++version_;

@@ -1,9 +1,10 @@
-// Wounds as they open and close, with undo: every event has a key (the number of a contact, or of a time step), keys
+// Wounds as they open and close, with undo: every event has a key (the number of an event, or of a time step), keys
 // only grow, and everything from a key on can be undone. One thread at a time.
 //
 // The result of a division does not depend on earlier wounds: an open wound that is at least as strong counts for a new
-// one at its place, and then bleeds as long as the new one would have. Therefore the events at a place are added in the
-// order of time, and a wound that heat has closed, or that a clip holds, does not count for later ones.
+// one at its place, and then bleeds as long as the new one would have. Therefore events are added in the order of time,
+// and at one time in the order of opens_before; a wound that heat has closed, or that a clip holds, does not count for
+// later ones.
 #pragma once
 
 #include <cstdint>
@@ -12,28 +13,33 @@
 #include <vector>
 
 #include "cautery/grid.h"
+#include "cautery/heat.h"
 #include "lapfx/wound.h"
 
 namespace lapfx::cautery {
 
-/// A wound as a tool opens it. A chain is a run of contacts that continue each other (track.h).
+/// A wound as a tool opens it.
 struct Division {
     Wound wound;
-    std::uint32_t chain = 0;
+    glm::dvec3 tip{0.0};  ///< where the tool's tip is then
     bool by_heat = false;
 };
+/// In the order of their start; of several at one time the strongest first, since it stands for the others. No two
+/// different ones are equal, so that the order does not depend on that of a file.
+bool opens_before(const Division& a, const Division& b);
 /// The time, s, from which a clip holds a place of the surface; never: none does.
 using SealedAt = std::function<double(const glm::dvec3& place)>;
-/// The heat that closes wounds. Heat that divides does not close its own cut.
-struct Heater {
-    std::uint32_t chain = 0;
-    bool divides = false;
+/// When heat has last divided the tissue of a wound, and where the tip was. Never: cold tools have opened it.
+struct Burn {
+    double time = never;
+    glm::dvec3 tip{0.0};
 };
 
 class WoundList {
   public:
     static constexpr std::size_t most = 4096;
     static constexpr double closest = 1.0;  ///< mm
+    static constexpr std::uint32_t none = 0xffffffff;
 
     /// `sealed_at` may be empty: there are no clips. Where it answers otherwise than before, what was added is to be
     /// truncated.
@@ -47,11 +53,14 @@ class WoundList {
     std::uint64_t version() const { return version_; }
 
     /// False when there is no new wound: it has no strength, there are too many, or it is closer than `closest` to a
-    /// wound that is open at its start and at least as strong. That wound counts for it, and belongs to the heat if
-    /// heat has divided the tissue.
+    /// wound that is open at its start and at least as strong. That wound counts for it: if heat has divided the
+    /// tissue, burn_of() is this burn from now on, and stands_for() its number.
     bool add(const Division& division, std::int64_t key);
-    /// Closes a wound at `stop`. False if it closes earlier, or belongs to the heater.
-    bool close(std::uint32_t wound, double stop, const Heater& heater, std::int64_t key);
+    /// The wound that counts for the last one that was not added because of it; none: another reason.
+    std::uint32_t stands_for() const { return stands_for_; }
+    Burn burn_of(std::uint32_t wound) const { return burns_[wound]; }
+    /// Closes a wound at `stop`. False if it closes earlier.
+    bool close(std::uint32_t wound, double stop, std::int64_t key);
     /// Undoes everything from `key` on.
     void truncate(std::int64_t key);
 
@@ -66,21 +75,23 @@ class WoundList {
         std::uint32_t wound;
         double before;
     };
-    struct Taking {
+    struct Burning {
         std::int64_t key;
-        std::uint32_t wound, before;
+        std::uint32_t wound;
+        Burn before;
     };
     double closed_at(const Wound& wound) const;
 
     SealedAt sealed_at_;
     std::vector<Wound> wounds_;
-    std::vector<std::uint32_t> chains_;  // per wound: who divided there last, heat before cold
-    std::vector<std::int64_t> added_;    // key per wound
+    std::vector<Burn> burns_;          // per wound
+    std::vector<std::int64_t> added_;  // key per wound
     std::vector<Closing> closings_;
-    std::vector<Taking> takings_;
+    std::vector<Burning> burnings_;
     std::vector<std::int64_t> left_out_;
     Grid grid_{4.0};
     std::vector<std::uint32_t> near_;
+    std::uint32_t stands_for_ = none;
     std::uint64_t version_ = 0;
 };
 

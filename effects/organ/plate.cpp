@@ -12,7 +12,7 @@ namespace {
 /// `farthest` radii on.
 constexpr double fall = 0.3, farthest = 1.5;
 constexpr double beyond = 0.01;            // share of the picture by which the surface reaches over each of its edges
-constexpr double cell = 2.0;               // mm: a small pool is then within 2 % of its area
+constexpr double cell = 1.3;               // mm: a small pool is then within 2 % of its area
 constexpr double fewest = 24, most = 300;  // cells a side
 
 glm::dmat4 to_camera(const SceneCamera& camera) {

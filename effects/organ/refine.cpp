@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include "lapfx/authoring/organ_report.h"
@@ -50,11 +51,15 @@ Pattern pattern_of(const Corners& p, const std::array<bool, 3>& split) {
     return {3, {{{k, ki, jk}, {i, j, ki}, {j, jk, ki}}}};
 }
 
-/// An edge without a float between its ends cannot be split: neighbouring floats far from the origin, infinity.
+/// An edge of a few times the distance between floats there is not split: rounding would make pieces as long as it, and
+/// there would be no end. Nor is one of infinite length.
 bool too_long(const glm::vec3& a, const glm::vec3& b, double limit) {
-    if (!(squared(a, b) > limit)) return false;
-    const glm::vec3 m = middle(a, b);
-    return m != a && m != b && squared(a, m) < squared(a, b) && squared(b, m) < squared(a, b);
+    constexpr double few = 32.0;
+    const glm::vec3 most = glm::max(glm::abs(a), glm::abs(b));
+    const double far = std::max({most.x, most.y, most.z});
+    const double least = few * far * std::numeric_limits<float>::epsilon();
+    const double length2 = squared(a, b);
+    return length2 > limit && length2 > least * least;
 }
 
 std::array<bool, 3> long_edges(const Corners& p, double limit) {

@@ -8,9 +8,9 @@
 
 namespace lapfx::organ {
 
-/// Edges longer than this are split, mm: a lobe of the noise at the edge of the blood, by default. A pool of 6 mm is
-/// then within 2 % of its area on a mesh of any fineness.
-constexpr double longest_wanted = 4.5;
+/// Edges longer than this are split, mm: about the radius of a burn of one second, by default, and half a lobe of the
+/// noise at the edge of the blood.
+constexpr double longest_wanted = 2.0;
 /// At most this many triangles are added. An organ needs fewer; a room or a wrong unit would need more.
 constexpr std::size_t most_added = 400'000;
 

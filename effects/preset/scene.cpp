@@ -356,7 +356,11 @@ constexpr Table scene_tables[] = {
     table<&Scene::camera>("camera", "Camera", "The endoscope.", {camera_rows, {}, camera_rules}),
     table<&Scene::light>("light", "Light", "The endoscope's lamp, at the camera.", {light_rows}),
     again(redo::amounts,
-          list<&Scene::events, most_events>("events", "Events", "What the tool does, in any order.", {event_rows})),
+          list<&Scene::events, most_events>(
+              "events", "Events",
+              "What the tool does, in any order. The heat of several tools at one place adds; nothing cold undoes a "
+              "burn; a wound is there once.",
+              {event_rows})),
     again(redo::amounts,
           table<&Scene::curves>("curves", "Curves", "Factors over the scene's time.", {{}, curve_tables})),
     table<&Scene::reference>("reference", "Reference", "The surgery video to match.",

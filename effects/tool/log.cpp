@@ -8,6 +8,16 @@
 
 namespace lapfx::tool {
 
+namespace {
+
+/// By time; what begins at the same time by what it does, so that the order of a file means nothing.
+auto order_of(const ToolContact& c) {
+    return std::tuple(c.time, c.action, c.duration, -c.power, -c.strength, c.position.x, c.position.y, c.position.z,
+                      c.to.x, c.to.y, c.to.z);
+}
+
+}  // namespace
+
 void Log::set_power(std::span<const CurvePoint> points) {
     if (FactorCurve(points, 1.0) == power_.curve()) return;
     power_ = PowerCurve(points);
@@ -49,9 +59,7 @@ std::size_t Log::keep(std::size_t same) {
 /// Adds the entries that are missing; gives the number of the first entry whose place has changed.
 std::size_t Log::append(std::span<const ToolContact> contacts) {
     const std::size_t former = entries_.size();
-    const auto earlier = [](const Entry& a, const Entry& b) {
-        return std::tie(a.contact.time, a.given) < std::tie(b.contact.time, b.given);
-    };
+    const auto earlier = [](const Entry& a, const Entry& b) { return order_of(a.contact) < order_of(b.contact); };
     for (std::size_t i = usable_before_.size(); i < contacts.size(); ++i) {
         usable_before_.push_back(static_cast<std::uint32_t>(entries_.size()));
         const auto contact = usable(contacts[i]);

@@ -1,5 +1,5 @@
-// What the tool has done: one log of strokes in the order of their times. Heat, wounds, blood and smoke are computed
-// from it.
+// What the tool has done: one log of strokes in the order of their times, and of their values where times are equal, so
+// that the order in which contacts are given means nothing. Heat, wounds, blood and smoke are computed from it.
 //
 //     log.update(contacts, same);                        // the first `same` of them are as they were
 //     ...

@@ -14,8 +14,8 @@ struct CauteryParameters {
     double cut_temperature = 180.0;
     double coagulation_temperature = 60.0;
     double char_temperature = 150.0;
-    double heat_spread = 0.2;
-    double cooling_time = 4.0;
+    double heat_spread = 0.5;
+    double cooling_time = 4.4;
     double maximum_temperature = 400.0;
     double diffusivity = 0.13;
     double perfusion = 0.02;

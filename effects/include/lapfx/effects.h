@@ -16,7 +16,7 @@
 //     effects.bind_bleeding();  // then draw, instead of draw_organ
 //     effects.draw_metal_clips(view);
 //
-// samples/host/host.cpp is a whole program that does so. It draws refine(organ): where triangles are longer than 4.5 mm
+// samples/host/host.cpp is a whole program that does so. It draws refine(organ): where triangles are longer than 2 mm
 // (refine.h), Effects splits them for itself.
 //
 // Lengths mm, times s, organ space = the space of Organ::positions. One thread: that of the context. Constructor and

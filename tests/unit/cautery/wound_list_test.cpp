@@ -107,18 +107,29 @@ INSTANTIATE_TEST_SUITE_P(Models, Divisions, testing::Values(HeatModel::radial, H
                              return std::string(model.param == HeatModel::radial ? "radial" : "bioheat");
                          });
 
-TEST(WoundList, AnOpenWoundThatStandsForAHotDivisionIsTheHeatsOwn) {
+TEST(WoundList, AnOpenWoundThatStandsForAHotDivisionIsThatBurnFromThenOn) {
     WoundList list;
-    EXPECT_TRUE(list.add({.wound = {.start = 0.0}, .chain = 1}, 1));
-    EXPECT_FALSE(list.add({.wound = {.start = 1.0}, .chain = 2, .by_heat = true}, 2));
-    EXPECT_FALSE(list.close(0, 1.5, {.chain = 2, .divides = true}, 3));
-    EXPECT_EQ(list.wounds()[0].stop, never);
+    EXPECT_TRUE(list.add({.wound = {.start = 0.0}}, 1));
+    EXPECT_EQ(list.burn_of(0).time, never);
+    EXPECT_FALSE(list.add({.wound = {.start = 1.0}, .tip = beside, .by_heat = true}, 2));
+    EXPECT_EQ(list.stands_for(), 0u);
+    EXPECT_EQ(list.burn_of(0).time, 1.0);
+    EXPECT_EQ(list.burn_of(0).tip, beside);
     list.truncate(2);  // as if the heat had never divided here
-    EXPECT_TRUE(list.close(0, 1.5, {.chain = 2, .divides = true}, 2));
-    list.truncate(2);
-    EXPECT_FALSE(list.add({.wound = {.start = 1.0}, .chain = 2, .by_heat = true}, 2));
-    EXPECT_TRUE(list.close(0, 1.5, {.chain = 3, .divides = true}, 3)) << "but not another tool's";
-    EXPECT_TRUE(list.add({.wound = {.start = 1.6}, .chain = 4}, 4)) << "a closed wound stands for nothing";
+    EXPECT_EQ(list.burn_of(0).time, never);
+    EXPECT_TRUE(list.close(0, 1.5, 2));
+    EXPECT_FALSE(list.close(0, 1.6, 3)) << "it is closed already";
+    EXPECT_TRUE(list.add({.wound = {.start = 1.6}}, 4)) << "a closed wound stands for nothing";
+    EXPECT_EQ(list.stands_for(), WoundList::none);
+}
+
+TEST(WoundList, OfSeveralAtOneTimeTheStrongestComesFirst) {
+    const Division weak{.wound = {.start = 1.0, .strength = 0.5}, .tip = {}, .by_heat = true};
+    const Division strong{.wound = {.start = 1.0, .strength = 0.9}}, early{.wound = {.start = 0.5, .strength = 0.1}};
+    EXPECT_TRUE(opens_before(strong, weak));
+    EXPECT_FALSE(opens_before(weak, strong));
+    EXPECT_TRUE(opens_before(early, strong));
+    EXPECT_FALSE(opens_before(strong, strong));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 /// A plane with a texture of stripes, so that there is a density to be filtered.
 Organ striped() {
-    Organ organ = test::plane(40.0, 20);
+    Organ organ = test::plane(40.0, 40);
     Image image{.width = 64, .height = 64, .pixels = {}, .name = "stripes"};
     for (int i = 0; i < 64 * 64; ++i)
         for (const int value : {i / 4 % 2 == 0 ? 150 : 90, 40, 40, 255})
@@ -102,8 +102,8 @@ TEST(PreparedOrgan, EachByteIsCountedOnce) {
     const Organ& organ = made->organ();
     EXPECT_TRUE(organ.images[0].pixels.empty());
     const std::size_t vertices = organ.positions.size(), triangles = organ.triangle_count();
-    ASSERT_EQ(vertices, 21U * 21);
-    ASSERT_EQ(triangles, 2U * 20 * 20) << "it is not split";
+    ASSERT_EQ(vertices, 41U * 41);
+    ASSERT_EQ(triangles, 2U * 40 * 40) << "it is not split";
     const std::size_t edges = vertices + triangles - 1;  // Euler
     // Positions, normals, tangents, texture coordinates, colours; corners.
     const std::size_t given = vertices * (12 + 12 + 16 + 8 + 16) + triangles * 12;
