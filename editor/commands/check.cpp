@@ -1,5 +1,6 @@
 // lapfx check: validates presets and scenes, with the files that they name, or prints their schema.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 
 #include "commands/command.h"
@@ -9,6 +10,7 @@
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/smoke_notes.h"
+#include "lapfx/authoring/touch_notes.h"
 #include "lapfx/organ.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
@@ -24,16 +26,25 @@ struct Options {
     std::string schema;
 };
 
-void check_scene(const Scene& scene, const std::string& name) {
+/// Gives what is no fault, and yet not what somebody may have meant.
+std::vector<std::string> check_scene(const Scene& scene, const std::string& name) {
     SceneFiles files(scene, name);
+    std::vector<std::string> notes;
+    const bool smokes = std::ranges::any_of(scene.events, [](const ToolContact& c) { return c.hot(); });
     files.open("/organ/file", scene.organ.file, [&](const auto& file) {
-        load_organ(file, {.scale = scene.organ.scale, .rotation = scene.organ.rotation});
+        notes =
+            touch_notes(load_organ(file, {.scale = scene.organ.scale, .rotation = scene.organ.rotation}), scene.events);
     });
     files.open("/tool/file", scene.tool.file, [&](const auto& file) { load_organ(file, {.scale = scene.tool.scale}); });
-    files.open("/preset", scene.preset,
-               [&](const auto& file) { check_clips(load_preset(file), file.string(), clip_folders()); });
+    files.open("/preset", scene.preset, [&](const auto& file) {
+        const Preset preset = load_preset(file);
+        check_clips(preset, file.string(), clip_folders());
+        if (!smokes) return;
+        for (const std::string& note : smoke_notes(preset.smoke)) notes.push_back("/preset: " + note);
+    });
     files.open("/reference/file", scene.reference.file, [&](const auto& file) { report_clip(file); });
     if (std::vector<Fault> faults = files.take(); !faults.empty()) throw Error(Failure::bad_input, std::move(faults));
+    return notes;
 }
 
 /// Whether a file is named as a schema, as the two beside the shipped presets are. Throws Error (bad_input) for one
@@ -59,12 +70,15 @@ void check_files(const std::vector<std::string>& files) {
                 continue;
             }
             const CheckedDocument found = check_document(file);
-            if (found.kind == "preset") check_clips(load_preset(file), file, clip_folders());
-            if (found.kind == "scene") check_scene(load_scene(file), file);
+            std::vector<std::string> notes;
+            if (found.kind == "preset") {
+                const Preset preset = load_preset(file);
+                check_clips(preset, file, clip_folders());
+                notes = smoke_notes(preset.smoke);
+            }
+            if (found.kind == "scene") notes = check_scene(load_scene(file), file);
             std::cout << file << ": " << found.kind << " \"" << found.name << "\", ok\n";
-            if (found.kind != "preset") continue;
-            for (const std::string& note : smoke_notes(load_preset(file).smoke))
-                std::cerr << "lapfx: note: " << file << ": " << note << '\n';
+            for (const std::string& note : notes) std::cerr << "lapfx: note: " << file << ": " << note << '\n';
         } catch (const Error& error) {
             faults.insert(faults.end(), error.faults().begin(), error.faults().end());
         }

@@ -9,6 +9,7 @@
 #include "lapfx/authoring/organ_report.h"
 #include "lapfx/authoring/preview.h"
 #include "lapfx/authoring/smoke_notes.h"
+#include "lapfx/authoring/touch_notes.h"
 
 namespace lapfx::commands {
 
@@ -62,6 +63,11 @@ void print_plate_note(const Scene& scene, const Preview& preview) {
 void print_smoke_notes(const Scene& scene, const Preset& preset) {
     if (std::none_of(scene.events.begin(), scene.events.end(), [](const ToolContact& c) { return c.hot(); })) return;
     for (const std::string& note : smoke_notes(preset.smoke)) std::cerr << "lapfx: note: " << note << '\n';
+}
+
+void print_touch_notes(const Scene& scene, const Preview& preview) {
+    for (const std::string& note : touch_notes(preview.organ(), scene.events))
+        std::cerr << "lapfx: note: " << note << '\n';
 }
 
 void print_clip_warnings(const Preview& preview) {

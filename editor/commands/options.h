@@ -37,6 +37,8 @@ void print_warnings(const Preview& preview);
 void print_plate_note(const Scene& scene, const Preview& preview);
 /// Prints which smoke will not be visible; nothing if no tool burns.
 void print_smoke_notes(const Scene& scene, const Preset& preset);
+/// Prints which events touch nothing (touch_notes.h).
+void print_touch_notes(const Scene& scene, const Preview& preview);
 /// Prints warnings about its smoke clips. Call it when they have played, because frames that cannot be decoded are
 /// known then.
 void print_clip_warnings(const Preview& preview);

@@ -72,6 +72,7 @@ void run(const Options& o) {
     print_warnings(job.preview());
     print_plate_note(scene, job.preview());
     print_smoke_notes(scene, preset);
+    print_touch_notes(scene, job.preview());
     if (o.has_at) warn_after_end(scene, o.at);
     progress.expect(job.frames());
     for (int told = 0; !job.done();) {
@@ -117,7 +118,7 @@ void add_render(CLI::App& app) {
         ->capture_default_str();
     verb->add_option("--overlay", o->overlay, overlay_help())->option_text("NAME")->capture_default_str();
     verb->add_option("--amounts", o->amounts,
-                     "Write the amounts of each frame (blood mm2 and mm3, wounds, haze) as CSV")
+                     "Write the amounts of each frame (blood mm2 and mm3, wounds, haze, burnt mm2, emission) as CSV")
         ->option_text("FILE.csv");
     verb->add_option("-o,--output", o->output,
                      "out.png, out_%04d.png, or a video: " + listed(Content::video, " or ", true))

@@ -535,4 +535,22 @@ std::vector<Fault> Document::scene_faults() const {
     return check(scene_table(), &content_.scene);
 }
 
+bool Document::undo_mends(const Fault& fault) const {
+    if (done_ == 0 || open_) return false;
+    const Delta& last = steps_[done_ - 1].preset;
+    const auto lists = [&](const std::vector<Fault>& faults) {
+        return std::any_of(faults.begin(), faults.end(), [&](const Fault& each) { return each.place == fault.place; });
+    };
+    if (!lists(preset_faults())) return last.changes(fault.place);
+    Preset before = content_.preset;
+    last.undo(before);
+    return !lists(check(preset_table(), &before));
+}
+
+bool Document::undo_changes_organ() const {
+    if (done_ == 0 || open_) return false;
+    const Delta& last = steps_[done_ - 1].scene;
+    return last.changes("/organ/file") || last.changes("/organ/scale") || last.changes("/organ/rotation");
+}
+
 }  // namespace lapfx::document

@@ -200,6 +200,11 @@ class Document {
     /// What is wrong with the present values; places are JSON pointers.
     const std::vector<Fault>& preset_faults() const;
     std::vector<Fault> scene_faults() const;
+    /// Whether undoing the last step takes this fault of the preset away: the fault came with it. `fault` is one of
+    /// preset_faults(), or of a file that a value names.
+    bool undo_mends(const Fault& fault) const;
+    /// Whether the last step chose the scene's organ, or how it is read.
+    bool undo_changes_organ() const;
 
   private:
     /// For each redo bit, the version in which something with this bit changed last.

@@ -88,9 +88,9 @@ void check_output(const RenderOptions& o, Faults& faults) {
 }
 
 std::string amounts_line(double time, const Amounts& a) {
-    std::array<char, 160> line{};
-    std::snprintf(line.data(), line.size(), "%.4f,%.3f,%.3f,%d,%d,%.5f\n", time, a.blood_area, a.blood_volume, a.wounds,
-                  a.bleeding_wounds, a.haze);
+    std::array<char, 256> line{};
+    std::snprintf(line.data(), line.size(), "%.4f,%.3f,%.3f,%d,%d,%.5f,%.3f,%.4f\n", time, a.blood_area, a.blood_volume,
+                  a.wounds, a.bleeding_wounds, a.haze, a.burnt_area, a.emission);
     return line.data();
 }
 
@@ -127,7 +127,7 @@ RenderJob::RenderJob(const Scene& scene, const Preset& preset, RenderOptions opt
                                                  .wait_for_clips = true,
                                                  .overlay = options_.overlay,
                                                  .clip_cache = loaded.clips});
-    amounts_ = "time_s,blood_area_mm2,blood_volume_mm3,wounds,bleeding_wounds,haze\n";
+    amounts_ = "time_s,blood_area_mm2,blood_volume_mm3,wounds,bleeding_wounds,haze,burnt_area_mm2,emission\n";
 }
 
 RenderJob::~RenderJob() = default;

@@ -8,6 +8,7 @@
 #include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
+#include "ui/widgets/param.h"
 #include "ui/widgets/scroll.h"
 
 namespace lapfx::panels {
@@ -28,6 +29,7 @@ constexpr std::array<CurveKind, 3> kinds = {{
 
 constexpr double roundest = 1000.0;                   // parts of a s, and of the value: what a hand can mean
 constexpr double same_moment = 2e-3;                  // s; a point is there already
+constexpr float number_width = 7.5F;                  // em
 constexpr float least_height = 10, curve_height = 6;  // em
 constexpr double usual_high = 2.0;                    // of the value axis, until a point goes there
 
@@ -40,6 +42,7 @@ struct ShownCurve {
 };
 struct CurvesShown {
     int kind = 0;
+    std::size_t typed = 0;  ///< the point whose numbers are shown: stays the same while one of them is dragged
     std::array<ShownCurve, kinds.size()> all;
 };
 
@@ -170,6 +173,33 @@ void value_now(ui::Ui& ui, double now, const Points& points) {
     ui::label(ui, text.view(), {.tone = ui::Tone::dim, .number = true});
 }
 
+/// Time and value of the point nearest to the current time, to be typed.
+void numbers_of_point(ui::Ui& ui, document::Document& document, double now, const CurveKind& kind, const Table& table,
+                      std::size_t& number) {
+    const Points& points = document.scene().curves.*kind.points;
+    if (points.empty()) return;
+    if (!document.in_gesture() || number >= points.size()) number = nearest_to(points, now);
+    const auto put = [&](const char* label, double value, const Parameter& row, double low, double high,
+                         std::string_view unit, double CurvePoint::*part) {
+        const ui::Edit edit = ui::number_field(ui, label, value,
+                                               {.minimum = low,
+                                                .maximum = std::isfinite(high) ? high : low + 1,
+                                                .hard_minimum = low,
+                                                .hard_maximum = high,
+                                                .step = 0.05,
+                                                .unit = unit,
+                                                .tip = row.help,
+                                                .width = ui::px(ui.em(number_width))});
+        document.take(edit, "Curve point",
+                      [&, number](document::Content& c) { (c.scene.curves.*kind.points)[number].*part = value; });
+    };
+    const Parameter &time = *table.find_row("time"), &factor = *table.find_row("value");
+    const double before = number > 0 ? points[number - 1].time + 1 / roundest : time.minimum;
+    const double after = number + 1 < points.size() ? points[number + 1].time - 1 / roundest : time.maximum;
+    put("Time", points[number].time, time, before, after, "s", &CurvePoint::time);
+    put("Value", points[number].value, factor, factor.minimum, factor.maximum, {}, &CurvePoint::value);
+}
+
 void take(document::Document& document, ui::Toasts& toasts, const ui::Edit& edit, const CurveKind& kind,
           const Table& table, ShownCurve& shown) {
     Points drawn = points_of(shown.curve);
@@ -215,15 +245,24 @@ void curves_panel(ui::Ui& ui, document::Document& document, const app::Timeline&
         ui::segmented(ui, "Curve", memory.kind, names);
     };
     if (!one_row) choose();
+    const bool wide = (one_row ? width - wanted : width) > ui.em(22 + 2 * number_width);
     std::size_t number = 0;
+    const auto numbers = [&] {
+        numbers_of_point(ui, document, timeline.time, kinds[number], *tables[number], memory.typed);
+    };
     {
         const ui::Row row(ui, {.width = ui::grow(), .gap = 0.3F, .cross = ui::ChildAlign::center});
         if (one_row) choose(), ui::space(ui, 0.6F);
         number = static_cast<std::size_t>(memory.kind);
         CurveTools tools(ui, document, timeline.time, toasts, kinds[number], *tables[number]);
         if (!narrow) value_now(ui, timeline.time, tools.points());  // the plot shows it as well
+        if (wide) numbers();
         ui::spacer(ui);
         tools.build();
+    }
+    if (!wide && !(document.scene().curves.*kinds[number].points).empty()) {
+        const ui::Row row(ui, {.width = ui::grow(), .gap = 0.3F});
+        numbers();
     }
     const CurveKind& kind = kinds[number];
     const Table& table = *tables[number];

@@ -507,9 +507,14 @@ class ViewPanel {
         if (!file.empty() && ui::button(ui_, "Unit and orientation...",
                                         {.tip = "Read this organ again, with another unit or orientation"}))
             on_.organ_choice.open(app::path_from(on_.edited.document.scene().folder, file));
-        if (on_.edited.document.can_undo() &&
-            ui::button(ui_, "Undo", {.icon = ui::Icon::undo, .tip = "Undoes the last change"}))
-            on_.edited.document.undo();
+        if (on_.edited.document.undo_changes_organ()) undo_button();
+    }
+
+    /// Only where the last step brought the fault: any other work is not to go.
+    void undo_button() {
+        document::Document& document = on_.edited.document;
+        const std::string& step = document.steps()[document.done() - 1].name;
+        if (ui::button(ui_, "Undo", {.icon = ui::Icon::undo, .tip = ui_.join({"Undoes: ", step})})) document.undo();
     }
 
     void plate_fault(const Fault& fault) {
@@ -521,17 +526,40 @@ class ViewPanel {
 
     /// The picture shows everything except what is wrong.
     void preset_fault(const std::vector<Fault>& faults) {
-        const ui::Panel panel(ui_, "Preset fault", {.width = ui::fit(), .height = ui::fit(), .padding = 0.6F});
+        const ui::Panel panel(ui_, "Preset fault", {.width = ui::px(ui_.em(30)), .height = ui::fit(), .padding = 0.6F});
         place({.fraction = {0.5F, 1}, .offset = {0, -ui_.em(2.8F)}, .pivot = {0.5F, 1}});
-        const ui::Row row(ui_);
+        const std::string more = faults.size() > 1 ? " (and " + std::to_string(faults.size() - 1) + " more)" : "";
         ui::label(ui_, "Not shown because of a fault:", {.tone = ui::Tone::warning});
-        ui::label(ui_, faults.front().text(), {.tone = ui::Tone::error});
-        if (faults.size() > 1)
-            ui::label(ui_, ui_.join({"and ", ui_.copy(std::to_string(faults.size() - 1)), " more"}),
-                      {.tone = ui::Tone::error});
-        if (on_.edited.document.can_undo() &&
-            ui::button(ui_, "Undo", {.icon = ui::Icon::undo, .tip = "Undoes the last change"}))
-            on_.edited.document.undo();
+        ui::label(ui_, faults.front().text() + more, {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
+        const ui::Row buttons(ui_);
+        Fault fault = faults.front();
+        if (const auto clip = clip_of(fault)) {
+            fault.place = "/smoke/clips/" + std::to_string(*clip) + "/file";
+            clip_ways_out(*clip);
+        }
+        if (on_.edited.document.undo_mends(fault)) undo_button();
+    }
+
+    /// The preset's clip whose file is meant.
+    std::optional<std::size_t> clip_of(const Fault& fault) const {
+        const std::vector<SmokeClip>& clips = on_.edited.document.preset().smoke.clips;
+        for (std::size_t i = 0; i < clips.size(); ++i) {
+            const std::string place = "/smoke/clips/" + std::to_string(i);
+            const bool named =
+                std::filesystem::path(fault.file).filename() == std::filesystem::path(clips[i].file).filename();
+            if (fault.place.empty() ? named : fault.place == place || fault.place == place + "/file") return i;
+        }
+        return std::nullopt;
+    }
+
+    void clip_ways_out(std::size_t clip) {
+        const bool finds =
+            ui::button(ui_, "Find file...", {.icon = ui::Icon::folder, .tip = "Another file for the clip"});
+        const bool removes = ui::button(ui_, "Remove clip", {.tip = "Takes the clip out of the preset; a file stays"});
+        if (finds || removes) {
+            on_.clips.selected = clip;
+            on_.commands.run(finds ? "clip.replace" : "clip.remove");
+        }
     }
 
     void place(const ui::Placement& placement) {

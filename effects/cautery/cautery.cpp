@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "organ/above_zero.h"
-
 namespace lapfx::cautery {
 
 namespace {
 
 /// Degrees below which heat is not kept: no tissue changes.
-constexpr double least_rise = 2.0;
+constexpr double least_rise = BurntArea::least_rise;
 
 }  // namespace
 
@@ -25,7 +23,8 @@ Cautery::Cautery(const Surface& surface, StrengthAt strength_at)
       is_dirty_(surface.positions.size(), false),
       marks_(surface.weld.size(), glm::vec2(0.0f)),
       changed_(surface.weld.size()),
-      peaks_(surface.positions.size(), 0.0f) {
+      peaks_(surface.positions.size(), 0.0f),
+      burnt_(surface) {
     settled_.values.assign(surface.positions.size(), glm::vec2(0.0f));
     last_.values = settled_.values;
     for (const std::uint32_t point : surface.weld) ++vertex_start_[point + 1];
@@ -198,7 +197,7 @@ void Cautery::publish() {
                             {static_cast<float>(bioheat_->peak(point)), static_cast<float>(bioheat_->divided(point))});
         if (mark.x != peaks_[point] || remeasure_) {
             peaks_[point] = mark.x;
-            reheated_.push_back(point);
+            burnt_.mark(point);
         }
         const double peak = body_temperature + std::min<double>(mark.x, highest_rise(parameters_));
         mark.x = static_cast<float>(char_of(peak, parameters_));
@@ -212,27 +211,8 @@ void Cautery::publish() {
     }
     dirty_.clear();
     remeasure_ = false;
-    measure_burnt();
-}
-
-/// The logarithm of a bell of heat has no kinks and no shoulders, as char has; between points it is taken as linear.
-void Cautery::measure_burnt() {
-    if (reheated_.empty()) return;
-    burnt_at_.resize(surface_.triangles.size(), 0);
-    const double wanted = std::max(parameters_.char_temperature - body_temperature, least_rise);
-    const double highest = highest_rise(parameters_);
-    const auto beyond = [&](std::uint32_t point) {
-        return std::log(std::clamp<double>(peaks_[point], least_rise, std::max(highest, least_rise)) / wanted);
-    };
-    for (const std::uint32_t point : reheated_)
-        for (const std::uint32_t t : surface_.triangles_at(point)) {
-            const auto& corners = surface_.triangles[t];
-            const double share = organ::above_zero(beyond(corners[0]), beyond(corners[1]), beyond(corners[2])).share;
-            const std::int64_t now = organ::whole_units(share * surface_.area(t), burnt_unit);
-            burnt_ += now - burnt_at_[t];
-            burnt_at_[t] = now;
-        }
-    reheated_.clear();
+    const double wanted = parameters_.char_temperature - body_temperature;
+    burnt_.measure(peaks_, wanted > highest_rise(parameters_) ? never : std::max(wanted, least_rise));
 }
 
 double Cautery::temperature(const glm::dvec3& place, double time) {

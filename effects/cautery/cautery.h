@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cautery/bioheat.h"
+#include "cautery/burnt_area.h"
 #include "cautery/clips.h"
 #include "cautery/radial.h"
 #include "cautery/track.h"
@@ -53,7 +54,7 @@ class Cautery {
     /// Per organ vertex: x char 0..1, y divided 0..1.
     std::span<const glm::vec2> marks() const { return marks_; }
     /// Burnt surface at rest, mm2: its char is as brown as at the char temperature, or darker.
-    double burnt_area() const { return static_cast<double>(burnt_) * burnt_unit; }
+    double burnt_area() const { return burnt_.area(); }
     /// Which marks have changed.
     ChangedVertices& changed() { return changed_; }
 
@@ -83,7 +84,6 @@ class Cautery {
     void divide_around(const glm::dvec3& place, ToolAction action, Layer& layer);
     void touch(std::uint32_t point);
     void publish();
-    void measure_burnt();
 
     const Surface& surface_;
     StrengthAt strength_at_;
@@ -110,13 +110,9 @@ class Cautery {
     std::vector<glm::vec2> marks_;
     ChangedVertices changed_;
 
-    // In whole units, so that the sum does not depend on the order of changes.
-    static constexpr double burnt_unit = 1e-6;  // mm2
-    std::int64_t burnt_ = 0;
-    std::vector<std::int64_t> burnt_at_;   // per triangle; empty until something is burnt
-    std::vector<float> peaks_;             // per point: the highest rise, degrees
-    std::vector<std::uint32_t> reheated_;  // points where it has changed
-    bool remeasure_ = true;                // all of them count as changed
+    std::vector<float> peaks_;  // per point: the highest rise, degrees
+    BurntArea burnt_;
+    bool remeasure_ = true;  // all of them count as changed
 
     std::vector<Bell> bells_;
     std::vector<std::uint32_t> near_;

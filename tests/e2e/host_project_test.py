@@ -10,6 +10,7 @@ those commands name, are the ones that lapfx beside LAPFX was built of, so that 
 `tests/run --deep` (LAPFX_DEEP=1), and where those have a sanitizer, the host builds the core, too. The folder is kept:
 what is built there once is not built again.
 """
+import csv
 import ctypes
 import json
 import os
@@ -212,8 +213,11 @@ def check_scores(project, folder, build, lapfx):
         "-o", os.path.join(folder, "f_%04d.png"))
     drawn, scored = open(table, encoding="utf-8").read(), run(program, scene, preset)
     assert scored == drawn, "the scores are not those of what is drawn:\n" + scored
-    last = scored.splitlines()[-1].split(",")
-    assert len(last) == 6 and float(last[1]) > 100 and int(last[3]) > 0 and float(last[5]) > 0, f"nothing has happened: {last}"
+    rows = list(csv.DictReader(scored.splitlines()))
+    last = rows[-1]
+    assert float(last["blood_area_mm2"]) > 100 and int(last["wounds"]) > 0 and float(last["haze"]) > 0, f"nothing has happened: {last}"
+    assert float(last["burnt_area_mm2"]) > 1, f"nothing is burnt: {last}"
+    assert max(float(row["emission"]) for row in rows) > 0.5 and float(rows[0]["emission"]) == 0, "the tool makes no smoke"
 
 
 def packed_square(plugin):

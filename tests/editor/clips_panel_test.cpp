@@ -225,6 +225,8 @@ TEST_F(ClipsPanel, WhatCannotBeShownFreezesNothingElse) {
     EXPECT_NE(ui().dump().find("luma_low"), std::string::npos) << "which value it is";
     EXPECT_TRUE(ui().exists("**/Preset fault/Undo")) << "and how to get out";
     editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 60; });
+    ui().frame();
+    EXPECT_FALSE(ui().exists("**/Preset fault/Undo")) << "it would take back the speed";
     EXPECT_GT(differing(before, picture(6)), 100U);
     EXPECT_EQ(editor().preview.preview()->clips().size(), 3U);
 }
@@ -238,6 +240,30 @@ TEST_F(ClipsPanel, WhatWasShownLastStandsInForAValueThatCannotBe) {
     ASSERT_GT(differing(before, fast), 100U) << "seen although a clip is missing";
     editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = -5; });
     EXPECT_EQ(differing(fast, picture(6), 0), 0U);
+}
+
+TEST_F(ClipsPanel, AClipWhoseFileIsMissingIsFoundOrRemovedFromTheView) {
+    layout("Tune");
+    editor().document.change("Clip", [](document::Content& c) { c.preset.smoke.clips[1].file = "gone.mp4"; });
+    ui().frame().frame();
+    EXPECT_TRUE(ui().exists("**/Preset fault/Undo")) << "the last step named it";
+    editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 60; });
+    ui().frame().frame();
+    EXPECT_FALSE(ui().exists("**/Preset fault/Undo")) << "it would take back the speed";
+
+    write_smoke(folder() / "found.avi");
+    ui().click("**/Preset fault/Find file...").frame().frame();
+    ui().click("Another file for this clip/Name").key('A', ui::Mods::command).type((folder() / "found.avi").string());
+    ui().key(ui::Key::enter).frame().frame();
+    ASSERT_EQ(clips().size(), 3U);
+    EXPECT_EQ(fs::path(clips()[1].file).filename(), "found.avi");
+    EXPECT_FALSE(ui().exists("**/Preset fault"));
+
+    ui().key('Z', ui::Mods::command).frame().frame();
+    ui().click("**/Preset fault/Remove clip").frame().frame();
+    EXPECT_EQ(names(), (std::vector<std::string>{sample[0], sample[2]}));
+    EXPECT_EQ(editor().document.preset().bleeding.speed, 60.0) << "no other work is gone";
+    EXPECT_FALSE(ui().exists("**/Preset fault"));
 }
 
 TEST_F(ClipsPanel, AClipThatIsALinkIsAddedFromWhereItLies) {

@@ -73,6 +73,23 @@ TEST_F(CurvesPanel, PointsAreAddedAndRemovedAtTheTime) {
     EXPECT_EQ(steps(), "Add curve point;Add curve point;Emission;Remove curve point;Reset Emission;");
 }
 
+TEST_F(CurvesPanel, ThePointNearestToTheTimeIsTyped) {
+    choose("Emission");
+    EXPECT_FALSE(ui().exists("**/Area/Time")) << "there is no point";
+    editor().document.change("Curve", [](auto& c) { c.scene.curves.emission = {{1.0, 1.0}, {2.0, 0.5}, {4.0, 2.0}}; });
+    editor().timeline.seek(2.2);
+    ui().frame();
+    EXPECT_EQ(ui().value("**/Area/Time"), 2.0);
+    ui().click("**/Area/Value", {.clicks = 2}).type("0.75").key(ui::Key::enter);
+    EXPECT_EQ(curves().emission, (Points{{1.0, 1.0}, {2.0, 0.75}, {4.0, 2.0}}));
+    ui().click("**/Area/Time", {.clicks = 2}).type("2500 ms").key(ui::Key::enter);
+    EXPECT_EQ(curves().emission, (Points{{1.0, 1.0}, {2.5, 0.75}, {4.0, 2.0}}));
+    ui().click("**/Area/Time", {.clicks = 2}).type("9").key(ui::Key::enter);
+    EXPECT_EQ(curves().emission, (Points{{1.0, 1.0}, {3.999, 0.75}, {4.0, 2.0}})) << "points stay in order";
+    EXPECT_THAT(ui().dump(), HasSubstr("allowed are 1.001 to 3.999 s: 3.999 s is taken"));
+    EXPECT_EQ(steps(), "Curve;Curve point;Curve point;Curve point;");
+}
+
 TEST_F(CurvesPanel, TextIsCopiedAndPasted) {
     choose("Emission");
     ui().clipboard().set("0 1\n2.5 0.25\n");

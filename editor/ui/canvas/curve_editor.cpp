@@ -14,6 +14,7 @@ using namespace curve_drawing;
 namespace {
 
 constexpr double least_distance = 1e-4;  // between two points, as a share of the range of x
+constexpr double explained_for = 6;      // s: why an entry was not taken
 constexpr std::size_t no_point = static_cast<std::size_t>(-1);
 
 /// The state that is kept from frame to frame.
@@ -287,7 +288,15 @@ class Editing {
         const auto y = number(split == text.npos ? text : text.substr(split + 1), o_.y_unit, p.y);
         const auto x = split == text.npos ? std::variant<double, ExpressionError>(p.x)
                                           : number(text.substr(0, split), o_.x_unit, p.x);
-        if (!std::holds_alternative<double>(x) || !std::holds_alternative<double>(y)) return false;
+        for (const auto* part : {&x, &y})
+            if (const auto* error = std::get_if<ExpressionError>(part)) {
+                if (i < m_.ids.size())
+                    ui_.explain(
+                        m_.ids[i],
+                        '"' + m_.entry + "\" was not taken: " + error->reason + "; allowed are a value, or time; value",
+                        explained_for);
+                return false;
+            }
         const double dx = std::get<double>(x) - p.x, dy = std::get<double>(y) - p.y;
         select_only(i);
         m_.scratch.assign(curve_.points().begin(), curve_.points().end());

@@ -65,6 +65,13 @@ bool Input::press_shortcut(Key key, Mods mods) {
     return true;
 }
 
+void Input::explain(Id of, std::string_view text, double seconds) {
+    explained_.of = of;
+    if (explained_.text != text) explained_.text = text;
+    explained_.until = seconds > 0 ? time() + seconds : 0;
+    explained_.build = build_;
+}
+
 void Input::wake_at(double time, const char* reason) {
     output_.wake_at = std::min(output_.wake_at, time);
     if (reason_count_ < reasons_.size()) {

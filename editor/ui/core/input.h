@@ -33,6 +33,9 @@ class Input : public Building {
     /// The next frame is due then, although nothing may happen. `reason`: a text that lasts, for people who ask why
     /// the program is awake.
     void wake_at(double time, const char* reason);
+    /// Shows a text below the node at once, without the pointer's resting there, in place of any tooltip: why what was
+    /// done has no effect, or another one. For `seconds`, or 0 for as long as each build says it again.
+    void explain(Id of, std::string_view text, double seconds = 0);
 
   protected:
     using Building::Building;

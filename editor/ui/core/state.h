@@ -143,6 +143,14 @@ class UiState {
     bool fresh_ = true;      ///< the next build is the first of its frame
     int settled_ = 0;        ///< builds of this frame that no event asked for
 
+    /// What explain() said last.
+    struct Explained {
+        Id of = 0;
+        std::string text;
+        double until = 0;         ///< s
+        std::uint32_t build = 0;  ///< in which it was said
+    } explained_;
+
     std::vector<Overlay> overlays_;
     std::vector<std::uint32_t> overlay_roots_;  ///< node of each overlay built, in order of overlays_
 

@@ -68,6 +68,7 @@ void Ui::begin(const FrameInput& input) {
 }
 
 void Ui::add_tooltip() {
+    if (add_explanation()) return;
     if (active_[0] != 0 || active_[1] != 0 || active_[2] != 0) return;
     const bool by_keys = hot_ == 0 && ringed_;
     const Id of = by_keys ? focus_ : hot_;
@@ -82,6 +83,21 @@ void Ui::add_tooltip() {
     const Placement placement =
         by_keys ? Placement{.side = Placement::Side::below, .offset = {0, em(0.2F)}, .anchor = of}
                 : Placement{.side = Placement::Side::pointer, .offset = away, .rect = {pointer_.x, pointer_.y, 0, 0}};
+    put_tip(tip, placement);
+}
+
+/// What explain() said: below its node, as long as that is there.
+bool Ui::add_explanation() {
+    const bool said_now = explained_.build == build_;
+    if (explained_.of == 0 || explained_.text.empty() || (!said_now && time() >= explained_.until)) return false;
+    if (index_now(explained_.of) == no_node) return false;
+    if (time() < explained_.until) wake_at(explained_.until, "explanation");
+    put_tip(arena().copy(explained_.text),
+            {.side = Placement::Side::below, .offset = {0, em(0.2F)}, .anchor = explained_.of});
+    return true;
+}
+
+void Ui::put_tip(std::string_view tip, const Placement& placement) {
     stack_.push_back({0, root_seed, static_cast<std::uint8_t>(overlays_.size() + 1)});
     Node& node = add(Role::tooltip, {}, Sense::none, true);
     node.end = static_cast<std::uint32_t>(nodes().size());

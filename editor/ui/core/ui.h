@@ -56,6 +56,8 @@ class Ui : public Inspection {
     bool end();  ///< gives whether another build is needed
     const FrameOutput& emit();
     void add_tooltip();
+    bool add_explanation();
+    void put_tip(std::string_view tip, const Placement& placement);
     void draw_all(Painter& painter, bool keep);
     void copy_kept_places(std::uint32_t count);
     bool take_shown();

@@ -30,6 +30,7 @@ struct Picking {
 struct Unfinished {
     Id owner = 0;
 };
+constexpr double explained_for = 6;  // s: why a text was not taken
 constexpr Id unfinished_key = 0x636f6c6f7572ULL;
 
 struct ColorLook {
@@ -248,7 +249,14 @@ void put_hex(Session& s, const ColorOptions& options) {
     const Edit typed = text_field(ui, "Hex", s.p.hex, {.width = px(ui.em(7.5F)), .monospace = true});
     s.p.hex_field = ui.last().id;
     const std::optional<Color> color = parse_hex(s.p.hex);
-    if (!color) ui.last().is |= Is::invalid;
+    if (!color) {
+        ui.last().is |= Is::invalid;
+        const bool left = typed.committed;
+        ui.explain(s.p.hex_field,
+                   '"' + s.p.hex + (left ? "\" was not taken: " : "\" is no colour: ") +
+                       "allowed are 3 or 6 digits of 0 to 9 and a to f, as #8a4a3c",
+                   left ? explained_for : 0);
+    }
     if (typed.began) s.begin("Hex");
     if (typed.changed && color) {
         Color next = *color;

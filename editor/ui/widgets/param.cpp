@@ -131,9 +131,15 @@ void describe_number(Ui& ui, Node& node, const NumberState* state, const ParamOp
     if (!typing) return;
     node.sense = has(node.is, Is::disabled) ? node.sense : entry_sense;
     node.text = ui.copy(state->entry.text());
-    if (state->entry.valid()) return;
+    if (state->entry.valid()) {
+        if (state->entry.modified())
+            if (const std::string told = beyond_limits(o, state->entry.value()); !told.empty())
+                ui.explain(node.id, told);
+        return;
+    }
     node.is |= Is::invalid;
     node.tip = ui.copy(state->entry.reason());
+    ui.explain(node.id, state->entry.reason());
 }
 
 void draw_param_label(Painter& painter, Rect column, const LabelLook& look) {

@@ -11,6 +11,8 @@ constexpr Id state_id = 0x706172616d2e7374ULL;
 constexpr float drag_after = 3;  // px at scale 1
 constexpr double page = 10;      // steps
 
+constexpr double explained_for = 6;  // s: what became of an entry that has been left
+
 /// The number of steps that a key makes; 0: it is not a key for stepping.
 double steps_of(Key key) {
     switch (key) {
@@ -35,6 +37,22 @@ NumberState* number_state(Ui& ui, Id id) {
     if (id == 0) return nullptr;
     const bool concerned = id == ui.focus() || id == ui.held() || id == ui.hot() || ui.overlay_count() > 0;
     return concerned || ui.has_events(id) ? &ui.memory<NumberState>(state_id) : nullptr;
+}
+
+std::string beyond_limits(const ParamOptions& o, double shown) {
+    const double taken = std::max(o.hard_minimum, std::min(o.hard_maximum, shown));
+    if (!(taken != shown)) return {};
+    const auto number = [&](double value) {
+        char buffer[32];
+        return std::string(format_param(buffer, o, value));
+    };
+    std::string unit(o.unit == "deg" ? "\u00B0" : o.unit);
+    if (!unit.empty() && unit != "%" && o.unit != "deg") unit.insert(0, " ");
+    const bool low = std::isfinite(o.hard_minimum), high = std::isfinite(o.hard_maximum);
+    const std::string allowed = low && high ? number(o.hard_minimum) + " to " + number(o.hard_maximum) + unit
+                                : low       ? number(o.hard_minimum) + unit + " and more"
+                                            : number(o.hard_maximum) + unit + " and less";
+    return "allowed are " + allowed + ": " + number(taken) + unit + " is taken";
 }
 
 ExpressionContext context_of(const ParamOptions& options, double shown) {
@@ -92,12 +110,19 @@ void NumberGesture::once(NumberState& s, double next) {
     if (s.stepping == id_) s.stepping = 0;
 }
 
+/// What a person has typed or pasted: says what becomes of it where it is not allowed.
+void NumberGesture::enter(NumberState& s, double next) {
+    if (const std::string told = beyond_limits(o_, next); !told.empty()) ui_.explain(id_, told, explained_for);
+    once(s, next);
+}
+
 // --- typing ---
 
 void NumberGesture::open(NumberState& s) {
     char buffer[32];
     const double now = shown();
     end_steps(s);
+    ui_.explain(id_, {});  // what was said of the last entry
     s.typing = id_;
     s.entry.open(ui_, std::isfinite(now) ? format_whole(buffer, o_, now) : std::string_view());
 }
@@ -109,7 +134,12 @@ void NumberGesture::type(NumberState& s, const Response& r) {
 }
 
 void NumberGesture::close(NumberState& s, bool keep) {
-    if (keep && s.entry.valid() && s.entry.modified()) once(s, s.entry.value());
+    if (keep && s.entry.valid() && s.entry.modified()) enter(s, s.entry.value());
+    if (keep && !s.entry.valid()) {
+        const std::string& text = s.entry.text();
+        ui_.explain(id_, (text.empty() ? "Nothing" : '"' + text + '"') + " was not taken: " + s.entry.reason(),
+                    explained_for);
+    }
     s.typing = 0;
     s.tabbed_at = static_cast<std::uint32_t>(ui_.builds());
 }
@@ -197,7 +227,10 @@ void NumberGesture::keys(NumberState& s, const Response& r) {
         if (event.key == Key::end && command) once(s, ends.high);
         if (event.key == key_of('C') && command) copy_number(ui_, o_, shown());
         if (event.key != key_of('V') || !command) return;
-        if (const auto pasted = number_to_paste(ui_, o_, shown())) once(s, *pasted);
+        if (const auto pasted = number_to_paste(ui_, o_, shown()))
+            enter(s, *pasted);
+        else
+            ui_.explain(id_, "The clipboard has no number that can stand here", explained_for);
     });
     if (!ui_.key_down(s.step_key) || !r.focused) end_steps(s);
 }

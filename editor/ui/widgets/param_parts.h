@@ -49,6 +49,7 @@ class NumberGesture {
   private:
     bool set(double shown);
     void once(NumberState& s, double shown);
+    void enter(NumberState& s, double shown);
     double shown() const { return value_ * o_.display; }
     void open(NumberState& s);
     void type(NumberState& s, const Response& r);
@@ -73,6 +74,9 @@ class NumberGesture {
 void copy_number(Ui& ui, const ParamOptions& options, double shown);
 /// What the clipboard has, if it is a number that can stand here.
 std::optional<double> number_to_paste(Ui& ui, const ParamOptions& options, double shown);
+/// What becomes of a number that was entered, where it is beyond the hard limits: "allowed are 0 to 60 mm/s: 60 mm/s is
+/// taken"; empty: it is allowed.
+std::string beyond_limits(const ParamOptions& options, double shown);
 ExpressionContext context_of(const ParamOptions& options, double shown);
 
 /// The open menu and the fields for the range, if they are those of `id`.

@@ -10,7 +10,7 @@ namespace lapfx {
 namespace {
 
 constexpr double height = 60.0;                  // mm, of the camera above the sheet
-constexpr std::uint32_t largest_triangles = 26;  // squares a side: their diagonals, 4.35 mm, are not split
+constexpr std::uint32_t largest_triangles = 60;  // squares a side: their diagonals, 1.89 mm, are not split
 
 class EdgeTest : public test::SceneTest {
   protected:
@@ -37,7 +37,7 @@ class EdgeTest : public test::SceneTest {
     glm::ivec2 frame{400, 400};
 
     /// So that a triangle of the largest sheet that is not split is 38 pixels wide.
-    void look_closely() { scene.camera.field_of_view = 30.0; }
+    void look_closely() { scene.camera.field_of_view = 13.2; }
 
     double mm_per_pixel() const {
         return 2.0 * height * std::tan(glm::radians(scene.camera.field_of_view) / 2.0) / frame.y;
@@ -178,8 +178,8 @@ TEST_F(EdgeTest, WithoutNoiseItIsTheMeshsPolygonToThePixel) {
     look_closely();
     for (const double degrees : {0.0, 31.0}) {
         use_sheet(largest_triangles, degrees);
-        const std::vector<bool> mask = blood_mask(3.0);
-        const std::vector<double> values = interpolated(3.0);
+        const std::vector<bool> mask = blood_mask(1.3);
+        const std::vector<double> values = interpolated(1.3);
         int wrong = 0, inside = 0;
         for (int y = 1; y + 1 < frame.y; ++y)
             for (int x = 1; x + 1 < frame.x; ++x) {
@@ -200,12 +200,12 @@ TEST_F(EdgeTest, WithoutNoiseItIsTheMeshsPolygonToThePixel) {
 }
 
 TEST_F(EdgeTest, NoiseBendsItInsideTriangles) {
-    preset.bleeding.noise_strength = 3.0;
-    preset.bleeding.noise_scale = 3.5;
+    preset.bleeding.noise_strength = 1.3;
+    preset.bleeding.noise_scale = 1.5;
     look_closely();
     for (const double degrees : {0.0, 31.0}) {
         use_sheet(largest_triangles, degrees);
-        EXPECT_GT(bend(blood_mask(3.0)), 0.9) << "turned by " << degrees << " degrees";
+        EXPECT_GT(bend(blood_mask(1.3)), 0.9) << "turned by " << degrees << " degrees";
     }
 }
 

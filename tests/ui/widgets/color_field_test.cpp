@@ -123,6 +123,7 @@ TEST_F(ColorFieldTest, ATypedColourIsTakenWhenItIsOne) {
     open();
     ui.click("Key picker/Hex").key('A', Mods::command).type("#12");
     EXPECT_TRUE(ui.is("Key picker/Hex", Is::invalid));
+    EXPECT_NE(ui.dump().find("\"#12\" is no colour: allowed are 3 or 6 digits"), std::string::npos) << ui.dump();
     EXPECT_EQ(color, rgb(0x804020));
     ui.type("3");
     EXPECT_FALSE(ui.is("Key picker/Hex", Is::invalid));

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <cmath>
 #include <numbers>
+#include "ui/core/node.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 #include "ui/widgets/basic.h"
@@ -42,6 +43,11 @@ class Param : public testing::Test {
         button(u, "Else");
     }
     glm::vec2 field_center() { return ui.rect("Speed").at() + ui.rect("Speed").size() * glm::vec2(0.7F, 0.5F); }
+    std::string said() {  ///< in a tooltip
+        for (const Node& node : ui.ui().tree())
+            if (node.role == Role::tooltip) return std::string(node.text);
+        return {};
+    }
     std::string menu(std::string_view item) { return "Speed menu/" + std::string(item); }
 
     double speed = 100, size = 20;

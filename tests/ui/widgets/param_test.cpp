@@ -197,6 +197,43 @@ TEST_F(Param, WhatCannotBeReadIsMarkedInPlaceWithItsReason) {
     EXPECT_EQ(ui.text("Speed"), "4 mm/s");
 }
 
+TEST_F(Param, WhatIsRefusedOrLimitedIsSaidAtOnceAndAfterwards) {
+    ui.focus("Speed").type("abc");
+    EXPECT_THAT(said(), testing::HasSubstr("abc")) << "while it is typed, wherever the pointer is";
+    ui.click("Else");
+    EXPECT_THAT(said(), testing::StartsWith("\"abc\" was not taken: ")) << "and once it has been left";
+    EXPECT_EQ(speed, 100);
+    ui.focus("Speed").key(Key::enter);
+    EXPECT_EQ(said(), "") << "a new entry begins";
+    ui.type("1e9");
+    EXPECT_EQ(said(), "allowed are -1000 to 1000 mm/s: 1000 mm/s is taken");
+    ui.key(Key::enter);
+    EXPECT_EQ(speed, 1000);
+    EXPECT_EQ(said(), "allowed are -1000 to 1000 mm/s: 1000 mm/s is taken");
+    ui.frame(7);
+    EXPECT_EQ(said(), "");
+    options.hard_maximum = std::numeric_limits<double>::infinity();
+    options.hard_minimum = 0;
+    ui.key(Key::enter).type("-5").key(Key::enter);
+    EXPECT_EQ(said(), "allowed are 0 mm/s and more: 0 mm/s is taken");
+    ui.key(Key::enter).type("0.5 kg");
+    EXPECT_THAT(said(), testing::AllOf(testing::HasSubstr("kg"), testing::HasSubstr("allowed are mm/s")));
+    ui.key(Key::escape).key(Key::enter).type("1 000");
+    EXPECT_THAT(said(), testing::HasSubstr("operator"));
+    ui.key(Key::escape);
+    EXPECT_EQ(said(), "") << "given up by the person";
+    ui.key(Key::enter).key('A', Mods::command).key(Key::backspace);
+    ui.click("Else");
+    EXPECT_THAT(said(), testing::StartsWith("Nothing was not taken: ")) << "an empty entry";
+}
+
+TEST_F(Param, APasteThatIsNoNumberIsSaid) {
+    ui.clipboard().text = "words";
+    ui.focus("Speed").key('V', Mods::command);
+    EXPECT_EQ(said(), "The clipboard has no number that can stand here");
+    EXPECT_EQ(speed, 100);
+}
+
 TEST_F(Param, WhatIsNoNumberIsRefused) {
     for (const char* typed : {"0/0", "1/0", "nan", "1e999", "sqrt(-1)"}) {
         ui.focus("Speed").key(Key::enter).type(typed);

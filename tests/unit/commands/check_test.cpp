@@ -110,6 +110,28 @@ TEST_F(CheckCommand, OpensWhatASceneNames) {
         << wrong.err;
 }
 
+TEST_F(CheckCommand, TellsWhatTouchesNothingAndSmokeThatCannotBeSeen) {
+    folder.write("flat.obj", "v 0 0 0\nv 40 0 0\nv 0 40 0\nf 1 2 3\n");
+    folder.write("bare.json", test::preset_text(""));
+    const auto event = [](const std::string& action, const std::string& from, const std::string& to) {
+        return R"({"action": ")" + action + R"(", "time": 0, "duration": 1, "position": )" + from + R"(, "to": )" + to +
+               "}";
+    };
+    const std::string near = "[5, 5, 1]", far = "[5, 5, 45]", beside = "[-900, 5, 0]";
+    folder.write("some.scene.json",
+                 test::scene_text(R"(, "preset": "bare.json", "organ": {"file": "flat.obj"}, "events": [)" +
+                                  event("cut", near, near) + ", " + event("cauterise", far, far) + ", " +
+                                  event("clip", beside, beside) + ", " + event("suction", far, far) + ", " +
+                                  event("cut", far, near) + "]"));
+    const Result some = run_lapfx(folder, "check some.scene.json");
+    EXPECT_EQ(some.code, 0);
+    EXPECT_EQ(some.out, "some.scene.json: scene \"\", ok\n");
+    const std::string say = "lapfx: note: some.scene.json: ";
+    EXPECT_EQ(some.err, say + "/events/1: touches nothing: its tip is 45.0 mm from the organ, 5 mm at most\n" + say +
+                            "/events/2: touches nothing: its tip is 900.0 mm from the organ, 5 mm at most\n" + say +
+                            "/preset: no smoke clips: cautery makes no smoke\n");
+}
+
 /// One organ is far too large in its own unit, and the scene makes another too large.
 TEST_F(CheckCommand, TakesMeshesAtTheScenesScale) {
     const auto triangle = [&](const std::string& name, const std::string& size) {

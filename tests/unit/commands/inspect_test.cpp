@@ -55,7 +55,7 @@ TEST_F(InspectCommand, Mesh) {
               "  vertices            8\n"
               "  triangles           12\n"
               "  in the file         12 triangles, none left out\n"
-              "  split for blood     into 768 triangles, no edge longer than 2.0 mm\n"
+              "  split for blood     into 768 triangles, no edge longer than 2 mm\n"
               "  components          1\n"
               "  boundary edges      0\n"
               "  non-manifold edges  0\n"

@@ -120,6 +120,30 @@ TEST(Refine, BurnsAreThoseOfAFineMesh) {
     }
 }
 
+/// mm2 that a burn of 3 s at full power chars.
+double burnt_area(const Organ& given, const glm::dvec3& tip, HeatModel model) {
+    Preset preset = plain();
+    preset.cautery.model = model;
+    const ToolContact burn{.time = 0.0, .duration = 3.0, .position = tip, .to = tip};
+    AmountsModel amounts(given);
+    amounts.set(preset, {&burn, 1});
+    return amounts.at(3.0).burnt_area;
+}
+
+TEST(Refine, TheBurntAreaIsThatOfAFineMeshWhereverTheTipStandsInItsTriangle) {
+    for (const HeatModel model : {HeatModel::radial, HeatModel::bioheat}) {
+        const double fine = burnt_area(test::plane(120.0, 240), {2.3, 0, 4.1}, model);
+        EXPECT_NEAR(fine, std::numbers::pi * 2.08 * 2.08, 0.05 * fine) << "the radius of a burn of 3 s, parameters.cpp";
+        for (const std::uint32_t squares : {120u, 40u, 35u, 31u, 27u, 12u, 2u})
+            for (const glm::dvec2 share : {glm::dvec2(0.0), {0.5, 0.0}, {0.5, 0.5}, {0.33, 0.33}}) {
+                const double edge = 120.0 / squares, corner = edge * (squares / 2) - 60.0;
+                const glm::dvec3 tip(corner + share.x * edge, 0.0, corner + share.y * edge);
+                EXPECT_NEAR(burnt_area(test::plane(120.0, squares), tip, model), fine, 0.05 * fine)
+                    << edge << " mm edges, the tip at " << share.x << ' ' << share.y << " of a square";
+            }
+    }
+}
+
 TEST(Refine, VerticesAreBurntAsOnAFineMesh) {
     const auto burnt = [](const Organ& organ) {
         const Surface surface(organ);

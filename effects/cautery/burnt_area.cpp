@@ -1,0 +1,97 @@
+#include "cautery/burnt_area.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "organ/above_zero.h"
+
+namespace lapfx::cautery {
+
+namespace {
+
+double height(float rise) {
+    return std::log(std::max<double>(rise, BurntArea::least_rise));
+}
+
+}  // namespace
+
+/// Triangles that have the point for a corner, or a neighbour whose curvature they use.
+void BurntArea::mark(std::uint32_t point) {
+    if (parts_.empty()) {
+        parts_.resize(surface_.triangles.size());
+        is_marked_.resize(surface_.triangles.size());
+    }
+    const auto add = [&](std::uint32_t triangle) {
+        if (is_marked_[triangle]) return;
+        is_marked_[triangle] = true;
+        marked_.push_back(triangle);
+    };
+    for (const std::uint32_t t : surface_.triangles_at(point)) {
+        add(t);
+        const auto& c = surface_.triangles[t];
+        std::uint32_t other = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+            if (c[i] != point && c[(i + 1) % 3] != point && surface_.across(t, c[i], c[(i + 1) % 3], other)) add(other);
+    }
+}
+
+void BurntArea::measure(std::span<const float> rises, double wanted) {
+    for (const std::uint32_t t : marked_) {
+        is_marked_[t] = false;
+        const std::int64_t now = organ::whole_units(share(t, rises, wanted) * surface_.area(t), unit);
+        sum_ += now - parts_[t];
+        parts_[t] = now;
+    }
+    marked_.clear();
+}
+
+double BurntArea::share(std::uint32_t triangle, std::span<const float> rises, double wanted) const {
+    const auto& c = surface_.triangles[triangle];
+    const double level = std::log(wanted);
+    double above[3], highest = -1.0;
+    for (int i = 0; i < 3; ++i) {
+        above[i] = height(rises[c[static_cast<std::size_t>(i)]]) - level;
+        highest = std::max(highest, above[i]);
+    }
+    if (!std::isfinite(level) || highest <= -1.0) return 0.0;
+    double squares = 0.0;  // mm2
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 edge = surface_.positions[c[(i + 1) % 3]] - surface_.positions[c[i]];
+        squares += glm::dot(edge, edge);
+    }
+    // The mean distance of -|x|^2 from the plane through its values at the corners is a twelfth of this sum.
+    const double more = std::min(1.0, curvature(triangle, rises) * squares / 12.0);
+    return organ::above_zero(above[0] + more, above[1] + more, above[2] + more).share;
+}
+
+/// k, per mm2, of the -k |x|^2 + linear that fits a triangle and the third corners of those beside it best, at least 0.
+/// At such a corner it differs from the plane of the triangle by k times the corner's power to the circumcircle.
+double BurntArea::curvature(std::uint32_t triangle, std::span<const float> rises) const {
+    const auto& c = surface_.triangles[triangle];
+    double differences = 0.0, powers = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t a = c[i], b = c[(i + 1) % 3], inner = c[(i + 2) % 3];
+        std::uint32_t other = 0;
+        if (!surface_.across(triangle, a, b, other)) continue;
+        const auto& o = surface_.triangles[other];
+        const std::uint32_t outer = *std::find_if(o.begin(), o.end(), [&](auto p) { return p != a && p != b; });
+        if (!(rises[outer] > least_rise)) continue;
+        // Both triangles unfolded into a plane: s along the edge, h across it.
+        const glm::dvec3 origin = surface_.positions[a], edge = surface_.positions[b] - origin;
+        const double length = glm::length(edge);
+        const auto along = [&](std::uint32_t p) { return glm::dot(surface_.positions[p] - origin, edge) / length; };
+        const auto across = [&](std::uint32_t p) {
+            return glm::length(glm::cross(edge, surface_.positions[p] - origin)) / length;
+        };
+        const double s = along(inner), h = across(inner), outer_s = along(outer), outer_h = across(outer);
+        if (!(length > 0.0) || !(h > 1e-3 * length)) continue;
+        const double slope = (height(rises[b]) - height(rises[a])) / length;
+        const double rising = (height(rises[inner]) - height(rises[a]) - slope * s) / h;
+        const double middle = (s * s + h * h - length * s) / h;  // twice the height of the circumcircle's middle
+        differences += height(rises[a]) + slope * outer_s - rising * outer_h - height(rises[outer]);
+        powers += outer_s * outer_s + outer_h * outer_h - length * outer_s + middle * outer_h;
+    }
+    return powers > 0.0 ? std::max(0.0, differences / powers) : 0.0;
+}
+
+}  // namespace lapfx::cautery
