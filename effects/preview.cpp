@@ -61,6 +61,7 @@ struct Preview::State {
 
     Scene scene;
     Preset preset;
+    bool haze_shown = true;
     std::shared_ptr<const PreparedOrgan> prepared;
     Effects effects;
     std::optional<render::OrganGpu> tool;
@@ -122,7 +123,8 @@ void Preview::draw(double time, glm::ivec2 size, unsigned framebuffer) {
     State& s = *state_;
     s.frame.resize(size);
     const SceneCamera camera = s.camera(size);
-    const View view = render::view_of(camera, s.scene.light, size);
+    View view = render::view_of(camera, s.scene.light, size);
+    view.haze = s.haze_shown;
     s.draw_tissue(view, time);
     s.effects.draw_smoke(view, s.frame.scene_depth());
     s.finish(framebuffer, camera, size);
@@ -253,6 +255,9 @@ void Preview::set_overlay(Overlay overlay) {
 }
 void Preview::set_camera(const SceneCamera& camera) {
     state_->scene.camera = camera;
+}
+void Preview::set_haze_shown(bool shown) {
+    state_->haze_shown = shown;
 }
 void Preview::set_curves(const Curves& curves) {
     state_->effects.set_curves(curves);

@@ -24,6 +24,7 @@
 #include "app/measure/measure_bench.h"
 #include "app/measure/measuring.h"
 #include "app/meter.h"
+#include "app/preview/seen_colors.h"
 #include "app/reference/reference.h"
 #include "app/tuning/snapshot_previews.h"
 #include "app/tuning/snapshots.h"
@@ -45,6 +46,7 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options, std::shared_p
       settings_(std::make_unique<Settings>(options_.folders)),
       chooser_(std::make_unique<FileChooser>(options_, *settings_, screen_)),
       saved_(std::make_unique<Saved>(document)),
+      seen_colors_(std::make_unique<SeenColors>(preview, toasts)),
       tuning_(std::make_unique<Tuning>(document, *saved_, preview, *settings_, toasts)),
       snapshots_(std::make_unique<Snapshots>(document)),
       amounts_(std::make_unique<AmountsOverTime>(document, preview, jobs, options_.exact)),
@@ -124,6 +126,7 @@ Shot Editor::shot() const {
     return {.time = timeline.time,
             .camera = looking.through(document.scene().camera),
             .overlay = looking.overlay,
+            .haze = looking.endoscope || clips_->alone(),  // haze is as thick as it is far: from far away it is fog
             .scale = scene_scale()};
 }
 

@@ -48,6 +48,7 @@ class Meter;
 class OrganChoice;
 class Reference;
 class Saved;
+class SeenColors;
 class Settings;
 class SnapshotPreviews;
 class Snapshots;
@@ -92,7 +93,8 @@ class Editor {
     Tuning& tuning() { return *tuning_; }           ///< locks, favourites, randomise, copied groups
     Snapshots& snapshots() { return *snapshots_; }  ///< A to D
     SnapshotPreviews& snapshot_previews() { return *snapshot_previews_; }
-    AmountsOverTime& amounts() { return *amounts_; }  ///< of the whole scene
+    SeenColors& seen_colors() { return *seen_colors_; }  ///< colours that were picked, solved for
+    AmountsOverTime& amounts() { return *amounts_; }     ///< of the whole scene
     Autosave& autosave() { return *autosave_; }
     Layouts& layouts() { return *layouts_; }
     Browser& browser() { return *browser_; }  ///< presets with thumbnails
@@ -148,6 +150,7 @@ class Editor {
     std::unique_ptr<Settings> settings_;
     std::unique_ptr<FileChooser> chooser_;
     std::unique_ptr<Saved> saved_;
+    std::unique_ptr<SeenColors> seen_colors_;
     std::unique_ptr<Tuning> tuning_;
     std::unique_ptr<Snapshots> snapshots_;
     std::unique_ptr<AmountsOverTime> amounts_;

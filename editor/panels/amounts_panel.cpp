@@ -98,6 +98,7 @@ std::size_t columns_for(const ui::Ui& ui, const ui::Rect& room) {
 }
 
 void nothing_known(ui::Ui& ui, app::AmountsOverTime& amounts) {
+    const ui::ScrollArea area(ui, "Nothing known");
     if (!amounts.faults().empty())
         return ui::label(ui, amounts.faults().front().text(),
                          {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});

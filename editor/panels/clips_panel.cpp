@@ -41,9 +41,7 @@ std::string file_name(const std::string& file) {
 
 std::string playing_text(const ClipStatus& status) {
     const int share = status.frames > 0 ? 100 * status.resident / status.frames : 0;
-    std::string text = share >= 100 ? "all frames in graphics memory"
-                                    : std::to_string(share) +
-                                          " % of the frames in graphics memory, the rest is decoded while it plays";
+    std::string text = share >= 100 ? "all in graphics memory" : std::to_string(share) + " % in graphics memory";
     if (status.misses > 0)
         text += ", " + std::to_string(status.misses) + (status.misses == 1 ? " frame came late" : " frames came late");
     if (status.broken > 0) text += ", " + std::to_string(status.broken) + " broken frames";
@@ -167,7 +165,7 @@ void list_item(ui::Ui& ui, app::ClipShelf& shelf, const Edited& edited, ui::RowL
     node.padding[2] = static_cast<std::uint8_t>(ui.em(0.5F));
     node.label = ui.join({ui.copy(std::to_string(number + 1)), " ", look.title});
     node.text = ui.join({look.title, ", ", look.facts, ", ", look.playing});
-    node.tip = node.text;
+    node.tip = ui.join({node.text, "\nWhat is not in graphics memory is decoded while it plays"});
     list.respond(number, node);
     ClipLook drawn = look;
     drawn.ringed = list.ringed(number);
@@ -297,7 +295,7 @@ void file_row(ui::Ui& ui, app::ClipShelf& shelf, app::FileChooser& chooser, cons
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     ui.parent().padding[0] = static_cast<std::uint8_t>(ui.em(0.35F));  // like the captions below
     ui::label(ui, "File", {.width = ui::fraction(0.45F)});
-    ui::label(ui, clip.file, {.tone = ui::Tone::dim, .width = ui::grow()});
+    ui::label(ui, clip.file, {.tone = ui::Tone::dim, .path = true, .width = ui::grow()});
     if (ui::icon_button(ui, Icon::folder, "Replace file...", {.tip = "Use another file instead of this one"}))
         ask_for_another(chooser, shelf);
 }

@@ -43,7 +43,7 @@ constexpr SheetLine on_plots[] = {
     {"Fit", "double click"},
 };
 constexpr SheetLine in_file_dialogs[] = {
-    {"Take what all suggestions begin with", "Tab"},
+    {"Complete what is typed", "Tab"},
     {"One of the suggestions", "Up, Down, Enter"},
     {"Next name that begins so", "letters in the list"},
     {"Folder above", "Alt+Up"},
@@ -115,7 +115,7 @@ void about_dialog(ui::Ui& ui, const app::EditorOptions& options) {
         ui::label(ui, "Bleeding and surgical smoke for laparoscopic simulators, and the editor that tunes both.",
                   {.wrap = true, .width = ui::grow()});
         about_line(ui, "OpenGL", ui.copy(graphics));
-        about_line(ui, "Based on the paper", paper);
+        about_line(ui, "Paper", paper);
         ui::separator(ui);
         ui::label(ui, "Libraries, each under its own licence", {.tone = ui::Tone::dim});
         for (const Library& library : libraries)

@@ -10,19 +10,13 @@ void first_hint(ui::Ui& ui, app::Settings& settings, bool playing) {
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     {
         const ui::Column lines(ui, {.width = ui::grow(), .gap = 0.1F});
-        ui::label(ui,
-                  ui.join({"1  Press Space to ", playing ? "stop" : "play",
-                           ". Drag any value under Preset: the next frame shows it. Ctrl+Z undoes it."}),
-                  {.width = ui::grow()});
-        ui::label(ui,
-                  "2  Drop an organ, a smoke clip or a surgery video into the window. Press 1 and burn the organ with "
-                  "the cautery tool.",
-                  {.width = ui::grow()});
-        ui::label(
-            ui,
-            "3  Compare with the video under Reference (Ctrl+3), then export the preset for your simulator (Ctrl+E). "
-            "F1 shows all keys.",
-            {.width = ui::grow()});
+        for (const std::string_view line :
+             {playing
+                  ? std::string_view("1  Space stops. Drag a value under Preset and see it at once; Ctrl+Z undoes it.")
+                  : std::string_view("1  Space plays. Drag a value under Preset and see it at once; Ctrl+Z undoes it."),
+              std::string_view("2  Drop in an organ, a smoke clip or a surgery video. Key 1: the cautery tool."),
+              std::string_view("3  Ctrl+3 compares with the video, Ctrl+E exports the preset, F1 lists all keys.")})
+            ui::label(ui, line, {.wrap = true, .width = ui::grow()});
     }
     if (ui::button(ui, "Got it", {.tip = "Hides these lines; Help > First steps shows them again"}))
         settings.hint_seen = true;

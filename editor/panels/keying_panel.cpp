@@ -154,8 +154,13 @@ void one_view(ui::Ui& ui, const On& on, BenchView view) {
     KeyingBench& bench = on.bench;
     const auto index = static_cast<std::size_t>(view);
     const bool picks = view == BenchView::source && bench.look.eyedropper;
+    ui.push_seed("view");
+    const float room = ui.rect_before(ui.id_of(app::view_titles[index])).w;
+    ui.pop_seed();
+    constexpr std::string_view asks = "Source picture: click its background";
+    const bool narrow = room > 0 && room < ui.text_width(picks ? asks : captions[index]);
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.1F});
-    ui::label(ui, picks ? "Source picture: click its background" : captions[index],
+    ui::label(ui, picks ? (narrow ? "Click its background" : asks) : (narrow ? app::view_titles : captions)[index],
               {.tone = picks ? ui::Tone::warning : ui::Tone::dim, .size = 0.86F});
     ui.last().tip = view_tips[index];
     ui.push_seed("view");
@@ -380,10 +385,6 @@ void told_by_suggest(ui::Ui& ui, const On& on) {
         ui::button(ui, "Use for all", {.tip = "Uses these thresholds for all clips without keying of their own"}))
         return bench.suggest_for_all();
     if (ui::icon_button(ui, Icon::cross, "Dismiss", {.quiet = true})) bench.forget_suggestion();
-}
-
-bool is_threshold(std::string_view key) {
-    return key.starts_with("luma_") || key.starts_with("chroma_") || key == "key_color";
 }
 
 void rows(ui::Ui& ui, const On& on, bool narrow) {

@@ -66,7 +66,7 @@ struct ViewParts {
 };
 void view_panel(ui::Ui& ui, const ViewParts& parts);
 void preset_panel(ui::Ui& ui, app::Tuning& tuning, const Edited& edited, const ui::CommandTable& commands,
-                  app::Layouts& layouts, ui::Toasts& toasts);
+                  app::Layouts& layouts, ui::Toasts& toasts, const app::ClipShelf& shelf, app::Looking& looking);
 void clips_panel(ui::Ui& ui, app::ClipShelf& shelf, const Edited& edited, app::Files& files,
                  ui::CommandTable& commands);
 void keying_panel(ui::Ui& ui, app::KeyingBench& bench, app::ClipShelf& shelf, const Edited& edited,

@@ -14,6 +14,10 @@ namespace lapfx::document {
 class Document;
 }
 
+namespace lapfx::ui {
+struct ViewportResult;
+}
+
 namespace lapfx::app {
 class ClipShelf;
 class Exports;
@@ -31,6 +35,8 @@ class Tuning;
 
 namespace lapfx::panels {
 
+struct Edited;
+
 /// What was dropped, as the UI has it: one a line.
 std::vector<std::string> dropped_files(std::string_view paths);
 /// Part of a row for a widget that takes all the room it gets, such as segmented(). `ems` 0: all that is left.
@@ -46,6 +52,8 @@ inline std::string_view chord_of(const ui::CommandTable& commands, std::string_v
 
 /// While a field wants a colour from a picture: says what to do, over the picture. Built in the node of the panel.
 void pick_hint(ui::Ui& ui, ui::Eyedropper& eyedropper);
+/// Takes it from the preview in the view, with a magnifier at the pointer. Built over the view.
+void pick_in_view(ui::Ui& ui, const ui::ViewportResult& view, const Edited& edited, app::PreviewHost& preview);
 /// Esc ends that. Where no such picture is in sight the view is shown. Once a frame.
 void follow_eyedropper(ui::Ui& ui, ui::Eyedropper& eyedropper, app::Layouts& layouts);
 

@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "app/base/layouts.h"
+#include "app/clips/clip_shelf.h"
 #include "app/editor.h"
 #include "app/tuning/tuning.h"
+#include "panels/clip_parameters.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "panels/preset_rows.h"
@@ -39,6 +41,8 @@ struct On {
     const ui::CommandTable& commands;
     app::Layouts& layouts;
     ui::Toasts& toasts;
+    const app::ClipShelf& shelf;
+    app::Looking& looking;
 };
 
 const ParameterGroup* group_of(const Tuning& tuning) {
@@ -100,8 +104,11 @@ void tool_row(ui::Ui& ui, const On& on) {
         ui.set_focus(ui.id_of("Search"), true);
     }
     const std::string_view find_keys = chord_of(on.commands, "preset.find");
+    constexpr std::string_view asks_for = "Find a parameter";
+    const float field = ui.rect_before(ui.id_of("Search")).w;
+    const bool narrow = field > 0 && field < ui.text_width(asks_for) + ui.em(4);
     ui::search_field(ui, "Search", tuning.search,
-                     {.placeholder = "Find a parameter",
+                     {.placeholder = narrow ? "Find" : asks_for,
                       .tip = find_keys.empty() ? found_by : ui.join({found_by, " (", find_keys, ")"})});
     ui::toggle(ui, "Changed only", tuning.changed_only,
                {.icon = Icon::dot, .tip = "Only what differs from the saved preset", .quiet = true});
@@ -173,9 +180,12 @@ class Sections {
         if (!any) return;
         const ui::Section section(ui_, "Favourites", {.tip = "Parameters marked as favourites in their menu"});
         if (!section) return;
+        bool told = false;
         for (std::size_t i = 0; i < tuning_.favourites().size(); ++i) {  // a menu may remove one meanwhile
             const std::size_t index = tuning_.favourites()[i];
-            if (shows(low_of(index)) && !listed_with_low(index)) row(low_of(index), true);
+            if (!shows(low_of(index)) || listed_with_low(index)) continue;
+            row(low_of(index), true);
+            told = told || put_not_taken(index);
         }
     }
 
@@ -214,8 +224,32 @@ class Sections {
             if (const ui::Menu menu(ui_, group_menu, ui_.join({group.name, " menu"})); menu)
                 menu_items(ui_, on_, &group, ui_.id_of("More"));
         if (!section) return;
-        for (std::size_t i = group.first; i < group.last; ++i)
-            if (shows(i)) row(i, false);
+        if (group.key == "smoke.haze") put_endoscope_only();
+        bool told = false;
+        for (std::size_t i = group.first; i < group.last; ++i) {
+            if (!shows(i)) continue;
+            told = told || put_not_taken(i);
+            row(i, false);
+        }
+    }
+
+    /// Where the shown clip does not take the parameter: says so, and leads to what it takes. Once in a section.
+    bool put_not_taken(std::size_t index) {
+        const NotTaken found = not_taken(on_.edited.document.preset().smoke, on_.shelf, app::parameters()[index].key);
+        if (found.why.empty()) return false;
+        const std::string number = std::to_string(on_.shelf.selected + 1);
+        if (ui::button(ui_, ui_.join({"Clip ", number, found.why, "###Not taken"}),
+                       {.icon = Icon::warning, .tip = found.tip}))
+            on_.layouts.bring_to_front("Keying");
+        return true;
+    }
+
+    /// A free look is without haze: what is set here would not be seen.
+    void put_endoscope_only() {
+        if (on_.looking.endoscope || on_.shelf.alone()) return;
+        if (ui::button(ui_, "Only in the endoscope view",
+                       {.icon = Icon::info, .tip = "A free look leaves haze out. Click for the endoscope view"}))
+            on_.looking.endoscope = true;
     }
 
     bool has_wanted(const ParameterGroup& group) const {
@@ -244,9 +278,9 @@ class Sections {
 }  // namespace
 
 void preset_panel(ui::Ui& ui, Tuning& tuning, const Edited& edited, const ui::CommandTable& commands,
-                  app::Layouts& layouts, ui::Toasts& toasts) {
+                  app::Layouts& layouts, ui::Toasts& toasts, const app::ClipShelf& shelf, app::Looking& looking) {
     tuning.follow();
-    const On on{tuning, edited, commands, layouts, toasts};
+    const On on{tuning, edited, commands, layouts, toasts, shelf, looking};
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow()});
     tool_row(ui, on);
     const ui::ScrollArea area(ui, "Parameters", {.gap = ui.theme().gap});

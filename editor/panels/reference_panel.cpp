@@ -350,13 +350,21 @@ void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, ui::Comman
     });
 }
 
+/// The preview is to show it at the same place, as the scene's camera sees it.
+void take_color(const Edited& edited, const Reference& reference, const ui::Picture& picture, glm::ivec2 at) {
+    edited.eyedropper.picked = app::color_around(*picture.pixels, picture.size, at);
+    edited.seen.clicked({.shot = reference.compared_shot(),
+                         .size = reference.compared_size(),
+                         .place = (glm::dvec2(at) + 0.5) / glm::dvec2(picture.size)});
+}
+
 /// Takes it from the picture that is seen at that place; where both are mixed, from the second.
-void take_color(ui::Eyedropper& eyedropper, CompareWay way, const ui::CompareResult& result, const ui::Picture& first,
-                const ui::Picture& second) {
-    const bool mixed = way == CompareWay::onion || way == CompareWay::difference;
+void take_color(const Edited& edited, const Reference& reference, const ui::CompareResult& result,
+                const ui::Picture& first, const ui::Picture& second) {
+    const bool mixed = reference.way == CompareWay::onion || reference.way == CompareWay::difference;
     const ui::Picture& picture = (mixed && !result.flicker) || result.under == 1 ? second : first;
     if (picture.pixels == nullptr) return;
-    eyedropper.picked = app::color_around(*picture.pixels, picture.size, result.pick);
+    take_color(edited, reference, picture, result.pick);
 }
 
 void tell_empty(ui::Ui& ui, std::size_t slot) {
@@ -384,12 +392,13 @@ void comparison(ui::Ui& ui, Reference& reference, const Edited& edited) {
         ui::compare_view(ui, "Comparison", first, second, reference.compare,
                          {.first_label = app::side_titles[static_cast<std::size_t>(one)],
                           .second_label = app::side_titles[static_cast<std::size_t>(other)],
+                          .magnifier = picks,
                           .eyedropper = picks,
                           .sample_box = picks ? app::picked_side : 1,
                           .over = shapes ? RegionShapes::build : nullptr,
                           .over_with = &regions,
                           .tip = "Wheel: zoom. Hold F: the second alone. X: swap. M: next way of comparing"});
-    if (result.picked) take_color(eyedropper, reference.way, result, first, second);
+    if (result.picked) take_color(edited, reference, result, first, second);
     if (reference.show_at(result.zoom) || result.picked) ui.build_again();
 }
 
@@ -410,13 +419,14 @@ void pictures(ui::Ui& ui, Reference& reference, const Edited& edited) {
     const bool shapes = reference.scopes_look.shows_regions() && !picks;
     const ui::ImageViewResult result =
         ui::image_view(ui, "Video", video, reference.compare.view,
-                       {.eyedropper = picks,
+                       {.magnifier = picks,
+                        .eyedropper = picks,
                         .sample_box = picks ? app::picked_side : 1,
                         .over = shapes ? RegionShapes::build : nullptr,
                         .over_with = &regions,
                         .tip = "Wheel: zoom. 0: whole picture. 1: pixel by pixel. M: next way of comparing"});
     if (!result.picked) return;
-    eyedropper.picked = app::color_around(*video.pixels, video.size, result.pick);
+    take_color(edited, reference, video, result.pick);
     ui.build_again();
 }
 

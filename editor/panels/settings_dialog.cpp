@@ -29,7 +29,8 @@ void looks(ui::Ui& ui, app::Settings& settings) {
     int chosen = 0;
     for (std::size_t i = 0; i < std::size(sizes); ++i)
         if (sizes[i].scale == settings.scale) chosen = static_cast<int>(i);
-    ui::label(ui, "Size of text and controls (Ctrl+= and Ctrl+- change it for this window)", {.tone = ui::Tone::dim});
+    ui::label(ui, "Size of text and controls (Ctrl+= and Ctrl+- change it for this window)",
+              {.tone = ui::Tone::dim, .wrap = true});
     if (ui::segmented(ui, "Size", chosen, size_names).changed)
         settings.scale = sizes[static_cast<std::size_t>(chosen)].scale;
     ui::checkbox(ui, "Reduced motion", settings.reduced_motion, "Nothing blinks or moves by itself");

@@ -25,7 +25,7 @@ constexpr int now = static_cast<int>(Snapshots::count);
 constexpr std::array<std::string_view, Snapshots::count + 1> sides = {"A", "B", "C", "D", "Now"};
 
 // em: widths of the panel below which rows leave things out, and the height below which it scrolls.
-constexpr float whole_row = 24, named_row = 17, worded_row = 16, whole_height = 24, least_table = 9;
+constexpr float whole_row = 26, named_row = 18, worded_row = 16, whole_height = 24, least_table = 9;
 constexpr float picture_height = 3.8F, least_pictured = 12;
 
 /// Names of the four slots, for these versions; with the file where it is another one than the document's.

@@ -18,7 +18,7 @@ DockLayout tune() {
 
 DockLayout key() {
     return dock_split(Axis::x, 0.64F,
-                      dock_split(Axis::y, 0.82F, dock_tabs({"Keying", "Reference", "Measure"}),
+                      dock_split(Axis::y, 0.74F, dock_tabs({"Keying", "Reference", "Measure"}),
                                  dock_tabs({"Timeline", "Amounts", "Curves", "Presets"})),
                       dock_split(Axis::y, 0.45F, dock_tabs({"View"}),
                                  dock_tabs({"Clips", "Preset", "Scene", "Snapshots", "History"})));

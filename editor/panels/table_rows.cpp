@@ -9,6 +9,7 @@
 #include "app/tuning/parameter_text.h"
 #include "app/tuning/parameters.h"
 #include "document/tables.h"
+#include "ui/canvas/pixels.h"
 #include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/color_field.h"
@@ -144,6 +145,25 @@ ui::Edit choice_field(const RowBuild& b) {
     return b.take(edit, chosen);
 }
 
+glm::dvec3 vector_of(ui::Color color) {
+    return glm::dvec3(color.r, color.g, color.b) / 255.0;
+}
+
+/// The lamp's colour is what white looks like, and that of vessels is looked for in the organ's own picture: no light
+/// falls on them.
+bool is_seen_as_it_is(const Parameter& row) {
+    return row.key == "vessel_color" || &row == scene_table().find("light")->find_row("color");
+}
+
+/// The colour for the field with which the picture shows the one that was picked.
+ui::Color as_seen(const RowBuild& b, ui::Color picked) {
+    const glm::dvec3 solved = b.edited.seen.solve(b.name(), vector_of(picked), b.value<glm::dvec3>(),
+                                                  [&](document::Content& content, const glm::dvec3& color) {
+                                                      if (void* const found = b.find(content)) b.row.set(found, color);
+                                                  });
+    return ui::color_of(glm::vec4(255.0 * solved, 255.0));
+}
+
 ui::Edit color_field(const RowBuild& b) {
     const glm::dvec3& value = b.value<glm::dvec3>();
     const auto code = [&](int i) {
@@ -152,8 +172,11 @@ ui::Edit color_field(const RowBuild& b) {
     ui::Color color{code(0), code(1), code(2), 255};
     // The key colour is picked in the Keying panel, because the key is compared with pixels of the clip itself.
     ui::Eyedropper* const dropper = b.row.key == "key_color" ? nullptr : &b.edited.eyedropper;
-    const ui::Edit edit = ui::color_field(b.ui, "Colour", color, {.tip = b.tip(), .eyedropper = dropper});
-    return b.take(edit, glm::dvec3(color.r, color.g, color.b) / 255.0);
+    const std::function<ui::Color(ui::Color)> solve = [&b](ui::Color picked) { return as_seen(b, picked); };
+    const ui::Edit edit = ui::color_field(
+        b.ui, "Colour", color,
+        {.tip = b.tip(), .eyedropper = dropper, .picked_as = is_seen_as_it_is(b.row) ? nullptr : &solve});
+    return b.take(edit, vector_of(color));
 }
 
 ui::Edit text_field(const RowBuild& b) {
@@ -187,7 +210,7 @@ ui::Edit path_field(const RowBuild& b) {
     ui::Ui& ui = b.ui;
     TextShown& shown = ui.memory<TextShown>(ui.id_of("File"));
     shown.text = b.value<std::string>();
-    ui::text_field(ui, "File", shown.text, {.placeholder = "none", .tip = b.tip(), .read_only = true});
+    ui::text_field(ui, "File", shown.text, {.placeholder = "none", .tip = b.tip(), .read_only = true, .path = true});
     ui::space(ui, 0.2F);
     ui::Edit edit;
     if (!b.row.required && !shown.text.empty() &&

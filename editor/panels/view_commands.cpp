@@ -13,7 +13,6 @@
 #include "app/preview/orbit.h"
 #include "app/reference/plate.h"
 #include "app/reference/reference.h"
-#include "lapfx/authoring/organ_report.h"
 #include "panels/panels.h"
 #include "ui/core/tree.h"
 
@@ -24,15 +23,11 @@ namespace {
 using ui::Key;
 using ui::Mods;
 
-void show_organ_whole(app::Looking& looking, const Preview* preview) {
+void show_organ_whole(app::Looking& looking, const app::PreviewHost& host) {
+    const Preview* const preview = host.preview();
     if (preview == nullptr || preview->organ().positions.empty()) return;
-    OrganReport bounds;
-    bounds.minimum = bounds.maximum = glm::dvec3(preview->organ().positions.front());
-    for (const glm::vec3& p : preview->organ().positions) {
-        bounds.minimum = glm::min(bounds.minimum, glm::dvec3(p));
-        bounds.maximum = glm::max(bounds.maximum, glm::dvec3(p));
-    }
-    looking.camera = app::frame(bounds);
+    const glm::dvec2 size(glm::max(host.size(), glm::ivec2(1)));
+    looking.camera = app::fit(preview->organ().positions, size.x / size.y);
     looking.endoscope = false;
 }
 
@@ -61,7 +56,7 @@ void show_whole(app::Editor& editor) {
     else if (panel == "Reference" || (!view && reference))
         editor.reference().compare.view = {};
     else
-        show_organ_whole(editor.looking, editor.preview.preview());
+        show_organ_whole(editor.looking, editor.preview);
 }
 
 /// Whether any picture is seen; it is asked in every frame, so it does not look for the pointer.

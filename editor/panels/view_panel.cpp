@@ -11,7 +11,6 @@
 #include "app/files/organ_choice.h"
 #include "app/preview/events.h"
 #include "app/preview/orbit.h"
-#include "app/preview/pick_color.h"
 #include "app/reference/reference.h"
 #include "panels/band_strip.h"
 #include "panels/panels.h"
@@ -104,7 +103,8 @@ class ViewPanel {
         underlay(view);
         look_under(view);
         if (on_.edited.eyedropper.wanted_by != 0) {
-            pick_color(view);
+            memory_.drag = Drag::none;
+            pick_in_view(ui_, view, on_.edited, on_.preview);
         } else {
             work(view);
             keys(view);
@@ -130,21 +130,21 @@ class ViewPanel {
         const float choice = ui_.em(choice_width);
         std::array<ui::ToolItem, tool_count> items;
         items[power] = {.width = hot ? choice : 0, .rank = 1};
-        items[strength] = {.width = cutting ? choice : 0, .rank = 2};
-        items[overlay] = {.width = choice, .rank = 2, .end = true};
+        items[strength] = {.width = cutting ? choice : 0, .rank = 1};
+        items[overlay] = {.width = choice, .rank = 3, .end = true};
         // In a very low window the menu of tools would not fit: keys and the View menu have these, too.
         const bool low = ui_.window().y < ui_.em(low_window);
-        items[under] = {.width = low ? 0 : ui::tool_width(ui_, "Underlay"), .rank = 3};
-        items[share] = {.width = shows_underlay() && !low ? choice : 0, .rank = 3};
-        items[endoscope] = {.width = ui::tool_width(ui_, "Endoscope view"), .rank = 1};
+        items[under] = {.width = low ? 0 : ui::tool_width(ui_, "Underlay"), .rank = 4};
+        items[share] = {.width = shows_underlay() && !low ? choice : 0, .rank = 1};
+        items[endoscope] = {.width = ui::tool_width(ui_, "Endoscope view"), .rank = 2};
         const Scene& scene = on_.edited.document.scene();
         const bool has_plate = !low && (scene.plate.use || !scene.reference.file.empty());
-        items[plate] = {.width = has_plate ? ui::tool_width(ui_, "Plate") : 0, .rank = 2};
-        items[use] = {.width = on_.looking.endoscope ? 0 : ui::tool_width(ui_, "Use view"), .rank = 3};
-        items[whole] = {.width = ui::tool_width(ui_, "Frame the organ"), .rank = 4};
-        float others = 0;
-        for (const ui::ToolItem& item : items) others += item.width > 0 ? item.width + ui_.em(ui_.theme().gap) : 0;
-        const bool in_a_row = room == 0 || others + tools_width() <= room;
+        items[plate] = {.width = has_plate ? ui::tool_width(ui_, "Plate") : 0, .rank = 3};
+        items[use] = {.width = on_.looking.endoscope ? 0 : ui::tool_width(ui_, "Use view"), .rank = 4};
+        items[whole] = {.width = ui::tool_width(ui_, "Frame the organ"), .rank = 5};
+        // The tools' values have room beside them, shown or not: else the tools would fold up when one is chosen.
+        const float values = 2 * choice + ui::tool_width(ui_, "More...");
+        const bool in_a_row = room == 0 || tools_width() + values + 4 * ui_.em(ui_.theme().gap) <= room;
         items[tool] = {.width = in_a_row ? tools_width() : choice};
         ui::toolbar(ui_, "View tools", room, items, [&](std::size_t item) { put(item, in_a_row); });
     }
@@ -154,7 +154,7 @@ class ViewPanel {
             case tool:
                 return tool_choice(in_a_row);
             case power:
-                return power_field();
+                return percent_field("Power", on_.tool.power, 100, "Cautery power of the next events");
             case strength:
                 return strength_field();
             case overlay:
@@ -163,7 +163,8 @@ class ViewPanel {
                 ui::command_button(ui_, on_.commands, "view.underlay");
                 return;
             case share:
-                return underlay_field();
+                return percent_field("Underlay share", on_.looking.underlay_share, 50,
+                                     "Share of the reference where it is shown over the view");
             case endoscope:
                 ui::command_button(ui_, on_.commands, "view.endoscope");
                 return;
@@ -205,26 +206,18 @@ class ViewPanel {
 
     bool shows_underlay() const { return on_.looking.underlay && on_.reference.video() != nullptr; }
 
-    void underlay_field() {
+    void percent_field(std::string_view name, double& value, double standard, std::string_view tip) {
         ui::ParamOptions options = ui::percent();
-        options.hard_minimum = 0, options.hard_maximum = 100, options.standard = 50;
-        options.tip = "Share of the reference where it is shown over the view";
+        options.hard_minimum = 0, options.hard_maximum = 100, options.standard = standard;
+        options.tip = tip;
         options.width = ui::px(ui_.em(choice_width));
-        ui::number_field(ui_, "Underlay share", on_.looking.underlay_share, options);
+        ui::number_field(ui_, name, value, options);
     }
 
     void use_view_button() {
         if (ui::button(ui_, "Use view",
                        {.tip = "Moves the endoscope to where you look from: comparing and exporting use its view"}))
             on_.commands.run("view.use_view");
-    }
-
-    void power_field() {
-        ui::ParamOptions options = ui::percent();
-        options.hard_minimum = 0, options.hard_maximum = 100, options.standard = 100;
-        options.tip = "Cautery power of the next events";
-        options.width = ui::px(ui_.em(choice_width));
-        ui::number_field(ui_, "Power", on_.tool.power, options);
     }
 
     void strength_field() {
@@ -298,25 +291,6 @@ class ViewPanel {
              .hit = preview->pick(glm::dvec2(view.pointer), view.size),
              .tissue = {}};
         if (u.hit) u.tissue = preview->tissue(u.hit->position);
-    }
-
-    /// Takes a colour from the picture for the field that wants one.
-    void pick_color(const ui::ViewportResult& view) {
-        memory_.drag = Drag::none;
-        if (view.hovered) ui_.set_cursor(ui::Cursor::crosshair);
-        bool enter = false;
-        for (const ui::ViewportKey& key : view.keys) {
-            enter |= key.key == Key::enter;
-            if (key.key != Key::enter && key.key != Key::escape) ui_.press_shortcut(key.key, key.mods);
-        }
-        const bool left = view.clicked && view.button == ui::Button::left;
-        const glm::ivec2 drawn = on_.preview.size();
-        if ((!left && !enter) || on_.preview.picture() == 0 || view.size.x < 1 || view.size.y < 1) return;
-        const glm::dvec2 at = left ? glm::dvec2(view.pointer) : glm::dvec2(view.size) / 2.0;
-        const Image image = on_.preview.read();
-        on_.edited.eyedropper.picked = app::color_around(app::ImagePixels(image), drawn,
-                                                         glm::ivec2(at * glm::dvec2(drawn) / glm::dvec2(view.size)));
-        ui_.build_again();
     }
 
     Drag drag_for(const ui::ViewportResult& view) const {
@@ -476,7 +450,7 @@ class ViewPanel {
     void loading() {
         const auto loading = on_.preview.loading();
         if (!loading) return;
-        const ui::Panel panel(ui_, "Loading", {.width = ui::px(ui_.em(30)), .height = ui::fit(), .padding = 0.6F});
+        const ui::Panel panel(ui_, "Loading", {.width = box_width(), .height = ui::fit(), .padding = 0.6F});
         const float y = on_.preview.ready() ? 0.0F : 0.5F;
         place({.fraction = {0.5F, y}, .offset = {0, y > 0 ? 0 : ui_.em(0.6F)}, .pivot = {0.5F, y}});
         if (ui::progress(ui_, ui_.join({"Loading ", loading->name}), loading->progress, {.cancellable = true}))
@@ -484,6 +458,10 @@ class ViewPanel {
     }
 
     // --- what keeps it from being shown ---
+    ui::Size box_width() {
+        const float room = ui_.rect_before(ui_.id_of("Preview")).w;
+        return ui::px(room > 0 ? std::min(ui_.em(30), room) : ui_.em(30));
+    }
     void faults() {
         if (!on_.preview.organ_faults().empty())
             organ_fault(on_.preview.organ_faults().front());
@@ -492,7 +470,7 @@ class ViewPanel {
     }
 
     void organ_fault(const Fault& fault) {
-        const ui::Panel panel(ui_, "Organ fault", {.width = ui::px(ui_.em(30)), .height = ui::fit(), .padding = 1});
+        const ui::Panel panel(ui_, "Organ fault", {.width = box_width(), .height = ui::fit(), .padding = 1});
         place({.fraction = {0.5F, 0.5F}, .pivot = {0.5F, 0.5F}});
         if (on_.edited.document.scene().plate.use) return plate_fault(fault);
         const std::string& file = on_.edited.document.scene().organ.file;
@@ -526,7 +504,7 @@ class ViewPanel {
 
     /// The picture shows everything except what is wrong.
     void preset_fault(const std::vector<Fault>& faults) {
-        const ui::Panel panel(ui_, "Preset fault", {.width = ui::px(ui_.em(30)), .height = ui::fit(), .padding = 0.6F});
+        const ui::Panel panel(ui_, "Preset fault", {.width = box_width(), .height = ui::fit(), .padding = 0.6F});
         place({.fraction = {0.5F, 1}, .offset = {0, -ui_.em(2.8F)}, .pivot = {0.5F, 1}});
         const std::string more = faults.size() > 1 ? " (and " + std::to_string(faults.size() - 1) + " more)" : "";
         ui::label(ui_, "Not shown because of a fault:", {.tone = ui::Tone::warning});

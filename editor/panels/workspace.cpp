@@ -32,7 +32,9 @@ constexpr PanelRow panel_rows[] = {
     {"View", "The organ with blood and smoke, to look at and to work on with the tool",
      [](Ui& ui, Editor& e) { view_panel(ui, view_parts(e)); }},
     {"Preset", "The preset's parameters",
-     [](Ui& ui, Editor& e) { preset_panel(ui, e.tuning(), edited_in(e), e.commands, e.layouts(), e.toasts); }},
+     [](Ui& ui, Editor& e) {
+         preset_panel(ui, e.tuning(), edited_in(e), e.commands, e.layouts(), e.toasts, e.clips(), e.looking);
+     }},
     {"Clips", "The preset's smoke videos",
      [](Ui& ui, Editor& e) { clips_panel(ui, e.clips(), edited_in(e), e.files(), e.commands); }},
     {"Keying", "What in the selected clip is smoke",
@@ -83,7 +85,7 @@ std::vector<std::string> dropped_files(std::string_view paths) {
 }
 
 Edited edited_in(Editor& e) {
-    return {e.document, e.saved(), e.eyedropper, e.chooser()};
+    return {e.document, e.saved(), e.eyedropper, e.chooser(), e.seen_colors()};
 }
 
 ViewParts view_parts(Editor& e) {

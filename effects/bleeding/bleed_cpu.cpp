@@ -45,7 +45,7 @@ BleedField::BleedField(const Surface& surface, glm::dvec3 down)
       values_(surface.weld.size(), glm::vec2(dry_, 0.0f)),
       is_touched_(surface.positions.size(), false),
       changed_(surface.weld.size()),
-      amount_(surface) {
+      amount_(surface, down) {
     copies_of_.resize(surface.positions.size() + 1);
     for (const std::uint32_t v : surface.weld) ++copies_of_[v + 1];
     for (std::size_t i = 1; i < copies_of_.size(); ++i) copies_of_[i] += copies_of_[i - 1];

@@ -1,10 +1,52 @@
 #include "bleeding/blood_amount.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "organ/above_zero.h"
 
 namespace lapfx::bleeding {
+
+namespace {
+
+/// The edge's noise (shaders/bleeding.glsl) as values that are equally likely. The standard deviation of Perlin noise
+/// at random places is 0.270; octaves are independent, and however many there are, the distribution has the same shape.
+class EdgeNoise {
+  public:
+    static constexpr std::size_t count = 8;
+
+    explicit EdgeNoise(const BleedingParameters& parameters) : strength_(parameters.noise_strength) {
+        double amplitude = 1.0, sum = 0.0, squares = 0.0;
+        for (int i = 0; i < parameters.noise_octaves; ++i, amplitude *= 0.5) {
+            sum += amplitude;
+            squares += amplitude * amplitude;
+        }
+        if (sum > 0.0) deviation_ = 0.270 * std::sqrt(squares) / sum;
+    }
+
+    /// mm by which the edge is moved, on tissue so steep (0..1, with rivulets).
+    std::array<double, count> moves(double steep) const {
+        std::array<double, count> found;
+        for (std::size_t i = 0; i < count / 2; ++i) {
+            const double x = std::min(deviation_ * parts_[i] * (1.0 + steep), 1.5);
+            const double bent = std::min(x - steep * x * x * x / 6.75, 1.0);
+            found[2 * i] = strength_ * bent;
+            found[2 * i + 1] = -strength_ * bent;
+        }
+        return found;
+    }
+    double most() const { return strength_; }  ///< mm
+
+  private:
+    /// Means of its positive half in four parts of equal probability, in standard deviations. It is nearly a normal
+    /// one, for which they would be 0.158, 0.491, 0.895 and 1.647.
+    static constexpr std::array<double, count / 2> parts_{0.163, 0.509, 0.922, 1.638};
+
+    double strength_, deviation_ = 0.0;
+};
+
+}  // namespace
 
 void AmountSum::mark(std::uint32_t vertex) noexcept {
     if (parts_.empty()) parts_.resize(surface_.triangles.size());
@@ -31,14 +73,38 @@ void AmountSum::clear() noexcept {
     sum_ = {};
 }
 
+/// As the shader has it: none without rivulets, all on a wall.
+double AmountSum::steepness(std::uint32_t triangle) const noexcept {
+    const auto& c = surface_.triangles[triangle];
+    const auto& p = surface_.positions;
+    const glm::dvec3 across = glm::cross(p[c[1]] - p[c[0]], p[c[2]] - p[c[0]]);
+    const double length = glm::length(across);
+    return length > 0.0 ? glm::smoothstep(0.3, 0.9, glm::length(glm::cross(across / length, down_))) : 0.0;
+}
+
 BloodAmount AmountSum::measure(std::span<const glm::vec2> values, const BleedingParameters& parameters) noexcept {
+    const EdgeNoise noise(parameters);
     const auto above = [&](std::uint32_t v) { return values[v].x - parameters.threshold; };
     for (const std::uint32_t t : marked_) {
         const auto& c = surface_.triangles[t];
-        const organ::AboveZero wet = organ::above_zero(above(c[0]), above(c[1]), above(c[2]));
-        const double area = wet.share * surface_.area(t);
-        const double depth = parameters.thickness * std::min(1.0, wet.mean / parameters.deep_at);
-        const Part now{.area = organ::whole_units(area, unit), .volume = organ::whole_units(area * depth, unit)};
+        const double a0 = above(c[0]), a1 = above(c[1]), a2 = above(c[2]);
+        double share = 0.0, depth = 0.0;
+        const auto add = [&](double move) {
+            const organ::AboveZero wet = organ::above_zero(a0 - move, a1 - move, a2 - move);
+            share += wet.share;
+            depth += wet.share * std::min(1.0, wet.mean / parameters.deep_at);
+        };
+        if (std::min({a0, a1, a2}) >= noise.most() || std::max({a0, a1, a2}) <= -noise.most()) {
+            add(0.0);
+        } else {
+            for (const double move : noise.moves(parameters.rivulets > 0.0 ? parameters.rivulets * steepness(t) : 0.0))
+                add(move);
+            share /= EdgeNoise::count;
+            depth /= EdgeNoise::count;
+        }
+        const double area = surface_.area(t);
+        const Part now{.area = organ::whole_units(share * area, unit),
+                       .volume = organ::whole_units(parameters.thickness * depth * area, unit)};
         sum_.area += now.area - parts_[t].area;
         sum_.volume += now.volume - parts_[t].volume;
         parts_[t] = now;

@@ -14,19 +14,21 @@ namespace lapfx::bleeding {
 
 /// Blood on the whole organ.
 struct BloodAmount {
-    double area = 0.0;  ///< mm2 of surface above the threshold, without noise
+    /// mm2 of surface above the threshold, which noise moves: its mean over all noise of this strength.
+    double area = 0.0;
     /// mm3: a layer that rises from its edge to `thickness` where the colour gradient ends (deep_at).
     double volume = 0.0;
 };
 
 class AmountSum {
   public:
-    /// Keeps a reference to `surface`, which has no blood yet.
-    explicit AmountSum(const Surface& surface) : surface_(surface), state_(surface.triangles.size(), untouched) {}
+    /// Keeps a reference to `surface`, which has no blood yet. `down`: unit, or 0 without gravity.
+    AmountSum(const Surface& surface, const glm::dvec3& down)
+        : surface_(surface), down_(down), state_(surface.triangles.size(), untouched) {}
 
     /// The value of a surface vertex has changed.
     void mark(std::uint32_t vertex) noexcept;
-    /// threshold, thickness or deep_at has changed.
+    /// A parameter other than those of the values has changed.
     void mark_all() noexcept;
     /// No vertex has blood any more.
     void clear() noexcept;
@@ -40,7 +42,10 @@ class AmountSum {
     };
     static constexpr double unit = 1e-6;  // mm2, mm3
 
+    double steepness(std::uint32_t triangle) const noexcept;
+
     const Surface& surface_;
+    glm::dvec3 down_;
     std::vector<char> state_;             // per triangle
     std::vector<Part> parts_;             // per triangle; empty until there is blood
     std::vector<std::uint32_t> touched_;  // triangles that have had blood

@@ -68,8 +68,8 @@ constexpr Parameter rows[] = {
           number<&B::noise_strength>(
               "noise_strength", "Noise strength", {0, 20, 0.1, "mm"},
               "How far noise moves the edge of the blood. 0 shows a sharp, plain edge, as in the paper's figure 7b.")),
-    integer<&B::noise_octaves>("noise_octaves", "Noise octaves", {1, 6, 1},
-                               "How many layers of ever finer noise shape the edge."),
+    again(changes_sums, integer<&B::noise_octaves>("noise_octaves", "Noise octaves", {1, 6, 1},
+                                                   "How many layers of ever finer noise shape the edge.")),
     again(changes_fronts, number<&B::gravity_bias>(
                               "gravity_bias", "Gravity bias", {0, 0.9, 0.01},
                               "How much easier blood runs downhill than uphill. 0 spreads evenly, as in the paper.")),
@@ -83,9 +83,10 @@ constexpr Parameter rows[] = {
               "bridge_gap", "Bridge gap", {0, 5, 0.1, "mm"},
               "Parts of an organ that are closer than this count as touching: blood runs from one to the "
               "other. 0 keeps it within one part.")),
-    number<&B::rivulets>(
-        "rivulets", "Rivulets", {0, 1, 0.01},
-        "How far the edge is drawn out into narrow runs where tissue is steep. 0 makes round lobes everywhere."),
+    again(changes_sums,
+          number<&B::rivulets>(
+              "rivulets", "Rivulets", {0, 1, 0.01},
+              "How far the edge is drawn out into narrow runs where tissue is steep. 0 makes round lobes everywhere.")),
     again(changes_values, number<&B::pulse_rate>("pulse_rate", "Pulse rate", {0, 4, 0.05, "Hz"},
                                                  "Heart beats per second of an arterial wound. 0: venous.")),
     again(changes_values,

@@ -51,6 +51,27 @@ Pattern pattern_of(const Corners& p, const std::array<bool, 3>& split) {
     return {3, {{{k, ki, jk}, {i, j, ki}, {j, jk, ki}}}};
 }
 
+/// Squared lengths from which on the three edges of a triangle are split, mm2; edge i starts at corner i.
+using Limits = std::array<double, 3>;
+
+/// Those of the edges of the file. Both triangles at an edge find the same; its pieces keep it.
+Limits limits_of(const Corners& p, const organ::LongestEdge& longest) {
+    return {longest.squared_for(squared(p[0], p[1])), longest.squared_for(squared(p[1], p[2])),
+            longest.squared_for(squared(p[2], p[0]))};
+}
+
+/// Those of a triangle of a pattern. An edge inside belongs to no other triangle of the file.
+Limits limits_of(const std::array<int, 3>& corners, const Limits& whole) {
+    const auto limit = [&](int a, int b) {
+        for (int i = 0; i < 3; ++i) {
+            const auto on_edge = [&](int c) { return c == i || c == i + 3 || c == (i + 1) % 3; };
+            if (on_edge(a) && on_edge(b)) return whole[static_cast<std::size_t>(i)];
+        }
+        return std::max({whole[0], whole[1], whole[2]});
+    };
+    return {limit(corners[0], corners[1]), limit(corners[1], corners[2]), limit(corners[2], corners[0])};
+}
+
 /// An edge of a few times the distance between floats there is not split: rounding would make pieces as long as it, and
 /// there would be no end. Nor is one of infinite length.
 bool too_long(const glm::vec3& a, const glm::vec3& b, double limit) {
@@ -62,13 +83,13 @@ bool too_long(const glm::vec3& a, const glm::vec3& b, double limit) {
     return length2 > limit && length2 > least * least;
 }
 
-std::array<bool, 3> long_edges(const Corners& p, double limit) {
-    return {too_long(p[0], p[1], limit), too_long(p[1], p[2], limit), too_long(p[2], p[0], limit)};
+std::array<bool, 3> long_edges(const Corners& p, const Limits& limits) {
+    return {too_long(p[0], p[1], limits[0]), too_long(p[1], p[2], limits[1]), too_long(p[2], p[0], limits[2])};
 }
 
 /// Number of triangles that one becomes; stops counting beyond `most`.
-std::size_t count(const Corners& p, double limit, std::size_t most) {
-    const Pattern pattern = pattern_of(p, long_edges(p, limit));
+std::size_t count(const Corners& p, const Limits& limits, std::size_t most) {
+    const Pattern pattern = pattern_of(p, long_edges(p, limits));
     if (pattern.count == 0) return 1;
     const std::array<glm::vec3, 6> at{p[0], p[1], p[2], middle(p[0], p[1]), middle(p[1], p[2]), middle(p[2], p[0])};
     std::size_t sum = 0;
@@ -76,7 +97,7 @@ std::size_t count(const Corners& p, double limit, std::size_t most) {
         const auto& c = pattern.triangles[static_cast<std::size_t>(t)];
         sum += count({at[static_cast<std::size_t>(c[0])], at[static_cast<std::size_t>(c[1])],
                       at[static_cast<std::size_t>(c[2])]},
-                     limit, most - std::min(most, sum));
+                     limits_of(c, limits), most - std::min(most, sum));
     }
     return sum;
 }
@@ -100,14 +121,13 @@ glm::vec3 unit_or(const glm::vec3& direction, const glm::vec3& otherwise) {
     return length > 1e-6f ? direction / length : otherwise;
 }
 
-/// Every 65,536 triangles it reports progress and asks whether to stop.
-constexpr std::size_t indices_between_stages = std::size_t{3} << 16;
+/// Every 32,768 triangles it reports progress and asks whether to stop.
+constexpr std::size_t indices_between_stages = std::size_t{3} << 15;
 
 class Refiner {
   public:
-    Refiner(organ::SplitOrgan& out, double length) : organ_(out.organ), from_(out.from), limit_(length * length) {
-        places_ = places_of(organ_);
-    }
+    Refiner(organ::SplitOrgan& out, const organ::LongestEdge& longest)
+        : organ_(out.organ), from_(out.from), longest_(longest), places_(places_of(organ_)) {}
 
     void run(std::size_t triangles, const work::Stages& stages) {
         from_.parts = organ_.parts;
@@ -119,7 +139,8 @@ class Refiner {
         for (Part& part : organ_.parts) {
             const auto first = static_cast<std::uint32_t>(indices_.size());
             for (std::uint32_t i = part.first_index; i + 2 < part.first_index + part.index_count; i += 3) {
-                split({before[i], before[i + 1], before[i + 2]});
+                const Triangle v{before[i], before[i + 1], before[i + 2]};
+                split(v, limits_of(corners_at(v), longest_));
                 if (indices_.size() < told) continue;
                 stages.reach(std::min(1.0, static_cast<double>(indices_.size()) / static_cast<double>(3 * triangles)));
                 told = indices_.size() + indices_between_stages;
@@ -131,9 +152,13 @@ class Refiner {
     }
 
   private:
-    void split(const std::array<std::uint32_t, 3>& v) {
-        const Corners p{places_[v[0]], places_[v[1]], places_[v[2]]};
-        const std::array<bool, 3> edges = long_edges(p, limit_);
+    using Triangle = std::array<std::uint32_t, 3>;
+
+    Corners corners_at(const Triangle& v) const { return {places_[v[0]], places_[v[1]], places_[v[2]]}; }
+
+    void split(const Triangle& v, const Limits& limits) {
+        const Corners p = corners_at(v);
+        const std::array<bool, 3> edges = long_edges(p, limits);
         const Pattern pattern = pattern_of(p, edges);
         if (pattern.count == 0) {
             indices_.insert(indices_.end(), v.begin(), v.end());
@@ -145,7 +170,8 @@ class Refiner {
         for (int t = 0; t < pattern.count; ++t) {
             const auto& c = pattern.triangles[static_cast<std::size_t>(t)];
             split({corner[static_cast<std::size_t>(c[0])], corner[static_cast<std::size_t>(c[1])],
-                   corner[static_cast<std::size_t>(c[2])]});
+                   corner[static_cast<std::size_t>(c[2])]},
+                  limits_of(c, limits));
         }
     }
 
@@ -174,32 +200,71 @@ class Refiner {
 
     Organ& organ_;
     organ::Unsplit& from_;
-    double limit_;  // mm2
+    organ::LongestEdge longest_;
     std::vector<glm::vec3> places_;
     std::vector<std::uint32_t> indices_;
     std::unordered_map<std::uint64_t, std::uint32_t>
         known_;  // the vertices that a midpoint lies between, the smaller first
 };
 
-/// A lower bound for the number of triangles without edges longer than a length: none is larger than the equilateral
-/// one of that length, and each piece of a triangle's longest edge belongs to a different triangle.
+double longest2_of(const Corners& p) {
+    return std::max({squared(p[0], p[1]), squared(p[1], p[2]), squared(p[2], p[0])});
+}
+
+double area_of(const Corners& p) {
+    return 0.5 * glm::length(glm::cross(glm::dvec3(p[1]) - glm::dvec3(p[0]), glm::dvec3(p[2]) - glm::dvec3(p[0])));
+}
+
+/// A lower bound for the number of triangles: none is larger than the equilateral one of the longest edge that is
+/// allowed, and each piece of a triangle's longest edge belongs to a different triangle.
 class AtLeast {
   public:
     void add(const Corners& p) {
-        const double longest = std::sqrt(std::max({squared(p[0], p[1]), squared(p[1], p[2]), squared(p[2], p[0])}));
-        const double area =
-            0.5 * glm::length(glm::cross(glm::dvec3(p[1]) - glm::dvec3(p[0]), glm::dvec3(p[2]) - glm::dvec3(p[0])));
-        if (!std::isfinite(longest) || !std::isfinite(area)) return;  // it stays as it is
-        longest_ += longest;
-        area_ += area;
+        const double longest2 = longest2_of(p), area = area_of(p);
+        if (!std::isfinite(longest2) || !std::isfinite(area)) return;  // it stays as it is
+        sizes_.push_back({longest2, area});
+        longest2_ = std::max(longest2_, longest2);
     }
-    double triangles(double length) const {
-        return std::max(longest_ / length, area_ / (0.25 * std::sqrt(3.0) * length * length));
+    double longest_edge() const { return std::sqrt(longest2_); }  ///< mm, of the triangles added
+    double triangles(const organ::LongestEdge& longest) const {
+        double by_length = 0.0, by_area = 0.0;
+        for (const Size& size : sizes_) {
+            const double limit2 = longest.squared_for(size.longest2);
+            by_length += std::sqrt(size.longest2 / limit2);
+            by_area += size.area / (0.25 * std::sqrt(3.0) * limit2);
+        }
+        return std::max(by_length, by_area);
     }
 
   private:
-    double longest_ = 0.0, area_ = 0.0;  // mm, mm2: sums over the triangles added
+    struct Size {
+        double longest2, area;  // mm2
+    };
+    std::vector<Size> sizes_;
+    double longest2_ = 0.0;
 };
+
+/// mm that half of the surface has no longer edges than, after splitting.
+double usual_length(const Organ& organ, const std::vector<glm::vec3>& places, const organ::LongestEdge& longest) {
+    struct Piece {
+        double length2, area;
+    };
+    std::vector<Piece> pieces;
+    pieces.reserve(organ.triangle_count());
+    double whole = 0.0;
+    for (std::size_t t = 0; t < organ.triangle_count(); ++t) {
+        const Corners p = corners_of(organ, places, t);
+        const double area = area_of(p);
+        if (!std::isfinite(area)) continue;
+        pieces.push_back({longest.squared_for(longest2_of(p)), area});
+        whole += area;
+    }
+    std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.length2 < b.length2; });
+    double sum = 0.0;
+    for (const Piece& piece : pieces)
+        if ((sum += piece.area) >= 0.5 * whole) return std::sqrt(piece.length2);
+    return organ::longest_wanted;
+}
 
 }  // namespace
 
@@ -208,8 +273,8 @@ organ::RefinePlan organ::plan_refine(const Organ& organ, const work::Stages& sta
     // First without joining vertices: most organs are fine enough, and joining takes longer than this check.
     std::vector<std::size_t> coarse;
     for (std::size_t t = 0; t < organ.triangle_count(); ++t) {
-        const std::array<bool, 3> edges =
-            long_edges(corners_of(organ, organ.positions, t), longest_wanted * longest_wanted);
+        const Corners p = corners_of(organ, organ.positions, t);
+        const std::array<bool, 3> edges = long_edges(p, limits_of(p, {}));
         if (edges[0] || edges[1] || edges[2]) coarse.push_back(t);
     }
     if (coarse.empty()) return plan;
@@ -219,14 +284,19 @@ organ::RefinePlan organ::plan_refine(const Organ& organ, const work::Stages& sta
     AtLeast at_least;
     for (const std::size_t t : coarse) at_least.add(corners_of(organ, places, t));
     const std::size_t most = coarse.size() + most_added;
-    const auto length_of = [](int step) { return longest_wanted * std::pow(1.25, step); };
+    const auto longest_of = [&](int step) {
+        return LongestEdge{.whole_up_to = step == 0 ? std::numeric_limits<double>::infinity()
+                                                    : at_least.longest_edge() * std::pow(1.25, -step)};
+    };
     const auto made_by = [&](int step) {
         stages.reach(0.0);
         ++plan.counts;
-        const double length = length_of(step);
+        const LongestEdge longest = longest_of(step);
         std::size_t made = 0;
-        for (std::size_t i = 0; i < coarse.size() && made <= most; ++i)
-            made += count(corners_of(organ, places, coarse[i]), length * length, most - made);
+        for (std::size_t i = 0; i < coarse.size() && made <= most; ++i) {
+            const Corners p = corners_of(organ, places, coarse[i]);
+            made += count(p, limits_of(p, longest), most - made);
+        }
         return made;
     };
     int step = 0;
@@ -236,7 +306,7 @@ organ::RefinePlan organ::plan_refine(const Organ& organ, const work::Stages& sta
         // estimate is poor, it is found by doubling strides and then by halving. Not for step 0, because edges too far
         // out to be split make fewer triangles than the estimate.
         int too_fine = 0;
-        for (step = 1; at_least.triangles(length_of(step)) > static_cast<double>(most); ++step) too_fine = step;
+        for (step = 1; at_least.triangles(longest_of(step)) > static_cast<double>(most); ++step) too_fine = step;
         for (int stride = 1; (made = made_by(step)) > most; stride *= 2) {
             too_fine = step;
             step += stride;
@@ -249,7 +319,9 @@ organ::RefinePlan organ::plan_refine(const Organ& organ, const work::Stages& sta
             else
                 step = middle, made = there;
         }
-        plan.length = length_of(step);
+        plan.longest = longest_of(step);
+        plan.length = std::sqrt(plan.longest.squared_for(at_least.longest_edge() * at_least.longest_edge()));
+        plan.usual = usual_length(organ, places, plan.longest);
     }
     plan.triangles += made - coarse.size();
     return plan;
@@ -258,7 +330,7 @@ organ::RefinePlan organ::plan_refine(const Organ& organ, const work::Stages& sta
 organ::SplitOrgan organ::refine(Organ organ, const RefinePlan& plan, const work::Stages& stages) {
     SplitOrgan split{.organ = std::move(organ), .from = {}};
     if (!plan.splits) return split;
-    Refiner(split, plan.length).run(plan.triangles, stages);
+    Refiner(split, plan.longest).run(plan.triangles, stages);
     const auto fit = [](auto&... arrays) {
         (arrays.shrink_to_fit(), ...);
     };  // so there is room for half of them to grow

@@ -1,6 +1,9 @@
 // Whether an organ's triangles are too large for the values at its vertices, and the result of splitting them.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "lapfx/refine.h"
@@ -12,14 +15,31 @@ namespace lapfx::organ {
 /// noise at the edge of the blood.
 constexpr double longest_wanted = 2.0;
 /// At most this many triangles are added. An organ needs fewer; a room or a wrong unit would need more.
-constexpr std::size_t most_added = 400'000;
+constexpr std::size_t most_added = 300'000;
+/// Burns are a tenth smaller, and more, on edges longer than this, mm; where most of an organ has such edges, it is
+/// told. A whole abdomen has not.
+constexpr double told_from = 4.0;
+
+/// The longest edges that are left. Where most_added is not enough for longest_wanted, edges that are long in the file
+/// already (a wall, a floor, the back of a liver) stay longer: what was modelled finely is what is looked at.
+struct LongestEdge {
+    double whole_up_to =
+        std::numeric_limits<double>::infinity();  ///< mm in the file; these are split to longest_wanted
+    /// mm2, from the squared length in the file, mm2. It grows as the root of the length.
+    double squared_for(double in_file2) const {
+        return longest_wanted * longest_wanted * std::max(1.0, std::sqrt(in_file2) / whole_up_to);
+    }
+};
 
 struct RefinePlan {
-    double length = longest_wanted;                           ///< mm; edges longer than this are split
-    std::size_t triangles = 0;                                ///< triangles after splitting
-    bool splits = false;                                      ///< there is anything to split
-    int counts = 0;                                           ///< lengths for which triangles were counted
+    LongestEdge longest = {};
+    double length = longest_wanted;  ///< mm; no edge is longer after splitting
+    double usual = longest_wanted;   ///< mm; half of the surface has no longer edges after splitting
+    std::size_t triangles = 0;       ///< triangles after splitting
+    bool splits = false;             ///< there is anything to split
+    int counts = 0;                  ///< lengths for which triangles were counted
     bool bounded() const { return length > longest_wanted; }  ///< most_added was not enough for longest_wanted
+    bool is_told() const { return usual > told_from; }
 };
 RefinePlan plan_refine(const Organ& organ, const work::Stages& stages = {});
 

@@ -221,4 +221,39 @@ Patch cardia_fat_shape(const Ground& ground) {
     return lay_fat(ground, {-112, -98}, {54, 72}, 138, 142, inside_cardia_fat, 7.0, 15.0);
 }
 
+Patch ligament_shape(const Ground& ground) {
+    // In the field's plane, from under the liver's edge to under the fat of the lesser curvature; half its width there.
+    const std::vector<dvec2> middle = {{-66, 27}, {-53, 15}, {-40, 5}, {-26, -3}, {-12, -8}, {2, -11}};
+    const std::vector<double> half = {17, 13.5, 11, 10, 11, 12.5};
+    Patch patch = make_patch(96, 44, [&](double u, double v) {
+        const dvec2 run =
+            glm::normalize(along(middle, std::min(u + 0.02, 1.0)) - along(middle, std::max(u - 0.02, 0.0)));
+        const dvec2 down(run.y, -run.x);
+        const double across = 2.0 * v - 1.0;
+        const double ragged = 1.0 + 0.16 * fbm(dvec3(u * 7.0, across > 0.0 ? 3.0 : 0.0, 0.5), 3, 181u);
+        const dvec2 xy = along(middle, u) + down * (across * along(half, u) * ragged);
+        // At its rim it goes over into the membrane; in between it is taut.
+        const double firm = 1.0 - std::pow(std::abs(across), 2.5);
+        const double over = glm::mix(ground.bare.at(xy) - 1.5, ground.bridged.at(xy) + 2.0, firm);
+        return field_view().place(xy, over);
+    });
+    for (int row = 0; row < patch.rows; ++row) {
+        const double across = 2.0 * row / (patch.rows - 1) - 1.0;
+        for (int column = 0; column < patch.columns; ++column)
+            patch.at(column, row).mask = ramp(1.0, 0.55, std::abs(across));
+    }
+    relax(patch, 4);
+    // Strands under tension run along it.
+    for (int row = 0; row < patch.rows; ++row) {
+        for (int column = 0; column < patch.columns; ++column) {
+            Vertex& vertex = patch.at(column, row);
+            const dvec3 strand(2.2 * column / patch.columns, 6.0 * row / patch.rows, 0.0);
+            const double height = 2.2 * (ridges(strand, 2, 182u) - 0.5) + 1.2 * fbm(vertex.rest * 0.06, 3, 183u);
+            vertex.position += vertex.normal * (vertex.mask * height);
+        }
+    }
+    update_normals(patch);
+    return patch;
+}
+
 }  // namespace organs

@@ -31,4 +31,8 @@ Patch apron_shape(const Ground& ground);
 /// The fat pad at the angle of His and the fat along the lesser curvature.
 Patch cardia_fat_shape(const Ground& ground);
 
+/// The gastrohepatic ligament: the firm band of the lesser omentum at the cardia, from the stomach to the liver,
+/// with the vessels that run in it. u runs along it towards the stomach. mask = 0 at the rim, 1 where it is firm.
+Patch ligament_shape(const Ground& ground);
+
 }  // namespace organs

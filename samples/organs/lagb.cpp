@@ -17,6 +17,7 @@ struct Field {
     Patch wall = wall_shape();
     Patch apron;
     Patch cardia_fat;
+    Patch ligament;
 };
 
 Field make_field() {
@@ -32,7 +33,9 @@ Field make_field() {
     };
     field.apron = apron_shape(bridged(bed, 18.0));
     field.cardia_fat = cardia_fat_shape(bridged(seen, 11.0));
-    const std::vector<Patch*> organs = {&field.stomach, &field.liver, &field.omentum, &field.apron, &field.cardia_fat};
+    field.ligament = ligament_shape(bridged(seen, 14.0));
+    const std::vector<Patch*> organs = {&field.stomach, &field.liver,      &field.omentum,
+                                        &field.apron,   &field.cardia_fat, &field.ligament};
     std::vector<Patch*> lit = organs;
     lit.push_back(&field.wall);
     find_light(lit, {organs.begin(), organs.end()}, 48, 45.0);
@@ -108,6 +111,17 @@ Surface cardia_fat(const Patch& patch, int size) {
     return textured("cardia fat", patch, 0.23, fat_tissue, growth, size);
 }
 
+Surface ligament(const Patch& patch, int size) {
+    Growth growth;
+    growth.stems = {{{0.98, 0.56}, {0.8, 0.48}, {0.62, 0.55}, {0.42, 0.42}, {0.2, 0.5}, {0.03, 0.42}}};
+    growth.thickest = 0.5;
+    growth.demands = 8;
+    growth.winding = 2.0;
+    growth.demand = [](const SurfacePoint& at) { return at.vertex.mask; };
+    growth.seed = 71;
+    return textured("gastrohepatic ligament", patch, 0.26, ligament_tissue, growth, size);
+}
+
 Surface liver(const Patch& patch, int size) {
     Growth growth;
     growth.stems = {{{0.3, 0.02}, {0.35, 0.2}}, {{0.75, 0.02}, {0.7, 0.2}}};
@@ -131,7 +145,8 @@ void make_lagb(const std::filesystem::path& folder, int size) {
     const Field field = make_field();
     const std::vector<Surface> surfaces = {stomach(field.stomach, size),       lesser_omentum(field.omentum, size / 2),
                                            greater_omentum(field.apron, size), cardia_fat(field.cardia_fat, size / 2),
-                                           liver(field.liver, size / 2),       wall(field.wall, size / 2)};
+                                           liver(field.liver, size / 2),       wall(field.wall, size / 2),
+                                           ligament(field.ligament, size / 4)};
     write_glb(folder / "lagb.glb", "gastric banding field", surfaces);
 }
 

@@ -116,6 +116,24 @@ Texel membrane_tissue(const SurfacePoint& at, const VesselCover& vessels) {
     return texel;
 }
 
+Texel ligament_tissue(const SurfacePoint& at, const VesselCover& vessels) {
+    const dvec3& p = at.vertex.rest;
+    Texel texel;
+    // The band's direction in the field.
+    const dvec3 along_band = glm::normalize(dvec3(0.87, -0.47, 0.0));
+    const dvec3 across_band(along_band.y, -along_band.x, 0.0);
+    const dvec3 fibre =
+        dvec3(glm::dot(p, along_band) * 0.07, glm::dot(p, across_band) * 0.75, 0.0) + 0.5 * perlin3(p * 0.08, 651u);
+    const double strand = ridges(fibre, 3, 652u);
+    dvec3 color = glm::mix(rgb(206, 136, 122), rgb(224, 172, 156), ramp(-0.5, 0.5, fbm(p * 0.07, 4, 653u)));
+    color = glm::mix(color, rgb(236, 200, 186), 0.42 * ramp(0.55, 0.95, strand));
+    color = glm::mix(rgb(186, 106, 92), color, ramp(0.0, 0.8, at.vertex.mask + 0.25 * fbm(p * 0.15, 3, 654u)));
+    color *= 1.0 + 0.05 * fbm(p * 0.6, 3, 655u);
+    texel.color = with_vessels(color, vessels, 0.85);
+    texel.height = 0.30 * strand + 0.10 * fbm(p * 0.5, 3, 656u) + vessels.height;
+    return texel;
+}
+
 Texel wall_tissue(const SurfacePoint& at, const VesselCover& vessels) {
     const dvec3& p = at.vertex.rest;
     Texel texel;

@@ -11,6 +11,8 @@ Texel fat_tissue(const SurfacePoint& at, const VesselCover& vessels);
 Texel liver_tissue(const SurfacePoint& at, const VesselCover& vessels);
 /// The lesser omentum; mask = how fatty.
 Texel membrane_tissue(const SurfacePoint& at, const VesselCover& vessels);
+/// The gastrohepatic ligament: pale strands along it.
+Texel ligament_tissue(const SurfacePoint& at, const VesselCover& vessels);
 /// Diaphragm and abdominal wall; mask = how tendinous.
 Texel wall_tissue(const SurfacePoint& at, const VesselCover& vessels);
 

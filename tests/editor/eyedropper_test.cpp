@@ -1,7 +1,11 @@
 // The eyedropper takes a colour of the preset or the scene from the view or from the reference.
+#include "app/base/layouts.h"
 #include "app/preview/pick_color.h"
+#include "app/preview/seen_colors.h"
 #include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
+#include "match/region.h"
+#include "ui/core/node.h"
 
 namespace lapfx::test {
 namespace {
@@ -21,6 +25,41 @@ class EyedropperTest : public EditorTest {
         ui().click("**/Deep colour/Colour").frame();
         ui().click("**/Pick from a picture").frame();
     }
+    /// A picture of red tissue as the reference, all of one colour, and nothing but blood that changes the preview's
+    /// colours.
+    void plain_look(double haze) {
+        editor().document.change("Look", [&](document::Content& c) {
+            c.preset.smoke.haze.accumulation = haze;
+            c.preset.bleeding.clot_darkening = 0;
+        });
+        ui().frame().frame();
+    }
+    /// Picks `color`, as if it had been clicked at `place` of the reference, for the field with that caption.
+    void pick(const std::string& field, glm::dvec3 color, glm::dvec2 place = {0.5, 0.5}) {
+        ui().click("**/" + field + "/Colour").frame();
+        ui().click("**/Pick from a picture").frame();
+        const glm::vec3 code(glm::round(255.0 * color));
+        editor().seen_colors().clicked({.shot = editor().reference().compared_shot(),
+                                        .size = editor().reference().compared_size(),
+                                        .place = place});
+        editor().eyedropper.picked = ui::color_of(glm::vec4(code, 255));
+        ui().frame().frame();
+    }
+    /// What the comparison shows now where the last colour was solved for, sRGB.
+    glm::dvec3 seen() {
+        const glm::ivec2 size = editor().reference().compared_size();
+        app::PreviewCopy copy;
+        copy.target.resize(size);
+        editor().preview.draw_into(copy, editor().reference().compared_shot());
+        const Image image = copy.target.read();
+        const glm::ivec2 at(editor().seen_colors().last().place * glm::dvec2(size));
+        return glm::dvec3(codes(app::color_around(app::ImagePixels(image), size, at))) / 255.0;
+    }
+    static double apart(const glm::dvec3& a, const glm::dvec3& b) {
+        return match::distance({.color = a}, {.color = b});
+    }
+    std::string notice() { return editor().toasts.log().empty() ? "" : editor().toasts.log().back().text; }
+    glm::ivec3 picked() { return glm::ivec3(glm::round(255.0 * editor().seen_colors().last().picked)); }
     glm::ivec3 deep() { return glm::ivec3(glm::round(255.0 * editor().document.preset().bleeding.color_deep)); }
     static glm::ivec3 codes(ui::Color c) { return {c.r, c.g, c.b}; }
 };
@@ -45,16 +84,85 @@ TEST_F(EyedropperTest, AColourComesFromTheReference) {
     ASSERT_NE(editor().eyedropper.wanted_by, 0U);
     EXPECT_TRUE(ui().exists("Workspace/Reference/Pick a colour/Leave"));
     const std::size_t steps = editor().document.done();
+    const glm::ivec3 before = deep();
     const ui::Picture video = editor().reference().picture();
     ui().click("Workspace/Reference/Video").frame();
     EXPECT_EQ(editor().eyedropper.wanted_by, 0U);
     EXPECT_EQ(editor().document.done(), steps + 1) << "one step";
     EXPECT_EQ(editor().document.steps().back().name, "Bleeding: Deep colour");
-    const glm::ivec3 there = codes(app::color_around(*video.pixels, video.size, video.size / 2));
-    EXPECT_LE(glm::length(glm::dvec3(deep() - there)), 6.0) << "the middle of the picture";
+    const glm::dvec3 there = glm::dvec3(codes(app::color_around(*video.pixels, video.size, video.size / 2))) / 255.0;
+    EXPECT_LT(apart(seen(), there), 3.0) << "the middle of the picture: " << notice();
     EXPECT_FALSE(ui().exists("**/Leave"));
     editor().document.undo();
-    EXPECT_GT(glm::length(glm::dvec3(deep() - there)), 20.0);
+    EXPECT_EQ(deep(), before);
+}
+
+TEST_F(EyedropperTest, ThePictureShowsTheColourThatWasPicked) {
+    layout("Compare");
+    plain_look(0);
+    editor().timeline.seek(9);
+    for (const glm::dvec3& code : {glm::dvec3(95, 28, 32), glm::dvec3(140, 30, 24), glm::dvec3(112, 20, 30)}) {
+        const glm::dvec3 color = code / 255.0;
+        const std::size_t steps = editor().document.done();
+        pick("Deep colour", color);
+        EXPECT_EQ(editor().document.done(), steps + 1);
+        EXPECT_TRUE(editor().seen_colors().last().acts);
+        EXPECT_LT(apart(seen(), color), 3.0) << notice();
+        EXPECT_GT(apart(editor().document.preset().bleeding.color_deep, color), 3.0) << "the light is on top";
+    }
+    EXPECT_NE(notice().find("so that #70141e is seen"), std::string::npos) << notice();
+}
+
+TEST_F(EyedropperTest, WhatCannotBeSeenIsToldAndTheNearestIsTaken) {
+    layout("Compare");
+    plain_look(0);
+    editor().timeline.seek(9);
+    const glm::dvec3 blue = glm::dvec3(10, 20, 250) / 255.0;
+    pick("Deep colour", blue);
+    EXPECT_GT(apart(seen(), blue), 3.0);
+    EXPECT_NE(notice().find("#0a14fa cannot be seen"), std::string::npos) << notice();
+    EXPECT_GT(deep().b, 200) << "the nearest";
+    EXPECT_LT(deep().r, 60);
+    editor().timeline.seek(0);  // nothing bleeds
+    ui().frame();
+    pick("Deep colour", glm::dvec3(95, 28, 32) / 255.0);
+    EXPECT_NE(notice().find("nothing shows it at 0.00 s"), std::string::npos) << notice();
+    EXPECT_EQ(deep(), glm::ivec3(95, 28, 32));
+}
+
+TEST_F(EyedropperTest, ALoupeShowsPixelsAndTheColourUnderThePointer) {
+    layout("Tune");
+    ui().click("**/Deep colour/Colour").frame();
+    ui().click("**/Pick from a picture").frame();
+    ui().move(ui().node("Workspace/View/Preview").rect().center()).frame();
+    const app::ImagePixels pixels(editor().preview.read());
+    ASSERT_TRUE(ui().exists("**/Loupe"));
+    EXPECT_EQ(ui().node("**/Loupe").text.substr(0, 1), "#");
+    EXPECT_EQ(ui().node("**/Loupe").text.find("   "), 7U) << ui().node("**/Loupe").text;
+    ui().key(ui::Key::escape).frame();
+    EXPECT_FALSE(ui().exists("**/Loupe"));
+    editor().reference().way = app::CompareWay::reference;
+    begin();
+    ui().move(ui().node("Workspace/Reference/Video").rect().center()).frame();
+    EXPECT_EQ(editor().eyedropper.wanted_by != 0, true);
+}
+
+TEST_F(EyedropperTest, AlsoOfThinBloodOfHazeAndOfTheOrgan) {
+    layout("Compare");
+    plain_look(0);
+    editor().timeline.seek(9);
+    pick("Thin colour", glm::dvec3(150, 60, 65) / 255.0);
+    EXPECT_LT(apart(seen(), glm::dvec3(150, 60, 65) / 255.0), 3.0) << notice();
+    plain_look(0.1);
+    ui().click("Workspace/Preset/Parameters/Haze/header").frame();
+    pick("Haze/Colour", glm::dvec3(150, 140, 150) / 255.0);
+    EXPECT_LT(apart(seen(), glm::dvec3(150, 140, 150) / 255.0), 3.0) << notice();
+    plain_look(0);
+    editor().timeline.seek(0);
+    editor().layouts().bring_to_front("Scene");
+    ui().frame();
+    pick("Organ/Colour", glm::dvec3(120, 70, 60) / 255.0);
+    EXPECT_LT(apart(seen(), glm::dvec3(120, 70, 60) / 255.0), 3.0) << notice();
 }
 
 TEST_F(EyedropperTest, OrFromWhicheverOfBothIsUnderThePointer) {
@@ -66,11 +174,11 @@ TEST_F(EyedropperTest, OrFromWhicheverOfBothIsUnderThePointer) {
     ASSERT_NE(preview.pixels, nullptr);
     const double line = editor().reference().compare.position;
     ui().click("Workspace/Reference/Comparison", {.at = {0.4F, 0.5F}}).frame();
-    const glm::ivec3 first = deep();
+    const glm::ivec3 first = picked();
     EXPECT_EQ(editor().eyedropper.wanted_by, 0U);
     begin();
     ui().click("Workspace/Reference/Comparison", {.at = {0.6F, 0.5F}}).frame();
-    const glm::ivec3 second = deep();
+    const glm::ivec3 second = picked();
     EXPECT_NE(first, second);
     EXPECT_EQ(editor().reference().compare.position, line) << "the line stays";
     const auto nearest = [](const ui::Picture& picture, const glm::ivec3& color) {
@@ -100,7 +208,7 @@ TEST_F(EyedropperTest, OrFromTheView) {
     const app::ImagePixels pixels(image);
     const glm::ivec2 size(image.width, image.height);
     const ui::Color there = app::color_around(pixels, size, glm::ivec2(glm::vec2(size) * glm::vec2(0.5F, 0.4F)));
-    EXPECT_LE(glm::length(glm::dvec3(deep() - codes(there))), 6.0);
+    EXPECT_LE(glm::length(glm::dvec3(picked() - codes(there))), 6.0);
 }
 
 TEST_F(EyedropperTest, EscapeLeavesItAndAFieldThatIsGoneTakesNothing) {

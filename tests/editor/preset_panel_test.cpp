@@ -3,6 +3,7 @@
 
 #include "app/base/layouts.h"
 #include "app/base/settings.h"
+#include "app/clips/clip_shelf.h"
 #include "app/tuning/tuning.h"
 #include "editor/support/editor_test.h"
 #include "panels/panels.h"
@@ -135,6 +136,29 @@ TEST_F(PresetPanel, FaultsAreToldBelowTheirRow) {
     EXPECT_TRUE(ui().exists("**/Favourites/luma_low: 235 is not below luma_high (235)"));
     ui().drag("**/Favourites/Keying: Luma/Low", {-40, 0});
     EXPECT_FALSE(ui().exists("**/Favourites/luma_low: 235 is not below luma_high (235)"));
+}
+
+TEST_F(PresetPanel, WhatTheShownClipDoesNotTakeSaysSoAndLeadsToWhatItTakes) {
+    const std::string note = "**/Favourites/Clip 1: change its own keying";
+    EXPECT_FALSE(ui().exists(note));
+    editor().document.change("Own keying", [](document::Content& c) { c.preset.smoke.clips[0].own_keying = true; });
+    ui().frame();
+    ASSERT_TRUE(ui().exists(note)) << "Suggest gives a clip its own keying, and these rows act on others alone";
+    EXPECT_NE(ui().tip(note).find("for the clips without one"), std::string::npos) << ui().tip(note);
+    ui().click("**/Parameters/Keying/header");
+    EXPECT_TRUE(ui().exists("**/Parameters/Keying/Clip 1: change its own keying"));
+    editor().clips().selected = 1;
+    ui().frame();
+    EXPECT_FALSE(ui().exists(note)) << "the second clip takes them";
+    editor().clips().selected = 0;
+    editor().document.change("Own keying", [](document::Content& c) {
+        for (SmokeClip& clip : c.preset.smoke.clips) clip.own_keying = true;
+    });
+    ui().frame();
+    EXPECT_NE(ui().tip(note).find("changes nothing"), std::string::npos) << ui().tip(note);
+    EXPECT_FALSE(editor().layouts().seen("Keying"));
+    ui().click(note);
+    EXPECT_TRUE(editor().layouts().seen("Keying"));
 }
 
 TEST_F(PresetPanel, ColoursChoicesAndTextsAreEdited) {
@@ -323,7 +347,8 @@ TEST_F(PresetPanel, TheClipsAreOnePressAway) {
 TEST_F(PresetPanel, AStillPanelAllocatesNothing) {
     app::Editor& e = editor();
     const auto build = [&e](ui::Ui& u) {
-        panels::preset_panel(u, e.tuning(), panels::edited_in(e), e.commands, e.layouts(), e.toasts);
+        panels::preset_panel(u, e.tuning(), panels::edited_in(e), e.commands, e.layouts(), e.toasts, e.clips(),
+                             e.looking);
     };
     ui::Harness panel(
         [&](ui::Ui& u) {

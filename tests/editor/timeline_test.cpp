@@ -73,25 +73,25 @@ TEST_F(TimelinePanelTest, BackspaceGoesBackToWhatWasSavedOfEventsAndDuration) {
 }
 
 TEST_F(TimelinePanelTest, EventsAreAddedDoubledAndDeleted) {
-    editor().timeline.seek(9);
+    editor().timeline.seek(10.8);
     ui().frame();
     ui().click("**/Add event");
-    ASSERT_EQ(events().size(), 3U);
-    EXPECT_EQ(events()[2].time, 9);
-    EXPECT_EQ(events()[2].position, events()[1].to) << "where the tool last was";
-    editor().timeline.seek(10.5);
+    ASSERT_EQ(events().size(), 4U);
+    EXPECT_EQ(events()[3].time, 10.8);
+    EXPECT_EQ(events()[3].position, events()[2].to) << "where the tool last was";
+    editor().timeline.seek(12);
     ui().frame();
     if (!ui().exists("**/Duplicate")) ui().click("Workspace/Timeline/More...").frame().frame();
     ui().click("**/Duplicate").frame().key(ui::Key::escape).frame();  // leaves the menu, if there is one
-    ASSERT_EQ(events().size(), 4U);
-    EXPECT_EQ(events()[3].time, 10.5);
+    ASSERT_EQ(events().size(), 5U);
+    EXPECT_EQ(events()[4].time, 12);
     ui().click("**/Delete");
-    EXPECT_EQ(events().size(), 3U);
+    EXPECT_EQ(events().size(), 4U);
     EXPECT_EQ(last_step(), "Delete events");
     ui().click("**/Cauterise 1").key(ui::Key::del);
-    EXPECT_EQ(events().size(), 2U);
-    editor().document.undo();
     EXPECT_EQ(events().size(), 3U);
+    editor().document.undo();
+    EXPECT_EQ(events().size(), 4U);
     EXPECT_EQ(events()[0].time, 0.8);
 }
 
@@ -156,7 +156,7 @@ TEST_F(TimelinePanelTest, AnOrganInMetresIsPutRightInTheDialog) {
     EXPECT_NEAR(editor().looking.camera.target.x, 125, 1e-3) << "it is seen whole";
     editor().document.undo();
     EXPECT_EQ(editor().document.scene().organ.file, "lagb.glb");
-    EXPECT_EQ(events().size(), 2U);
+    EXPECT_EQ(events().size(), 3U);
 }
 
 TEST_F(TimelinePanelTest, TheColourStaysWithItsOrgan) {
@@ -167,7 +167,7 @@ TEST_F(TimelinePanelTest, TheColourStaysWithItsOrgan) {
     ui().click("**/Load");
     EXPECT_EQ(last_step(), "Load organ");
     EXPECT_EQ(editor().document.scene().organ.color, colour) << "the same organ once more";
-    EXPECT_EQ(events().size(), 2U);
+    EXPECT_EQ(events().size(), 3U);
     open({box("box.obj", 250, 100, 150)});
     ui().frame().frame();
     ui().click("**/Load");
@@ -228,10 +228,10 @@ TEST_F(TimelinePanelTest, ASelectionThatIsStaleDoesNoHarm) {
     ASSERT_FALSE(ui().exists("Workspace/Timeline"));
     editor().document.undo();
     ui().frame();
-    EXPECT_EQ(events().size(), 2U);
+    EXPECT_EQ(events().size(), 3U);
     EXPECT_TRUE(editor().selected.empty()) << "they were places among other events";
     EXPECT_FALSE(editor().commands.run("event.duplicate"));
-    EXPECT_EQ(events().size(), 2U);
+    EXPECT_EQ(events().size(), 3U);
     editor().document.redo();
     ui().frame();
     editor().selected = {1};

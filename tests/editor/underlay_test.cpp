@@ -22,7 +22,7 @@ class UnderlayTest : public EditorTest {
 
 TEST_F(UnderlayTest, ItIsAsHighAsTheViewAndInItsMiddle) {
     EXPECT_FALSE(ui().exists(underlay));
-    ui().click("Workspace/View/Underlay").frame().frame();
+    ui().click("Workspace/View/More...").frame().click("View tools/Underlay").frame().frame();
     ASSERT_TRUE(ui().exists(underlay)) << ui().dump();
     const ui::Rect view = ui().rect("Workspace/View/Preview"), under = ui().rect(underlay);
     EXPECT_NEAR(under.h, view.h, 1);

@@ -367,6 +367,60 @@ TEST_F(ViewPanelTest, HomeActsOnThePictureThatIsLookedAt) {
     EXPECT_FALSE(editor().looking.endoscope);
 }
 
+/// The part of the view's width and height that the organ takes up.
+glm::dvec2 filled(app::Editor& editor) {
+    const Preview& shown = *editor.preview.preview();
+    const SceneCamera& camera = editor.looking.camera;
+    const glm::dvec2 size(editor.preview.size());
+    const double half = std::tan(glm::radians(camera.field_of_view) / 2);
+    glm::dvec2 most(0);
+    for (const glm::vec3& p : shown.organ().positions) {
+        const glm::dvec3 off = glm::dvec3(p) - camera.eye;  // it looks along -z
+        most = glm::max(most, glm::abs(glm::dvec2(off)) / (-off.z * half * glm::dvec2(size.x / size.y, 1)));
+    }
+    return most;
+}
+
+TEST_F(ViewPanelTest, HomeFitsTheOrganToTheView) {
+    ui().key(ui::Key::home).frame();
+    const glm::dvec2 wide = filled(editor());
+    EXPECT_NEAR(std::max(wide.x, wide.y), 0.94, 1e-3) << wide.x << ", " << wide.y;
+    layout("Key");  // a view of another shape
+    ui().frame().key(ui::Key::home).frame();
+    const glm::dvec2 high = filled(editor());
+    EXPECT_NEAR(std::max(high.x, high.y), 0.94, 1e-3) << high.x << ", " << high.y;
+}
+
+TEST_F(ViewPanelTest, AFreeLookIsWithoutHaze) {
+    editor().document.change("Haze", [](document::Content& c) { c.preset.smoke.haze.accumulation = 0.6; });
+    const auto without = [&] {
+        editor().document.change("Haze", [](document::Content& c) { c.preset.smoke.haze.accumulation = 0; });
+        const Image clear = picture(6);
+        editor().document.undo();
+        return clear;
+    };
+    const Image endoscope = picture(6);
+    EXPECT_GT(differing(endoscope, without()), 1000U) << "what is exported has its haze";
+    ui().key(ui::Key::home).frame();
+    const Image free = picture(6);
+    EXPECT_EQ(differing(free, without(), 0), 0U) << "from far away it would be fog";
+    ui().click("**/Haze/header");
+    ui().click("**/Haze/Only in the endoscope view").frame();
+    EXPECT_TRUE(editor().looking.endoscope);
+    EXPECT_EQ(differing(picture(6), endoscope, 0), 0U);
+    EXPECT_FALSE(ui().exists("**/Haze/Only in the endoscope view"));
+}
+
+TEST_F(ViewPanelTest, ToolsStaySideBySideWhenOneIsChosen) {
+    start({1440, 900});
+    open_sample();
+    ASSERT_TRUE(ui().exists("**/Tool/Cut")) << ui().dump();
+    for (const char* const tool : {"Cut", "Coagulate", "Cauterise", "Look around"}) {
+        ui().click("**/Tool/" + std::string(tool)).frame().frame();
+        EXPECT_TRUE(ui().exists("**/Tool/Look around")) << tool << " folds the tools up just when one changes them";
+    }
+}
+
 TEST_F(ViewPanelTest, HomeFitsAReferenceWhereThereIsNoOrgan) {
     start();
     layout("Compare");

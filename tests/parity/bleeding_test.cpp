@@ -2,7 +2,7 @@
 // depth.
 #include "bleeding/bleed_gpu.h"
 #include "gl/srgb.h"
-#include "smoke/noise.h"
+#include "support/edge_noise.h"
 #include "support/gpu_function.h"
 #include "support/gpu_test.h"
 
@@ -48,29 +48,11 @@ const glm::dvec3 down = glm::normalize(glm::dvec3(0.3, -1.0, 0.2));
 const glm::vec3 normals[] = {glm::vec3(-down), glm::normalize(glm::vec3(0.2f, 0.4f, 1.0f)),
                              glm::normalize(glm::cross(glm::vec3(down), glm::vec3(1.0f, 0.0f, 0.0f)))};
 
-/// lapfx_blood_noise of shaders/bleeding.glsl: octaves compressed along gravity, with longer runs on steep tissue.
-float edge_noise(const BleedingParameters& b, glm::vec3 position, glm::vec3 normal) {
-    const glm::vec3 g(down);
-    const auto rivulets = static_cast<float>(b.rivulets);
-    float sum = 0.0f, amplitude = 1.0f, total = 0.0f;
-    for (int i = 0; i < b.noise_octaves; ++i) {
-        const float press = (i == 0 ? 0.6f : 0.8f) * rivulets;
-        const glm::vec3 place =
-            (position - press * glm::dot(position, g) * g) / (static_cast<float>(b.noise_scale) * amplitude);
-        sum += amplitude * smoke::perlin(place, (seed & 0xffffu) + static_cast<std::uint32_t>(i));
-        total += amplitude;
-        amplitude *= 0.5f;
-    }
-    const float steep = rivulets * glm::smoothstep(0.3f, 0.9f, glm::length(glm::cross(normal, g)));
-    const float x = glm::clamp(sum / total * (1.0f + steep), -1.5f, 1.5f);
-    return glm::clamp(x - steep * x * x * x / 6.75f, -1.0f, 1.0f);
-}
-
 /// The shader's documented depth: bleed - (threshold + noise); noise is -1 where no blood can be.
 float depth_of(const BleedingParameters& b, glm::vec4 sample, glm::vec3 normal) {
     const auto threshold = static_cast<float>(b.threshold), strength = static_cast<float>(b.noise_strength);
     if (sample.w <= threshold - strength) return sample.w - (threshold - strength);
-    return sample.w - (threshold + strength * edge_noise(b, glm::vec3(sample), normal));
+    return sample.w - (threshold + strength * test::edge_noise(b, down, seed, glm::vec3(sample), normal));
 }
 
 TEST_F(BleedingParity, DepthIsBleedLessThresholdAndNoise) {
@@ -98,7 +80,8 @@ TEST_F(BleedingParity, RivuletsLeaveLevelTissueAloneAndStretchUprightTissue) {
         double sum = 0.0;
         for (const glm::vec4& sample : samples()) {
             const glm::vec3 p(sample);
-            sum += std::abs(edge_noise(b, p + direction, normal) - edge_noise(b, p, normal));
+            sum += std::abs(test::edge_noise(b, down, seed, p + direction, normal) -
+                            test::edge_noise(b, down, seed, p, normal));
         }
         return sum;
     };

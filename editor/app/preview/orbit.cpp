@@ -75,6 +75,28 @@ SceneCamera frame(const OrganReport& organ) {
     return camera;
 }
 
+SceneCamera fit(std::span<const glm::vec3> points, double aspect) {
+    SceneCamera camera;
+    if (points.empty()) return camera;
+    constexpr double rim = 0.94;  // of the picture's half, where the outermost point lies
+    const double up = rim * std::tan(glm::radians(camera.field_of_view) / 2.0), right = up * aspect;
+    // The eye sees a point at x within its side's half if x - eye.x <= right (eye.z - z), and so for the other sides:
+    // each bound on x + right z, -x + right z and the same of y holds for all points.
+    glm::dvec2 high(-1e30), low(-1e30);
+    for (const glm::vec3& p : points) {
+        const glm::dvec2 depth = glm::dvec2(right, up) * double(p.z);
+        high = glm::max(high, glm::dvec2(p) + depth);
+        low = glm::max(low, -glm::dvec2(p) + depth);
+    }
+    const glm::dvec2 eye = (high - low) / 2.0, far = (high + low) / (2.0 * glm::dvec2(right, up));
+    glm::dvec2 depth(points.front().z);
+    for (const glm::vec3& p : points) depth = {std::min(depth.x, double(p.z)), std::max(depth.y, double(p.z))};
+    camera.target = {eye, (depth.x + depth.y) / 2.0};
+    const double distance = std::max(far.x, far.y) - camera.target.z;
+    camera.eye = camera.target + glm::dvec3(0.0, 0.0, std::clamp(distance, nearest, farthest));
+    return camera;
+}
+
 double nearness(const SceneCamera& from, const SceneCamera& seen) {
     return glm::distance(seen.eye, seen.target) / std::max(glm::distance(from.eye, from.target), 1.0);
 }

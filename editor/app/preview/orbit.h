@@ -1,6 +1,8 @@
 // Moving a scene's camera by hand. Pure functions on the camera, no window; angles radians, lengths mm.
 #pragma once
 
+#include <span>
+
 #include "lapfx/authoring/organ_report.h"
 #include "lapfx/organ.h"
 #include "lapfx/scene.h"
@@ -29,7 +31,10 @@ double nearness(const SceneCamera& from, const SceneCamera& seen);
 /// Where an instrument enters so that it is seen from the right, as in a picture of two ports; mm.
 glm::dvec3 port_for(const SceneCamera& camera);
 
-/// A camera that sees the whole organ from the front.
+/// A camera that sees the whole organ from the front, from whichever side it is turned to later.
 SceneCamera frame(const OrganReport& organ);
+
+/// The same for this side alone: the points fill a picture of this aspect (width over height) but for a narrow rim.
+SceneCamera fit(std::span<const glm::vec3> points, double aspect);
 
 }  // namespace lapfx::app

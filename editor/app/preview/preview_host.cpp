@@ -346,7 +346,7 @@ std::shared_ptr<const PreparedOrgan> PreviewHost::organ_of(const Scene& scene) c
 
 MemoryUse PreviewHost::memory_use() const {
     MemoryUse use = preview_ ? preview_->memory_use() : MemoryUse{};
-    use.targets += target_.memory() + small_.memory();
+    use.targets += target_.memory() + small_.memory() + tried_.memory();
     return use;
 }
 
@@ -394,10 +394,11 @@ bool PreviewHost::draw_into(const Target& target, const Shot& wanted, Shot& last
     if (organ_job_ && drawn != 0) shot.camera = last.camera;
     if (std::exchange(changed_, false)) ++revision_;
     const bool same = shot.time == last.time && same_camera(shot.camera, last.camera) && shot.overlay == last.overlay &&
-                      shot.scale <= last.scale;
+                      shot.haze == last.haze && shot.scale <= last.scale;
     if (same && drawn == revision_ && !tool_on_ && !late()) return false;
     if (std::exchange(overlay_, shot.overlay) != shot.overlay) preview_->set_overlay(shot.overlay);
     preview_->set_camera(shot.camera);
+    preview_->set_haze_shown(shot.haze);
     if (shot.scale < 1)
         draw_stretched(target, shot);
     else
@@ -414,6 +415,24 @@ void PreviewHost::draw_stretched(const Target& target, const Shot& shot) {
     preview_->draw(shot.time, small_.size(), small_.framebuffer());
     glBlitNamedFramebuffer(small_.framebuffer(), target.framebuffer(), 0, 0, small_.size().x, small_.size().y, 0, 0,
                            to.x, to.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+}
+
+Image PreviewHost::picture_with(const std::function<void(document::Content&)>& change, const Shot& shot,
+                                glm::ivec2 size) {
+    document::Content tried{.scene = shown_scene_ ? *shown_scene_ : wanted_.scene, .preset = good_};
+    const Scene scene = tried.scene;
+    change(tried);
+    const bool other_scene = !equal(scene_table(), &scene, &tried.scene);
+    preview_->set_parameters(tried.preset);
+    if (other_scene) preview_->set_scene(tried.scene);
+    if (std::exchange(overlay_, shot.overlay) != shot.overlay) preview_->set_overlay(shot.overlay);
+    preview_->set_camera(shot.camera);
+    tried_.resize(size);
+    preview_->draw(shot.time, size, tried_.framebuffer());
+    unchecked_ = true;
+    if (other_scene) preview_->set_scene(scene);
+    preview_->set_parameters(good_);
+    return tried_.read();
 }
 
 bool PreviewHost::late() const {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <future>
 #include <memory>
 #include <optional>
@@ -27,6 +28,7 @@ struct Shot {
     double time = 0;  ///< s
     SceneCamera camera;
     Overlay overlay = Overlay::none;
+    bool haze = true;  ///< false: it is left out
     double scale = 1;  ///< below 1: it is drawn with so much less width and height, and stretched
 };
 
@@ -89,6 +91,12 @@ class PreviewHost {
     bool draw(const Shot& shot);
     /// The same into `copy`, whose target has a size.
     bool draw_into(PreviewCopy& copy, const Shot& shot);
+    /// One picture of what is shown, as `change` makes it; what is shown stays. Values that take no other organ and no
+    /// other clips. Only where can_try(): there is a preview, and no tool works in it.
+    Image picture_with(const std::function<void(document::Content&)>& change, const Shot& shot, glm::ivec2 size);
+    bool can_try() const { return preview_ && !lost_ && !tool_on_; }
+    /// The shot of the last draw().
+    const Shot& shown() const { return last_; }
     /// While time stands, a clip may still be late: whether another draw() could give a better picture.
     bool late() const;
 
@@ -167,10 +175,10 @@ class PreviewHost {
     std::shared_ptr<const PreparedOrgan> organ_;  ///< that is shown
     std::uint64_t organ_version_ = 0;
     std::unique_ptr<Preview> preview_;
-    Target target_, small_;                             ///< the one that is shown; the one that is stretched to it
-    std::uint64_t followed_ = 0;                        ///< version of the document
-    document::Content wanted_;                          ///< of that
-    std::vector<Fault> wanted_faults_;                  ///< of its preset
+    Target target_, small_, tried_;     ///< the one that is shown; the one that is stretched to it; of picture_with()
+    std::uint64_t followed_ = 0;        ///< version of the document
+    document::Content wanted_;          ///< of that
+    std::vector<Fault> wanted_faults_;  ///< of its preset
     std::optional<std::size_t> alone_, wanted_alone_;   ///< the clip that smokes alone; as it is in wanted_
     bool stale_ = false;                                ///< it has to be examined again
     std::shared_ptr<const PreparedOrgan> ready_organ_;  ///< to be shown

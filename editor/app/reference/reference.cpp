@@ -448,9 +448,13 @@ bool Reference::draw_compared(double scale) {
     return changed;
 }
 
+Shot Reference::compared_shot() const {
+    return {.time = timeline_.time, .camera = document_.scene().camera, .overlay = Overlay::none};
+}
+
 bool Reference::draw_compared(DrawnPicture& picture, PreviewHost& preview, double scale) {
-    const Shot shot{
-        .time = timeline_.time, .camera = document_.scene().camera, .overlay = Overlay::none, .scale = scale};
+    Shot shot = compared_shot();
+    shot.scale = scale;
     const bool first = !picture.drawn();
     if (!picture.draw(preview, shot)) return false;
     if (first) screen_.wake("a picture that is compared");  // the panel may have been built without it

@@ -139,7 +139,9 @@ class Reference {
     /// for pixel with the video where both are subtracted or single pixels are looked at. Gives whether that is another
     /// size than before.
     bool show_at(double zoom);
-    glm::ivec2 drawn_size() const;  ///< px that the preview is drawn at
+    glm::ivec2 drawn_size() const;     ///< px that the preview is drawn at
+    glm::ivec2 compared_size() const;  ///< px of compared_preview()
+    Shot compared_shot() const;        ///< what that shows, whole
     CompareWay way = CompareWay::beside;
     void next_way() { way = static_cast<CompareWay>((static_cast<std::size_t>(way) + 1) % way_titles.size()); }
     ui::CompareState compare;  ///< its view also holds for the reference alone
@@ -177,7 +179,6 @@ class Reference {
     void follow_scene(std::shared_ptr<VideoReader> reader = nullptr);
     void show_newest();
     glm::ivec2 shown_size() const;
-    glm::ivec2 compared_size() const;
     ui::Picture drawn(DrawnPicture& picture, const PreviewHost* preview);
     bool draw_compared(double scale);
     bool draw_compared(DrawnPicture& picture, PreviewHost& preview, double scale);

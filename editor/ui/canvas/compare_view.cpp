@@ -292,6 +292,10 @@ Readout readout_of(Ui& ui, const std::string_view (&labels)[2], const CompareRes
     readout.lines[2] = ui.join({"Change   ", pixel_text(ui, way, options.decimals)});
     readout.lines[3] = place_text(ui, result.pick);
     readout.line_count = 4;
+    if (options.eyedropper) {
+        readout.swatch = picked_color(*magnified.pixels, magnified.size, result.pick, options.sample_box);
+        readout.lines[3] = picked_text(ui, readout.swatch, result.pick);
+    }
     if (options.magnifier) readout.image = magnified.image, readout.size = magnified.size;
     return readout;
 }

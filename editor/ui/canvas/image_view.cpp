@@ -42,6 +42,10 @@ Readout readout_of(Ui& ui, const Picture& picture, const ImageViewOptions& optio
     if (options.sample_box == 11) readout.lines[1] = ui.join({readout.lines[1], "   mean of 11 x 11"});
     readout.line_count = 2;
     readout.swatch = color_of(result.value);
+    if (options.eyedropper) {
+        readout.swatch = picked_color(*picture.pixels, picture.size, result.pick, options.sample_box);
+        readout.lines[readout.line_count++] = picked_text(ui, readout.swatch, result.pick);
+    }
     if (options.magnifier) readout.image = picture.image, readout.size = picture.size;
     return readout;
 }

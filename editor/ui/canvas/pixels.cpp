@@ -1,8 +1,11 @@
 #include "ui/canvas/pixels.h"
 
+#include <glm/gtc/color_space.hpp>
+
 #include "ui/canvas/drag_handle.h"
 #include "ui/core/node.h"
 #include "ui/value/number.h"
+#include "ui/widgets/color_field.h"
 
 namespace lapfx::ui {
 
@@ -68,6 +71,18 @@ void draw_box(Painter& painter, const Rect& box) {
     painter.frame(box, canvas_ink(painter.theme()), line);
 }
 
+/// Light of a code value.
+class LinearPixels : public PickSource {
+  public:
+    explicit LinearPixels(const PickSource& source) : source_(source) {}
+    glm::vec4 pixel(glm::ivec2 at) const override {
+        return {glm::convertSRGBToLinear(glm::vec3(source_.pixel(at)) / 255.0F), 1};
+    }
+
+  private:
+    const PickSource& source_;
+};
+
 void draw_magnifier(Painter& painter, const Rect& place, const Readout& readout) {
     const float scale = place.w / static_cast<float>(magnified);
     const glm::vec2 low = glm::vec2(readout.at - magnified / 2);
@@ -93,6 +108,11 @@ glm::vec4 mean_of(const PickSource& source, glm::ivec2 size, glm::ivec2 at, int 
         for (int x = low.x; x <= high.x; ++x) sum += glm::dvec4(source.pixel({x, y})), ++count;
     }
     return count == 0 ? glm::vec4(0) : glm::vec4(sum / static_cast<double>(count));
+}
+
+Color picked_color(const PickSource& source, glm::ivec2 size, glm::ivec2 at, int side) {
+    const glm::vec3 light(mean_of(LinearPixels(source), size, at, side));
+    return color_of(glm::vec4(255.0F * glm::convertLinearToSRGB(light), 255));
 }
 
 void move_pick(Ui& ui, const Node& node, const Response& response, Pick& pick, std::span<const View> views,
@@ -139,6 +159,11 @@ std::string_view place_text(Ui& ui, glm::ivec2 at) {
 Color color_of(const glm::vec4& code_value) {
     const glm::vec4 c = glm::clamp(glm::round(code_value), 0.0F, 255.0F);
     return {static_cast<std::uint8_t>(c.r), static_cast<std::uint8_t>(c.g), static_cast<std::uint8_t>(c.b), 255};
+}
+
+std::string_view picked_text(Ui& ui, Color picked, glm::ivec2 at) {
+    char hex[9];
+    return ui.join({format_hex(hex, picked, false), "   ", place_text(ui, at)});
 }
 
 void draw_readout(Painter& painter, const View& view, const Readout& readout) {

@@ -23,6 +23,9 @@ struct Picture {
 /// The mean of the box of `side` (odd) around `at`, of as much of it as is inside. Zero where nothing is.
 glm::vec4 mean_of(const PickSource& source, glm::ivec2 size, glm::ivec2 at, int side);
 
+/// The same of code values, worked out in linear light: what an eyedropper takes.
+Color picked_color(const PickSource& source, glm::ivec2 size, glm::ivec2 at, int side);
+
 /// The pixel that is looked at: under the pointer, or moved on by the arrow keys until the pointer moves again.
 struct Pick {
     bool on = false;
@@ -56,6 +59,8 @@ struct Readout {
 void draw_readout(Painter& painter, const View& view, const Readout& readout);
 /// The colour that code values are shown as.
 Color color_of(const glm::vec4& code_value);
+/// The line of an eyedropper: "#5f1c20   412, 310", with the colour's swatch beside all lines.
+std::string_view picked_text(Ui& ui, Color picked, glm::ivec2 at);
 
 /// A picture with what lies behind it, its pixels' grid from grid_zoom on, and the sample box around the pick; clipped
 /// to the area. With `second`: both, compared.

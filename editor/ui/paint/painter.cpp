@@ -309,6 +309,24 @@ float Painter::text(const Rect& rect, std::string_view text, const Run& whole_ru
     return run->width;
 }
 
+float Painter::path(const Rect& rect, std::string_view text, const TextStyle& style, Color color) {
+    if (text.empty() || hidden(rect)) return 0;
+    const Run& whole_run = fonts_.run(text, style);
+    const float dots = fonts_.run(ellipsis, style).width;
+    if (whole_run.width <= rect.w + 0.5F || dots > rect.w) return this->text(rect, text, whole_run, style, color);
+    // So much of its beginning goes, then the rest of that folder, if there is another one.
+    std::size_t from = whole_run.bytes_within(whole_run.width - (rect.w - dots));
+    const auto kept_width = [&] {
+        elided_.assign(ellipsis).append(text.substr(from));
+        return fonts_.run(elided_, style).width;
+    };
+    while (from < text.size() && ((text[from] & 0xC0) == 0x80 || kept_width() > rect.w)) ++from;
+    if (const std::size_t folder = text.find_first_of("/\\", from); folder + 1 < text.size() && folder != text.npos)
+        from = folder;
+    elided_.assign(ellipsis).append(text.substr(from));
+    return this->text(rect, elided_, fonts_.run(elided_, style), style, color);
+}
+
 void Painter::run(const Run& run, glm::vec2 baseline, Color color) {
     if (run.glyphs.empty() || color.a == 0) return;
     const float left = whole(baseline.x), top = whole(baseline.y);

@@ -110,6 +110,8 @@ class Painter {
     /// The same with the run at hand: Ui has looked it up to measure it, and it holds until the end of the frame.
     float text(const Rect& rect, std::string_view text, const Run& run, const TextStyle& style, Color color,
                Align align = Align::start);
+    /// The same for a path, whose end matters: its beginning gives way to the ellipsis.
+    float path(const Rect& rect, std::string_view text, const TextStyle& style, Color color);
     /// Draws a run from a baseline without changes; for text fields, which place runs themselves.
     void run(const Run& run, glm::vec2 baseline, Color color);
 

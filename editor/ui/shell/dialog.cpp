@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/core/node.h"
+#include "ui/core/paragraph.h"
 #include "ui/widgets/literal.h"
 #include "ui/widgets/scroll.h"
 
@@ -24,6 +26,7 @@ float button_width(Ui& ui, std::string_view label) {
 struct DialogState {
     bool open = false;   ///< it was open in the last build
     bool waits = false;  ///< its standard button could not be pressed when it opened
+    float row = 0;       ///< px that all its buttons side by side take, as they were last built
     bool fresh = false;  ///< no button has been given the keyboard yet
 };
 
@@ -56,16 +59,25 @@ void draw_title(Painter& painter, const Node& node, const TitleLook& look) {
         painter.icon(rect.cut_left(painter.em(1.2F)), look.icon, look.tint);
         rect.cut_left(painter.em(0.6F));
     }
-    painter.text(rect, node.text, look.style, painter.theme().text);
+    draw_paragraph(painter, rect, node.text, look.style, painter.theme().text, Align::start);
+}
+
+TextStyle title_style(Ui& ui) {
+    return ui.text_style(1.15F, Weight::bold);
+}
+
+float title_height(Ui& ui, const Node& node, float width) {
+    const auto& look = *static_cast<const TitleLook*>(node.arg);
+    const float icon = look.icon != Icon::none ? ui.em(1.8F) : 0;
+    return std::max(ui.row_height(), paragraph_height(ui.fonts(), node.text, look.style, width - icon));
 }
 
 void put_title(Ui& ui, std::string_view title, const DialogOptions& options) {
     Node& node = ui.leaf(Role::heading, title);
     node.text = node.shown;
     node.size[0] = grow();
-    node.size[1] = px(ui.row_height());
-    const TextStyle style = ui.text_style(1.15F, Weight::bold);
-    ui.draw_with<draw_title>(node, TitleLook{options.icon, color_of(ui.theme(), options.tone), style});
+    ui.draw_with<draw_title>(node, TitleLook{options.icon, color_of(ui.theme(), options.tone), title_style(ui)});
+    node.height_for_width = title_height;
 }
 
 /// Whether Enter was pressed in a text field of this dialog. The Enter that opened the dialog, in this same build, does
@@ -94,7 +106,10 @@ Dialog::Dialog(Ui& ui, std::string_view name, std::string_view title, const Dial
     state.open = open_;
     if (!open_) return;
     id_ = node->id;
-    node->size[0] = px(std::min(ui.em(options.width), ui.window().x));
+    const float title_width = std::ceil(ui.fonts().run(split_label(title).shown, title_style(ui)).width) +
+                              (options.icon != Icon::none ? ui.em(1.8F) : 0.0F);
+    const float wish = std::max(ui.em(options.width), std::max(title_width, state.row) + 2 * ui.em(1));
+    node->size[0] = px(std::min(wish, ui.window().x));
     if (options.height > 0) node->size[1] = px(std::min(ui.em(options.height), ui.window().y));
     for (std::uint8_t& pad : node->padding) pad = static_cast<std::uint8_t>(std::min(ui.em(1), 255.0F));
     node->gap = ui.em(0.8F);
@@ -154,6 +169,11 @@ std::optional<std::size_t> Dialog::buttons(std::span<const DialogButton> all, bo
     if (!open_) return std::nullopt;
     end_body();
     std::optional<std::size_t> pressed;
+    // A dialog is rather wider than that its last button stands alone in a second row.
+    float side_by_side = 0;
+    for (const DialogButton& one : all)
+        side_by_side += button_width(ui_, one.label) + (side_by_side > 0 ? ui_.em(ui_.theme().gap) : 0.0F);
+    if (std::exchange(state_of(ui_, name_).row, side_by_side) != side_by_side) ui_.build_again();
     Id first = 0, standard = 0, cancel = 0;
     bool has_standard = false;
     for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {

@@ -23,7 +23,7 @@ constexpr SheetLine fixed_keys[] = {{"Next field", "Tab"},
                                     {"Next panel", "F6"},
                                     {"Press, choose", "Enter"},
                                     {"Close, cancel", "Esc"},
-                                    {"Menu of the widget with the keyboard", "Menu"},
+                                    {"Menu of what has the keyboard", "Menu"},
                                     {"Undo in a text field", "Ctrl+Z"},
                                     {"Reset to saved value", "Backspace"},
                                     {"Default value", "Shift+Backspace"}};

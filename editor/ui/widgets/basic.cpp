@@ -16,9 +16,10 @@ struct TextLook {
     TextStyle style;
     Color color;
     Align align;
+    bool path = false;
     friend bool operator==(const TextLook& a, const TextLook& b) {
         const bool same_text = a.run == b.run && (a.run != nullptr || (a.text == b.text && a.style == b.style));
-        return same_text && a.color == b.color && a.align == b.align;
+        return same_text && a.color == b.color && a.align == b.align && a.path == b.path;
     }
 };
 
@@ -28,7 +29,10 @@ void draw_label(Painter& painter, const Node& node, const TextLook& look) {
     // rounded only once.
     const bool odd = std::fmod(std::abs(painter.em(painter.theme().row_height) - rect.h), 2.0F) == 1;
     if (odd) rect.y -= 1, rect.h += 1;
-    painter.text(rect, look.text, *look.run, look.style, look.color, look.align);
+    if (look.path)
+        painter.path(rect, look.text, look.style, look.color);
+    else
+        painter.text(rect, look.text, *look.run, look.style, look.color, look.align);
 }
 
 /// A node of one line of text. If it is cut, its tooltip has the whole text. Only then it has an id, which depends on
@@ -155,8 +159,9 @@ void label(Ui& ui, std::string_view text, const LabelOptions& options) {
     const Run* run = nullptr;
     Node& node = options.wrap ? ui.leaf(Role::label, text) : put_line(ui, Role::label, text, style, run);
     node.text = node.shown;
-    const TextLook look{node.shown, run, style,
-                        ui.disabled() ? ui.theme().text_disabled : color_of(ui.theme(), options.tone), options.align};
+    const TextLook look{node.shown,    run,
+                        style,         ui.disabled() ? ui.theme().text_disabled : color_of(ui.theme(), options.tone),
+                        options.align, options.path};
     if (options.wrap) {
         node.size[0] = options.width.kind == SizeKind::fit ? grow() : options.width;
         ui.draw_with<draw_wrapped>(node, look);

@@ -12,6 +12,7 @@ struct LabelOptions {
     Align align = Align::start;
     bool wrap =
         false;  ///< as many lines as the width asks for; else one, cut with an ellipsis and whole in its tooltip
+    bool path = false;    ///< of one line: where it is too long, its end is seen
     bool number = false;  ///< digits of one width
     float size = 1;       ///< em
     Weight weight = Weight::regular;

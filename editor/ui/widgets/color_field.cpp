@@ -387,8 +387,10 @@ void open_color_picker(Ui& ui, Id owner, Color color, glm::vec2 offset) {
 Edit color_picker(Ui& ui, Id owner, std::string_view label, Color& color, const ColorOptions& options) {
     Eyedropper* const dropper = options.eyedropper;
     if (dropper != nullptr && dropper->wanted_by == owner && dropper->picked) {
-        const Color picked = with_alpha(*dropper->picked, static_cast<float>(color.a) / 255);
+        Color picked = *dropper->picked;
         *dropper = {};
+        if (options.picked_as != nullptr) picked = (*options.picked_as)(picked);
+        picked.a = color.a;
         if (picked == color) return {};
         color = picked;
         return Edit::once();

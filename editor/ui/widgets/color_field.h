@@ -2,6 +2,7 @@
 // before, and its numbers to type.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "ui/core/ui.h"
@@ -35,6 +36,8 @@ struct ColorOptions {
     std::string_view tip = {};
     Size width = {SizeKind::grow, 1};
     Eyedropper* eyedropper = nullptr;  ///< null: nothing to pick from
+    /// What a colour that was picked becomes; none: it is taken as it is.
+    const std::function<Color(Color)>* picked_as = nullptr;
 };
 
 /// Ctrl+C and Ctrl+V copy and paste it as text. Each drag, typed text, click or paste is an edit of its own; Esc during

@@ -1,5 +1,6 @@
 #include "ui/widgets/param.h"
 
+#include <charconv>
 #include <cmath>
 
 #include "ui/core/node.h"
@@ -158,21 +159,38 @@ void draw_param_mark(Painter& painter, const Rect& field, float place, float wid
     painter.fill({field.x + x, field.bottom() - height, width, height}, color);
 }
 
+/// Rounded to so many decimals as there is room for: a number without its end would be another one.
+std::string_view fitted(Painter& painter, std::string_view number, const TextStyle& style, float room,
+                        std::span<char> buffer) {
+    const std::size_t point = number.find('.');
+    if (point == number.npos || painter.fonts().run(number, style).width <= room + 0.5F) return number;
+    double value = 0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+    if (error != std::errc() || end != number.data() + number.size()) return number;
+    for (int decimals = static_cast<int>(number.size() - point) - 2; decimals >= 0; --decimals) {
+        const std::string_view shorter = format_number(buffer, value, decimals);
+        if (painter.fonts().run(shorter, style).width <= room + 0.5F) return shorter;
+    }
+    return number;
+}
+
 /// Draws the number and its unit. Where there is no room for both, the unit is left out.
 void draw_number(Painter& painter, Rect inside, const NumberText& text, Align align, bool disabled) {
     const Theme& t = painter.theme();
     const Color ink = disabled ? t.text_disabled : t.text, quiet = disabled ? t.text_disabled : t.text_dim;
     const TextStyle style = painter.text_style(), digits = painter.number_style();
     const bool close = text.whole.size() == text.number.size() + text.unit.size();
-    const Run& number = painter.fonts().run(text.number, digits);
+    char buffer[64];
+    const std::string_view written = fitted(painter, text.number, digits, inside.w, buffer);
+    const Run& number = painter.fonts().run(written, digits);
     const Run* unit = text.unit.empty() ? nullptr : &painter.fonts().run(text.unit, style);
     const float gap = close ? 0 : painter.em(0.25F), unit_width = unit != nullptr ? std::ceil(unit->width) + gap : 0;
     const bool both = unit != nullptr && std::ceil(number.width) + unit_width <= inside.w;
     if (align == Align::end) {
         if (both) painter.text(inside.cut_right(unit_width), text.unit, *unit, style, quiet, Align::end);
-        painter.text(inside, text.number, number, digits, ink, Align::end);
+        painter.text(inside, written, number, digits, ink, Align::end);
     } else {
-        painter.text(both ? inside.cut_left(std::ceil(number.width)) : inside, text.number, number, digits, ink);
+        painter.text(both ? inside.cut_left(std::ceil(number.width)) : inside, written, number, digits, ink);
         inside.cut_left(gap);
         if (both) painter.text(inside, text.unit, *unit, style, quiet);
     }

@@ -8,8 +8,9 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr float least_zone = 0.15F;  // of the field, of each handle
-constexpr float least_field = 3.8F;  // em: a letter and a number of three digits
+constexpr float least_zone = 0.15F;   // of the field, of each handle
+constexpr float beside_value = 1.6F;  // em: a letter, the gap to the number, and both ends of the field
+constexpr float least_field = 3.8F;   // em: a letter and a number of three digits
 
 struct RangeLook {
     LabelLook label;
@@ -118,6 +119,16 @@ Edit reset(double& value, const ParamOptions& o) {
     return Edit::once();
 }
 
+/// px that a letter and the longest of these numbers take, without decimals: those are left out where there is no room.
+float widest_value(Ui& ui, std::span<const double> values, const ParamOptions& o) {
+    float width = ui.em(least_field);
+    for (const double value : values) {
+        char buffer[64];
+        width = std::max(width, ui.text_width(format_number(buffer, value * o.display, 0)) + ui.em(beside_value));
+    }
+    return width;
+}
+
 template <typename Vector>
 Edit put_vector(Ui& ui, std::string_view label, Vector& value, ParamOptions o, std::span<const double> standards) {
     double values[Vector::length()];
@@ -172,7 +183,7 @@ Edit vector_param(Ui& ui, std::string_view label, std::span<double> values, cons
     const std::size_t count = std::min(values.size(), letters.size());
     // In a narrow panel the numbers would have no room side by side, so they are one below the other.
     const float each = row.w * (1 - caption_share) / static_cast<float>(std::max<std::size_t>(count, 1));
-    const bool stacked = row.w > 0 && each < ui.em(least_field);
+    const bool stacked = row.w > 0 && each < widest_value(ui, values.first(count), options);
     if (stacked) ui.parent().size[1] = fit();
     ui.follow_size(ui.parent());
     const bool to_standard = put_name(ui, options);

@@ -8,7 +8,7 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr float widest_em = 16, pad_em = 0.8F, cross_em = 1.4F;
+constexpr float widest_em = 16, pad_em = 0.8F, close_pad_em = 0.45F, cross_em = 1.4F;
 constexpr float slack_em = 0.5F;  // that the pointer may move before a press becomes a drag
 
 struct Strip {
@@ -21,6 +21,7 @@ struct Strip {
 
 struct TabLook {
     bool active, closable;
+    float pad;  ///< em
 };
 
 Rect cross_of(const Rect& tab, float width) {
@@ -32,15 +33,17 @@ void draw_tab(Painter& painter, const Node& node, const TabLook& look) {
     const Theme& t = painter.theme();
     const bool disabled = has(node.is, Is::disabled), hovered = has(node.is, Is::hovered) && !disabled;
     const Rect rect = node.rect();
+    // One that is not seen whole is in the menu of all tabs: half a name looks like a mistake.
+    if (intersect(rect, painter.clip()).w < rect.w - 1) return;
     if (look.active || hovered) painter.fill(rect, look.active ? t.panel : t.control);
     const float line = 2 * painter.hairline();
     if (look.active) painter.fill({rect.x, rect.y, rect.w, line}, disabled ? t.text_disabled : t.accent);
-    Rect inside = rect.inset(painter.em(pad_em), 0);
+    Rect inside = rect.inset(painter.em(look.pad), 0);
     if (look.closable) {
         const Rect cross = cross_of(rect, painter.em(cross_em));
         if (look.active || hovered) painter.icon(cross.inset(painter.em(0.35F)), Icon::cross, t.text_dim);
         inside = rect;
-        inside.cut_left(painter.em(pad_em));
+        inside.cut_left(painter.em(look.pad));
         inside.cut_right(painter.em(cross_em));
     }
     const Color ink = disabled ? t.text_disabled : look.active || hovered ? t.text : t.text_dim;
@@ -58,6 +61,7 @@ struct Making {
     int active, count;
     const TabOptions& options;
     TabEvents& events;
+    float pad = pad_em;
 
     Id tab(int index, std::string_view name);
     void take_key(int index, const Event& event);
@@ -81,14 +85,14 @@ Id Making::tab(int index, std::string_view name) {
                            : Sense::none;
     Node& node = ui.leaf(Role::tab, name, Sense::hover | Sense::press | Sense::middle | Sense::context | keys);
     const Id id = node.id;
-    const float ends = ui.em(pad_em) + ui.em(options.closable ? cross_em : pad_em);
+    const float ends = ui.em(pad) + ui.em(options.closable ? cross_em : pad);
     const float wish = std::ceil(ui.text_width(node.shown)) + ends;
     node.size[0] = px(std::min(wish, ui.em(widest_em)));
     node.size[1] = px(ui.row_height());
     if (wish > ui.em(widest_em)) node.tip = node.shown;
     const Response r = ui.respond(node);
     node.is |= when(index == active, Is::selected);
-    ui.draw_with<draw_tab>(node, TabLook{index == active, options.closable});
+    ui.draw_with<draw_tab>(node, TabLook{index == active, options.closable, pad});
     if (ui.disabled()) return id;
 
     const Rect rect = ui.rect_before(id);
@@ -155,6 +159,13 @@ TabEvents tab_strip(Ui& ui, std::string_view label, int active, std::span<const 
     list.scrolls[0] = true;
     list.scroll = &strip.scroll;
     Making making{ui, strip, std::clamp(active, 0, std::max(count - 1, 0)), count, options, events};
+    // Rather closer together than out of sight.
+    const float room = strip.scroll.view.x + (strip.overflow ? ui.row_height() : 0);
+    float wish = 0;
+    for (const std::string_view name : names)
+        wish += std::ceil(ui.text_width(split_label(name).shown)) +
+                ui.em(options.closable ? pad_em + cross_em : 2 * pad_em);
+    if (room > 0 && wish > room) making.pad = close_pad_em;
     Id active_id = 0;
     for (int i = 0; i < count; ++i) {
         const Id id = making.tab(i, names[static_cast<std::size_t>(i)]);

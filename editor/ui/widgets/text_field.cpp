@@ -28,7 +28,7 @@ struct FieldLook {
     std::string_view text, placeholder;
     TextStyle style;
     Icon icon = Icon::none;
-    bool caption = false, clear = false, editing = false, caret = false;
+    bool caption = false, clear = false, editing = false, caret = false, path = false;
     float offset = 0, caret_x = 0, from = 0, to = 0;  ///< px in the run
     friend bool operator==(const FieldLook&, const FieldLook&) = default;
 };
@@ -61,7 +61,8 @@ void draw_text_field(Painter& painter, const Node& node, const FieldLook& look) 
     if (look.text.empty())
         painter.text(part, look.placeholder, painter.text_style(), disabled ? t.text_disabled : t.text_dim);
     if (!look.editing) {
-        painter.text(part, look.text, look.style, disabled ? t.text_disabled : t.text);
+        const Color ink = disabled ? t.text_disabled : t.text;
+        look.path ? painter.path(part, look.text, look.style, ink) : painter.text(part, look.text, look.style, ink);
         return;
     }
     const Run& run = painter.fonts().run(look.text, look.style);
@@ -198,6 +199,7 @@ Edit put_field(Ui& ui, std::string_view label, std::string& text, const TextFiel
     look.icon = search ? Icon::search : Icon::none;
     look.caption = options.caption, look.clear = search;
     look.style.monospace = options.monospace;
+    look.path = options.path;
     const Node* before = ui.before(node.id);
     const bool was_focused = before != nullptr && (has(before->is, Is::focused) || has(before->is, Is::expanded));
     const bool by_menu = was_focused && !r.focused && Editing::menu_open(ui, node.id);

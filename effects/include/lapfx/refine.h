@@ -22,7 +22,7 @@ struct RefinedOrgan {
     std::vector<glm::uvec2> midpoints;
 };
 
-/// Splits edges longer than 2 mm without making cracks, also along texture seams. It adds at most 400,000 triangles;
+/// Splits edges longer than 2 mm without making cracks, also along texture seams. It adds at most 300,000 triangles;
 /// where that is not enough (a room, a wrong unit) only longer edges are split.
 RefinedOrgan refine(Organ organ);
 

@@ -36,6 +36,26 @@ class DialogTest : public testing::Test {
     }};
 };
 
+TEST_F(DialogTest, IsAsWideAsItsTitleAndItsButtonsWhereThereIsRoom) {
+    bool open = true;
+    const std::string title = "Save the changes of a preset with a rather long name.json before another is opened?";
+    Harness wide{[&](Ui& u) {
+        if (std::exchange(open, false)) open_dialog(u, "wide");
+        ask(u, "wide", title, "A question",
+            {{.label = "Copy the clips and save", .standard = true},
+             {.label = "Save under another name..."},
+             {.label = "Cancel", .cancel = true}});
+    }};
+    wide.size = {1000, 700};
+    wide.frame().frame();
+    const float y = wide.rect(title + "/Copy the clips and save").y;
+    EXPECT_EQ(wide.rect(title + "/Cancel").y, y) << "Cancel does not stand alone in a second row";
+    EXPECT_GE(wide.rect(title + "/" + title).w, wide.ui().text_width(title)) << "the title is seen whole";
+    wide.size = {300, 400};
+    wide.frame().frame();
+    EXPECT_GT(wide.rect(title + "/" + title).h, 2 * wide.ui().em(1)) << "here it has several lines";
+}
+
 TEST_F(DialogTest, ButtonsThatAreTooWideGoOnInAnotherRow) {
     bool open = true;
     Harness narrow{[&](Ui& u) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <set>
 
 namespace lapfx::ui {
 
@@ -32,26 +33,29 @@ bool covers(const Instance& i) {
     }
 }
 
-/// The glyphs of ellipses in all sizes and weights that the toolkit draws.
+/// The glyphs of ellipses in all sizes and weights that the toolkit draws, each at all parts of a px that it may begin
+/// at: letters of many widths stand before it.
 class Ellipses {
   public:
     Ellipses(Fonts& fonts, float em) {
         for (const float size : {0.85F, 0.86F, 0.9F, 1.0F, 1.15F, 1.25F, 1.5F})
             for (const Weight weight : {Weight::regular, Weight::medium, Weight::bold})
-                for (const bool monospace : {false, true})
-                    for (const Instance& glyph :
-                         fonts.run("\u2026", {.size = std::round(size * em), .weight = weight, .monospace = monospace})
-                             .glyphs)
-                        glyphs_.push_back(glyph);
+                for (const char before : std::string_view("\0abcdefgijklmnoprstuvwxz.,-1 AEMTW", 34)) {
+                    std::string text = before != 0 ? std::string(1, before) + "\u2026" : "\u2026";
+                    for (const bool monospace : {false, true}) {
+                        const Run& run =
+                            fonts.run(text, {.size = std::round(size * em), .weight = weight, .monospace = monospace});
+                        if (!run.glyphs.empty()) glyphs_.insert(key_of(run.glyphs.back()));
+                    }
+                }
     }
-    bool has(const Instance& glyph) const {
-        return std::any_of(glyphs_.begin(), glyphs_.end(), [&](const Instance& known) {
-            return std::memcmp(known.uv, glyph.uv, sizeof known.uv) == 0;
-        });
-    }
+    bool has(const Instance& glyph) const { return glyphs_.contains(key_of(glyph)); }
 
   private:
-    std::vector<Instance> glyphs_;
+    static std::string key_of(const Instance& glyph) {
+        return {reinterpret_cast<const char*>(glyph.uv), sizeof glyph.uv};
+    }
+    std::set<std::string> glyphs_;
 };
 
 std::string box_text(const Rect& r) {
@@ -88,6 +92,25 @@ bool is_label_of_control(Role role) {
         case Role::heading:
         case Role::column_header:
             return true;
+        default:
+            return false;
+    }
+}
+
+/// Whether what was written by us, or a number or a path, ends in an ellipsis. What a person has written may.
+bool ends_where_there_is_room(const Node& node, const TextSeen& text, float em) {
+    switch (node.role) {
+        case Role::slider:  // its value, not its caption
+            return text.rect.x > node.rect().x + 0.4F * node.extent[0] || node.label.size() == 1;
+        case Role::label:  // that of a row's caption has no text
+            return !node.text.empty();
+        case Role::text_field:
+            return has(node.is, Is::read_only);
+        case Role::search_field:
+        case Role::tab:
+            return true;
+        case Role::list_item:
+            return text.rect.w > 12 * em;
         default:
             return false;
     }
@@ -131,7 +154,8 @@ std::vector<TextSeen> texts_seen(const DrawList& list, Fonts& letters, float em)
                             i.y < last->y + last->h + em && i.y + i.h > last->y - em;
             if (!on) texts.push_back({.rect = {}, .glyphs = {}, .clip = clip});
             texts.back().glyphs.push_back(rect);
-            texts.back().elided |= ellipses.has(i);
+            // A path may begin with it.
+            if (texts.back().glyphs.size() > 1) texts.back().elided |= ellipses.has(i);
             last = &i;
         }
     }
@@ -187,6 +211,8 @@ std::vector<std::string> cut_texts(std::span<const Node> tree, const std::vector
         if (node == no_node) continue;
         if (text.elided && is_label_of_control(tree[node].role))
             found.push_back(place_of(tree, text) + ": its label is elided");
+        if (text.elided && ends_where_there_is_room(tree[node], text, em))
+            found.push_back(place_of(tree, text) + ": its end is missing");
         float sides = 0, height = 0, whole = 0;
         for (const Rect& glyph : text.glyphs) {
             const Rect seen = intersect(glyph, text.clip);
@@ -196,7 +222,8 @@ std::vector<std::string> cut_texts(std::span<const Node> tree, const std::vector
         }
         if (in_panned(tree, node)) continue;
         if (text.elided && text.glyphs.size() <= 2) found.push_back(place_of(tree, text) + ": nothing of it is left");
-        if (sides > 0.15F * em && !scrolled(tree, node, 0))
+        // Of a tab, half of a name looks like a mistake, although the strip scrolls.
+        if (sides > 0.15F * em && (tree[node].role == Role::tab || !scrolled(tree, node, 0)))
             found.push_back(place_of(tree, text) + ": cut at the side by" + box_text(text.clip));
         if (height > 0.15F * em && !scrolled(tree, node, 1))
             found.push_back(place_of(tree, text) + ": cut in height by" + box_text(text.clip));

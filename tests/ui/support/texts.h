@@ -19,7 +19,7 @@ struct TextSeen {
     Rect rect;                 ///< px, around the visible parts of its glyphs
     std::vector<Rect> glyphs;  ///< px, not clipped
     Rect clip;
-    bool elided = false;  ///< it ends in an ellipsis
+    bool elided = false;  ///< an ellipsis stands for its end; one at its beginning, as of a path, does not count
 };
 /// `em`, px, is used to recognise the ellipses of all sizes of text. `letters` are the fonts that the frame was drawn
 /// with.
@@ -30,7 +30,8 @@ std::uint32_t node_of(std::span<const Node> tree, const TextSeen& text);
 
 /// A line for each pair of texts that are drawn over each other: their paths and places.
 std::vector<std::string> texts_over_texts(std::span<const Node> tree, const std::vector<TextSeen>& texts, float em);
-/// A line for each text that is cut: labels of controls that end in an ellipsis, values of which the ellipsis leaves at
+/// A line for each text that is cut: labels of controls, numbers, paths and texts of the program's own that end in an
+/// ellipsis, names of tabs of which a part is seen, values of which the ellipsis leaves at
 /// most one letter, and texts of which a clip cuts off part of a letter at the side or part of their height. The last
 /// do not count where a person can scroll there.
 std::vector<std::string> cut_texts(std::span<const Node> tree, const std::vector<TextSeen>& texts, float em);

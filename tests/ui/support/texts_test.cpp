@@ -5,6 +5,9 @@
 
 #include "ui/support/harness.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/param.h"
+#include "ui/widgets/tabs.h"
+#include "ui/widgets/text_field.h"
 
 namespace lapfx::ui {
 namespace {
@@ -48,6 +51,46 @@ TEST(Texts, TwoOverEachOtherAreFoundUnlessSomethingOpaqueIsBetween) {
     ui.frame();
     EXPECT_THAT(over(ui), IsEmpty()) << "what is covered is not seen";
     EXPECT_THAT(cut(ui), IsEmpty());
+}
+
+TEST(Texts, NumbersPathsAndNamesWithoutTheirEndAreFound) {
+    std::string path = "/a/folder/of/some/depth/organ.glb";
+    bool keeps_end = false;
+    float width = 120;
+    double eye = -7345678.25;
+    Harness ui([&](Ui& u) {
+        label(u, path, {.path = keeps_end, .width = px(width)});
+        text_field(u, "File", path, {.width = px(width), .read_only = true, .path = keeps_end});
+        number_field(u, "X", eye, {.minimum = -1e8, .maximum = 1e8, .width = px(keeps_end ? 160.0F : 60.0F)});
+    });
+    EXPECT_THAT(cut(ui), ElementsAre(HasSubstr("organ.glb"), HasSubstr("File"), HasSubstr("X (slider")));
+    keeps_end = true, width = 160;
+    ui.frame();
+    EXPECT_THAT(cut(ui), IsEmpty()) << "the end of a path is seen: its beginning has given way";
+}
+
+TEST(Texts, APathBeginsWithAWholeFolderWhereThereIsRoom) {
+    const std::string path = "/home/someone/videos/plume.mp4";
+    float width = 1000;
+    Harness ui([&](Ui& u) { label(u, path, {.path = true, .width = px(width)}); });
+    EXPECT_EQ(seen(ui).front().glyphs.size(), path.size());
+    width = ui.ui().text_width("\u2026ne/videos/plume.mp4") + 2;
+    ui.frame();
+    EXPECT_EQ(seen(ui).front().glyphs.size(), 1 + std::string("/videos/plume.mp4").size());
+    width = ui.ui().text_width("\u2026ume.mp4") + 1;
+    ui.frame();
+    EXPECT_EQ(seen(ui).front().glyphs.size(), 1 + std::string("ume.mp4").size());
+}
+
+TEST(Texts, HalfATabIsFound) {
+    constexpr std::string_view names[] = {"Timeline", "Amounts", "Curves", "Presets", "Snapshots"};
+    float width = 400;
+    Harness ui([&](Ui& u) { tab_strip(u, "Panels", 0, names, {.width = px(width)}); }, {640, 200});
+    for (width = 400; width > 100; width -= 7) {
+        ui.frame().frame();
+        EXPECT_THAT(cut(ui), IsEmpty()) << width << ": names are seen whole or not at all";
+        EXPECT_GE(seen(ui).size(), 1U) << width;
+    }
 }
 
 }  // namespace

@@ -181,6 +181,21 @@ TEST(VectorParam, ItsNumbersAreCalledWhatTheyAre) {
     EXPECT_FALSE(ui.exists("Extinction/X"));
 }
 
+TEST(VectorParam, StandsOneBelowTheOtherWhereItsDigitsHaveNoRoom) {
+    double value[] = {-3.456, 8.25, -4.125};
+    Harness ui([&](Ui& u) {
+        Column column(u, {.width = px(340)});
+        vector_param(u, "Eye", value, {.minimum = -1000, .maximum = 1000, .step = 1});
+    });
+    EXPECT_EQ(ui.rect("Eye/X").y, ui.rect("Eye/Z").y);
+    value[0] = -73.456, value[2] = -20400.125;
+    ui.frame().frame();
+    EXPECT_GE(ui.rect("Eye/Z").y, ui.rect("Eye/Y").bottom());
+    EXPECT_THAT(
+        cut_texts(ui.ui().tree(), texts_seen(*ui.output().list, Harness::fonts(), ui.ui().em(1)), ui.ui().em(1)),
+        testing::IsEmpty());
+}
+
 TEST(VectorParam, StandsOneBelowTheOtherWhereNothingWouldBeLeftOfItsNumbers) {
     double value[] = {-120, 250, 40};
     Harness ui([&](Ui& u) {

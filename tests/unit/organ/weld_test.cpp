@@ -45,7 +45,7 @@ double bled_area(const Organ& organ, double scale) {
     BleedingParameters b;
     b.speed = 4.0 * scale;
     b.max_extent = 16.0 * scale;
-    b.threshold = 0.0;
+    b.threshold = b.noise_strength = 0.0;
     b.gravity_bias = b.crease_bias = 0.0;
     bleeding::BleedField field(surface, {0.0, -1.0, 0.0});
     field.set(std::vector<Wound>{{.position = glm::dvec3(-0.33, 0.0, 0.4) * scale}}, b);

@@ -126,7 +126,7 @@ TEST_F(BundleTest, SceneAndOrganComeAlong) {
     EXPECT_EQ(scene.organ.file, "organ/lagb.glb");
     EXPECT_EQ(scene.tool.file, "tool/hook_cautery.glb");
     EXPECT_EQ(scene.reference.file, "");
-    EXPECT_EQ(scene.events.size(), 2U);
+    EXPECT_EQ(scene.events.size(), 3U);
     EXPECT_EQ(test::read_text(to_ / "ooze/organ/lagb.glb"), test::read_text(samples / "lagb.glb"));
 }
 

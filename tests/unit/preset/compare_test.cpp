@@ -217,9 +217,10 @@ TEST(Compare, AKeptBleedFieldIsLikeANewOneWhateverChanges) {
         }
         if (changes) changing.emplace_back(row.key);
     }
-    EXPECT_THAT(changing, testing::UnorderedElementsAre("speed", "max_extent", "threshold", "noise_strength",
-                                                        "gravity_bias", "crease_bias", "bridge_gap", "pulse_rate",
-                                                        "pulse_strength", "coagulation_time", "deep_at", "thickness"))
+    EXPECT_THAT(changing,
+                testing::UnorderedElementsAre("speed", "max_extent", "threshold", "noise_strength", "noise_octaves",
+                                              "rivulets", "gravity_bias", "crease_bias", "bridge_gap", "pulse_rate",
+                                              "pulse_strength", "coagulation_time", "deep_at", "thickness"))
         << "or the test would not see that one is missing";
 }
 

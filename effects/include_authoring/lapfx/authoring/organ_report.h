@@ -36,7 +36,7 @@ OrganReport report(const Organ& organ);
 struct RefineReport {
     std::size_t triangles = 0;  ///< triangles after splitting; for a fine organ its own
     double longest_edge = 0.0;  ///< longest edge after splitting, mm; 0: no edge is too long
-    bool bounded = false;       ///< 400,000 more triangles were not enough for 2 mm
+    bool bounded = false;       ///< 300,000 more triangles were not enough for 2 mm
 };
 RefineReport report_refine(const Organ& organ);
 

@@ -65,6 +65,7 @@ class Preview {
     void reload_shaders(const std::filesystem::path& folder);  ///< as Effects::reload_shaders
     void set_overlay(Overlay overlay);
     void set_camera(const SceneCamera& camera);
+    void set_haze_shown(bool shown);  ///< false: pictures leave it out, and amounts() do not
     void set_curves(const Curves& curves);
     /// These work as in Effects: all contacts at once, or samples of a tool as it moves, and what has happened so far.
     void set_contacts(std::span<const ToolContact> contacts);
