@@ -222,11 +222,17 @@ std::vector<std::filesystem::path> tool_files_of(const PreparedOrgan& organ) {
     return tool ? tool->files : std::vector<std::filesystem::path>();
 }
 
+OrganOptions organ_options(const Scene& scene) {
+    OrganOptions options{.scale = scene.organ.scale, .rotation = scene.organ.rotation};
+    if (!scene.organ.texture.empty()) options.texture = path_of(scene, scene.organ.texture, "/organ/texture");
+    return options;
+}
+
 bool same_organ(const Scene& a, const Scene& b) {
     if (!same_file(a, a.tool.file, b, b.tool.file) || a.tool.scale != b.tool.scale) return false;
     if (a.plate.use || b.plate.use) return a.plate.use == b.plate.use && same_plate(a, b);
     return same_file(a, a.organ.file, b, b.organ.file) && a.organ.scale == b.organ.scale &&
-           a.organ.rotation == b.organ.rotation;
+           a.organ.rotation == b.organ.rotation && same_file(a, a.organ.texture, b, b.organ.texture);
 }
 
 bool made_for(const PreparedOrgan& prepared, const Scene& scene) {
@@ -256,8 +262,7 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const Ves
         organ::SplitOrgan fine =
             split_of(scene.plate.use ? plate_organ(scene, plate, stages.part(0.0, loaded))
                                      : organ::load(path_of(scene, scene.organ.file, "/organ/file"),
-                                                   {.scale = scene.organ.scale, .rotation = scene.organ.rotation},
-                                                   stages.part(0.0, loaded), &encoded),
+                                                   organ_options(scene), stages.part(0.0, loaded), &encoded),
                      stages.part(loaded, refined));
         made->organ = std::move(fine.organ);
         organ::PixelList pixels = organ::take_pixels(made->organ, encoded);

@@ -57,7 +57,7 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options, std::shared_p
                                          options_.exact)),
       keying_(std::make_unique<KeyingBench>(*clips_, document, preview, timeline, pace_, jobs, images, toasts,
                                             options_.exact)),
-      organ_choice_(std::make_unique<OrganChoice>(document, jobs, *settings_, looking, selected)),
+      organ_choice_(std::make_unique<OrganChoice>(document, jobs, *settings_, looking, selected, images)),
       snapshot_previews_(std::make_unique<SnapshotPreviews>(document, *snapshots_, preview, timeline, jobs, images,
                                                             screen_, options_)),
       reference_(std::make_unique<Reference>(document, timeline, preview, *snapshot_previews_, jobs, *settings_, images,

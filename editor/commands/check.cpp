@@ -9,6 +9,7 @@
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/picture.h"
 #include "lapfx/authoring/smoke_notes.h"
 #include "lapfx/authoring/touch_notes.h"
 #include "lapfx/organ.h"
@@ -35,6 +36,7 @@ std::vector<std::string> check_scene(const Scene& scene, const std::string& name
         notes =
             touch_notes(load_organ(file, {.scale = scene.organ.scale, .rotation = scene.organ.rotation}), scene.events);
     });
+    files.open("/organ/texture", scene.organ.texture, [&](const auto& file) { read_image(file); });
     files.open("/tool/file", scene.tool.file, [&](const auto& file) { load_organ(file, {.scale = scene.tool.scale}); });
     files.open("/preset", scene.preset, [&](const auto& file) {
         const Preset preset = load_preset(file);

@@ -50,6 +50,7 @@ void show_scene(const Scene& scene) {
     row("name", scene.name);
     row("preset", whereabouts(scene, scene.preset));
     row("organ", whereabouts(scene, scene.organ.file));
+    if (!scene.organ.texture.empty()) row("texture", whereabouts(scene, scene.organ.texture));
     row("tool", whereabouts(scene, scene.tool.file));
     row("reference", reference_of(scene));
     row("events", std::to_string(scene.events.size()));

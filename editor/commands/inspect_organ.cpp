@@ -102,7 +102,7 @@ void inspect_organ(const std::filesystem::path& file) {
     row("triangles", std::to_string(report.triangles));
     row("in the file", counts_text(organ.counts));
     if (organ.counts.sewn > 0)
-        row("mended", std::to_string(organ.counts.sewn) + " vertices of torn seams joined to the other side");
+        row("mended", std::to_string(organ.counts.sewn) + " vertices moved to close gaps along seams");
     if (const RefineReport split = report_refine(organ); split.longest_edge > 0.0)
         row("split for blood", "into " + std::to_string(split.triangles) + " triangles, no edge longer than " +
                                    text_of("%.3g", split.longest_edge) + " mm");

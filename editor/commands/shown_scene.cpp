@@ -49,6 +49,7 @@ ShownScene open_shown(const std::string& scene, const std::vector<std::string>& 
     ShownScene shown{.scene = load_scene(scene), .presets = {}, .clips = std::make_shared<ClipCache>()};
     SceneFiles files(shown.scene, scene);
     files.open("/organ/file", shown.scene.organ.file, require_exists);
+    files.open("/organ/texture", shown.scene.organ.texture, require_exists);
     files.open("/tool/file", shown.scene.tool.file, require_exists);
     std::vector<Fault> faults;
     const auto take = [&](const std::string& given, const std::string& name) {

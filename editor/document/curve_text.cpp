@@ -79,7 +79,9 @@ std::vector<CurvePoint> parse_curve_text(std::string_view text, const Table& tab
             }
         points.push_back(point);
     }
-    if (faults.empty() && points.empty()) fault("no points: expected a time and a value in each line");
+    if (faults.empty() && points.empty())
+        faults.push_back({"", number > 0 ? "line " + std::to_string(number) : "",
+                          "no points: expected a time and a value in each line"});
     if (points.size() > table.list->maximum)
         fault(std::to_string(points.size()) + " points are more than " + std::to_string(table.list->maximum));
     if (!faults.empty()) throw Error(Failure::bad_input, std::move(faults));

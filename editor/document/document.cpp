@@ -18,7 +18,8 @@ namespace {
 constexpr std::size_t longest_file = std::size_t{16} << 20U;  // larger than any document that is loaded
 
 void move_scene(Scene& scene, const fs::path& folder) {
-    for (std::string* path : {&scene.organ.file, &scene.tool.file, &scene.reference.file, &scene.preset})
+    for (std::string* path :
+         {&scene.organ.file, &scene.organ.texture, &scene.tool.file, &scene.reference.file, &scene.preset})
         *path = moved_path(*path, scene.folder, folder);
     scene.folder = folder;
 }
@@ -550,7 +551,8 @@ bool Document::undo_mends(const Fault& fault) const {
 bool Document::undo_changes_organ() const {
     if (done_ == 0 || open_) return false;
     const Delta& last = steps_[done_ - 1].scene;
-    return last.changes("/organ/file") || last.changes("/organ/scale") || last.changes("/organ/rotation");
+    return last.changes("/organ/file") || last.changes("/organ/scale") || last.changes("/organ/rotation") ||
+           last.changes("/organ/texture");
 }
 
 }  // namespace lapfx::document

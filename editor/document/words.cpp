@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <filesystem>
 
 #include "document/tables.h"
@@ -275,7 +276,7 @@ std::string summary(const std::vector<Difference>& all) {
     if (one_item && all.size() == 2)
         return inside_brackets(first.item) + ", " + all[0].row + ' ' + change_text(all[0]) + ", " + all[1].row + ' ' +
                change_text(all[1]);
-    return (one_item ? inside_brackets(first.item) + ", " : "") + counted(all.size(), "parameter");
+    return (one_item ? inside_brackets(first.item) + ", " : "") + counted(all.size(), "value");
 }
 
 }  // namespace
@@ -304,6 +305,26 @@ std::string change_text(const Difference& d) {
     const std::string unit = ' ' + d.unit;
     if (!d.unit.empty() && before.ends_with(unit)) before.resize(before.size() - unit.size());
     return before + " to " + d.after;
+}
+
+std::string fault_text(const Fault& fault, const Preset& preset) {
+    constexpr std::string_view clips = "/smoke/clips/";
+    if (!fault.place.starts_with(clips)) return fault.text();
+    const char* const begin = fault.place.data() + clips.size();
+    const char* const end = fault.place.data() + fault.place.size();
+    std::size_t number = 0;
+    const auto [after, error] = std::from_chars(begin, end, number);
+    if (error != std::errc() || number >= preset.smoke.clips.size()) return fault.text();
+    const std::string name = std::filesystem::path(preset.smoke.clips[number].file).filename().string();
+    std::string field(after, end);
+    if (field == "/file") field.clear();
+    std::replace(field.begin(), field.end(), '/', ' ');
+    std::replace(field.begin(), field.end(), '_', ' ');
+    return Fault{"",
+                 "smoke clip " + std::to_string(number + 1) + (name.empty() ? "" : ", " + name) +
+                     (field.empty() ? "" : "," + field),
+                 fault.reason}
+        .text();
 }
 
 std::string change_of(std::string_view name, const Content& before, const Content& after) {

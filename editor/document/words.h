@@ -42,7 +42,10 @@ std::vector<Difference> differences(const Content& before, const Content& after)
 /// "4 to 8.3 mm/s", "added", "removed".
 std::string change_text(const Difference& difference);
 
-/// What a step did, as far as its name does not say it: "4 to 8.3 mm/s", "Time 0.8 to 1.2 s", "3 parameters". Empty
+/// A fault for a person who edits and sees no file: "smoke clip 4, gone.mp4: no such file" in place of a pointer.
+std::string fault_text(const Fault& fault, const Preset& preset);
+
+/// What a step did, as far as its name does not say it: "4 to 8.3 mm/s", "Time 0.8 to 1.2 s", "3 values". Empty
 /// when there is no visible difference.
 std::string change_of(std::string_view name, const Content& before, const Content& after);
 /// "Speed: 4 to 8.3 mm/s", "Move event: cauterise, Time 0.8 to 1.2 s".

@@ -17,6 +17,7 @@
 #include "lapfx/authoring/formats.h"
 #include "lapfx/authoring/pack.h"
 #include "lapfx/authoring/picture.h"
+#include "lapfx/authoring/prepared_scene.h"
 #include "output/files.h"
 
 namespace lapfx::output {
@@ -105,9 +106,9 @@ class Writer {
         plan_scene();
         for (const Piece& piece : pieces_) total_ += static_cast<double>(piece.size());
         for (const Piece& piece : pieces_) put(piece);
-        save_preset(preset_, beside_ / (name_ + ".json"));
-        if (scene_) save_scene(*scene_, beside_ / (name_ + ".scene.json"));
-        write_png(beside_ / "thumbnail.png", bundle_.thumbnail);
+        put_named(name_ + ".json", [&](const fs::path& to) { save_preset(preset_, to); });
+        if (scene_) put_named(name_ + ".scene.json", [&](const fs::path& to) { save_scene(*scene_, to); });
+        put_named("thumbnail.png", [&](const fs::path& to) { write_png(to, bundle_.thumbnail); });
         check_preset();
         if (scene_) check_scene();
         check_thumbnail();
@@ -193,11 +194,29 @@ class Writer {
         scene_->preset = name_ + ".json";
         scene_->reference = {};
         scene_->plate.use = false;  // it is a frame of the reference
-        organ_ =
-            plan_mesh(scene_->organ.file, {.scale = scene_->organ.scale, .rotation = scene_->organ.rotation}, "organ");
+        organ_ = plan_mesh(scene_->organ.file, organ_options(*bundle_.scene), "organ");
+        plan_texture();
         tool_ = plan_mesh(scene_->tool.file, {.scale = scene_->tool.scale}, "tool");
         scene_->organ.file = organ_.file;
         scene_->tool.file = tool_.file;
+    }
+
+    /// What goes wrong is told of the file in the bundle: nobody sees the folder that it is written to.
+    template <typename Write>
+    void put_named(const std::string& name, const Write& write) const {
+        try {
+            write(beside_ / name);
+        } catch (const Error& error) {
+            fail(target_ / name, error.faults().front().reason);
+        }
+    }
+
+    void plan_texture() {
+        const fs::path from = organ_.options.texture;
+        if (organ_.file.empty() || from.empty()) return;
+        scene_->organ.texture = "texture/" + OwnNames().give(from.filename().string(), clip_extension(from.string()));
+        pieces_.push_back({.to = scene_->organ.texture, .from = from, .bytes = {}});
+        organ_.options.texture = beside_.path() / scene_->organ.texture;
     }
 
     void put(const Piece& piece) {

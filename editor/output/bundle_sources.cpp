@@ -64,6 +64,8 @@ std::vector<SourceFile> outside_files(const Preset& preset, const Scene* scene, 
     };
     if (scene != nullptr) {
         add_mesh("Organ", scene->organ.file, organ_files);
+        if (const fs::path texture = mesh_of(*scene, scene->organ.texture); !texture.empty())
+            outside.add("Organ", texture);
         add_mesh("Tool", scene->tool.file, tool_files);
     }
     for (const SmokeClip& clip : preset.smoke.clips) {

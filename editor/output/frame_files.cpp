@@ -31,7 +31,12 @@ class PngFiles : public FrameFiles {
     }
 
     void add(const Image& image) override {
-        write_png(beside(static_cast<int>(hashes_.size())), image);
+        const int index = static_cast<int>(hashes_.size());
+        try {
+            write_png(beside(index), image);
+        } catch (const Error& error) {  // it names the file that nobody sees
+            throw cannot_write(target(index), error.faults().front().reason);
+        }
         to_bgr(image, bgr_);
         hashes_.push_back(hash_of(bgr_));
     }

@@ -113,6 +113,7 @@ void time_param(ui::Ui& ui, std::string_view label, double& value, double durati
     ui::param(
         ui, label, value,
         {.maximum = duration, .hard_minimum = 0, .hard_maximum = longest_time, .step = 0.1, .unit = "s", .tip = tip});
+    value = app::shown_time(value);
 }
 
 void time_rows(ui::Ui& ui, Exports& exports) {
@@ -178,13 +179,14 @@ void outside_rows(ui::Ui& ui, Exports& exports) {
     const ui::Column column(ui, {.width = ui::grow(), .gap = 0.2F});
     const std::string home = exports.home().string();
     ui::literal(ui,
-                home.empty() ? std::string("These files are copied into the bundle:")
-                             : "These files are outside the folder " + home + " and are copied into the bundle:",
+                home.empty() ? std::string("A bundle needs copies of these files:")
+                             : "A bundle needs copies of these files, which are outside the folder " + home + ":",
                 ui::Tone::warning);
     for (const output::SourceFile& source : exports.outside())
         ui::literal(ui, source.what + ": " + source.file.string());
     ui::checkbox(ui, "Copy these files", exports.form.outside_agreed,
                  "Whoever gets the bundle gets these files. Not checked, nothing is exported");
+    fault_line(ui, exports, "outside");
 }
 
 void form_rows(ui::Ui& ui, Exports& exports, app::FileChooser& chooser) {
@@ -261,6 +263,7 @@ void export_dialog(ui::Ui& ui, Exports& exports, app::FileChooser& chooser, app:
     ui::segmented(ui, "What", exports.form.kind, output::output_titles());
     form_rows(ui, exports, chooser);
     const bool sound = exports.faults().empty() && !exports.waits();
+    if (!sound) ui::label(ui, why_not(ui, exports), {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
     if (exports.form.renders() &&
         ui::button(
             ui, "Copy lapfx render command",

@@ -31,16 +31,21 @@ constexpr SheetLine on_pictures[] = {
     {"Zoom at the pointer", "wheel"},
     {"Pan", "drag, middle drag"},
     {"Fit", "double click"},
+    {"The other picture, while held", "F"},
 };
 constexpr SheetLine on_times[] = {
-    {"Go to a time", "drag ruler"},           {"Zoom", "wheel"},
-    {"Pan", "Shift+wheel, middle drag"},      {"Move, stretch an event", "drag it or its end"},
-    {"Select one more event", "Shift+click"}, {"Move without snapping", "Ctrl+drag"},
+    {"Go to a time", "drag ruler"},
+    {"Zoom", "wheel"},
+    {"Pan", "Shift+wheel, middle drag"},
+    {"Move, stretch an event", "drag it or its end"},
+    {"Select one more event", "Shift+click"},
+    {"Move without snapping", "Ctrl+drag"},
+    {"All of it", "F"},
 };
 constexpr SheetLine on_plots[] = {
     {"Pan", "drag"},
     {"Zoom to a box", "Shift+drag"},
-    {"Fit", "double click"},
+    {"Fit", "double click, F"},
 };
 constexpr SheetLine in_file_dialogs[] = {
     {"Complete what is typed", "Tab"},

@@ -11,6 +11,7 @@ struct HistoryState {
     ui::TableState table;
     std::size_t done = 0;
     std::uint64_t newest = 0;
+    bool behind = true;  ///< it has to scroll to the current step
 };
 
 ui::TableCell cell_of(const document::Document& document, std::size_t row, std::size_t column) {
@@ -49,6 +50,7 @@ void history_panel(ui::Ui& ui, document::Document& document, ui::CommandTable& c
         state.done = document.done();
         state.newest = newest;
         state.table.selection.only(key_of(document.done()));
+        state.behind = true;
     }
     constexpr std::array columns = {
         ui::TableColumn{"Step", 11, ui::Align::start, false, "What was done, oldest first."},
@@ -56,7 +58,8 @@ void history_panel(ui::Ui& ui, document::Document& document, ui::CommandTable& c
     const ui::RowList::KeyOf key(key_of);
     const auto events = ui::table(ui, "Steps", state.table, columns, document.steps().size() + 1,
                                   [&](std::size_t row, std::size_t column) { return cell_of(document, row, column); },
-                                  {.key_of = &key});
+                                  {.key_of = &key, .show = state.behind ? document.done() : ui::no_row});
+    state.behind = events.unseen;
     std::size_t target = events.opened;
     // The arrow keys only select; a press goes to that state.
     if (events.selected && ui.held() != 0 && events.hovered != ui::no_row) target = events.hovered;

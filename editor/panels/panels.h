@@ -101,7 +101,8 @@ void presets_panel(ui::Ui& ui, app::Browser& browser, const document::Document& 
 void snapshots_panel(ui::Ui& ui, app::Snapshots& snapshots, app::SnapshotPreviews& previews, app::Reference& reference,
                      app::Layouts& layouts, document::Document& document);
 void history_panel(ui::Ui& ui, document::Document& document, ui::CommandTable& commands);
-void scene_panel(ui::Ui& ui, const Edited& edited, ui::CommandTable& commands, ui::Toasts& toasts);
+void scene_panel(ui::Ui& ui, const Edited& edited, const app::PreviewHost& preview, ui::CommandTable& commands,
+                 ui::Toasts& toasts);
 
 // --- dialogs: nothing while they are closed --------------------------------------------------------------------------
 void organ_dialog(ui::Ui& ui, app::OrganChoice& choice, ui::CommandTable& commands);

@@ -96,11 +96,24 @@ void menu_items(ui::Ui& ui, const On& on, const ParameterGroup* group, ui::Id bo
         if (group == nullptr || &one == group) tuning.lock(one, !locked);
 }
 
+/// Esc in the empty search field goes back to what had the keyboard before; if that is gone, the field keeps it.
+void leave_search(ui::Ui& ui, app::Tuning& tuning) {
+    const ui::Id field = ui.id_of("Search");
+    bool escaped = false;
+    ui.events_of(field, [&](const ui::Event& event) {
+        escaped |= event.kind == ui::EventKind::key && event.key == ui::Key::escape;
+    });
+    if (!escaped || ui.focus() != 0) return;
+    const bool there = tuning.search_from != 0 && ui.before(tuning.search_from) != nullptr;
+    ui.set_focus(there ? tuning.search_from : field, true);
+}
+
 void tool_row(ui::Ui& ui, const On& on) {
     Tuning& tuning = on.tuning;
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     if (tuning.wants_search) {
         tuning.wants_search = false;
+        if (ui.focus() != ui.id_of("Search")) tuning.search_from = ui.focus();
         ui.set_focus(ui.id_of("Search"), true);
     }
     const std::string_view find_keys = chord_of(on.commands, "preset.find");
@@ -110,6 +123,7 @@ void tool_row(ui::Ui& ui, const On& on) {
     ui::search_field(ui, "Search", tuning.search,
                      {.placeholder = narrow ? "Find" : asks_for,
                       .tip = find_keys.empty() ? found_by : ui.join({found_by, " (", find_keys, ")"})});
+    leave_search(ui, tuning);
     ui::toggle(ui, "Changed only", tuning.changed_only,
                {.icon = Icon::dot, .tip = "Only what differs from the saved preset", .quiet = true});
     const ui::Id dice = ui.id_of("Randomise");

@@ -1,6 +1,9 @@
 #include "panels/preset_rows.h"
 
+#include <cstdio>
+
 #include "app/tuning/tuning.h"
+#include "lapfx/authoring/reach.h"
 #include "panels/table_rows.h"
 #include "ui/core/node.h"
 #include "ui/widgets/basic.h"
@@ -91,10 +94,23 @@ class RowBuilder {
                    .locked = locked,
                    .favourite = favourite,
                    .actions = &actions});
+        if (row_.key == "max_extent" && !listed_apart_) reach();
         if (actions.copy_path && ui_.clipboard() != nullptr) ui_.clipboard()->set(entry_.key);
         if (actions.toggle_lock) tuning_.lock(index_, !locked);
         if (actions.toggle_favourite) tuning_.mark_favourite(index_, !favourite);
         if (actions.range) tuning_.set_range(index_, {actions.range->low, actions.range->high});
+    }
+
+    /// The extent is that over level tissue; what it lets blood do here depends on the biases.
+    void reach() {
+        const BloodReach r = blood_reach(preset().bleeding);
+        char text[160];
+        const int length =
+            std::snprintf(text, sizeof text, "up to %.0f mm level, %.0f downhill, %.0f in folds, %.0f down a fold",
+                          r.level, r.downhill, r.fold, r.down_fold);
+        ui::label(ui_, ui_.copy({text, static_cast<std::size_t>(std::max(length, 0))}),
+                  {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
+        ui_.last().tip = "At most, mm over the surface, with the lobes of the noise";
     }
 
     void put_range() {

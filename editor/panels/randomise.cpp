@@ -24,7 +24,7 @@ const app::ParameterGroup*& asked_for(ui::Ui& ui) {
     return ui.memory<const app::ParameterGroup*>(ui::hash_bytes(0, "randomise group"));
 }
 
-/// "14 values changed by up to 10 % (seed 7): Speed, Max extent, Noise scale and 11 more".
+/// "14 values changed by up to 10 % (seed 7): Speed, Level extent, Noise scale and 11 more".
 std::string told(const app::Tuning& tuning, std::uint64_t seed, const std::vector<document::Difference>& changed) {
     const auto percent = static_cast<int>(std::lround(100 * tuning.strength));
     std::string text = std::to_string(changed.size()) + (changed.size() == 1 ? " value" : " values") +

@@ -41,7 +41,7 @@ void looks(ui::Ui& ui, app::Settings& settings) {
 void settings_dialog(ui::Ui& ui, app::Settings& settings, ui::CommandTable& commands) {
     ui::Dialog dialog(ui, "settings", "Settings", {.width = 44, .height = 34, .icon = ui::Icon::gear});
     if (!dialog) return;
-    constexpr std::array<std::string_view, 2> pages = {"Looks", "Keys"};
+    constexpr std::array<std::string_view, 2> pages = {"Appearance", "Keys"};
     {
         int& page = ui.memory<int>(ui.id_of("page"));
         const ui::Tabs tabs(ui, "Pages", page, pages);

@@ -157,7 +157,7 @@ bool is_seen_as_it_is(const Parameter& row) {
 
 /// The colour for the field with which the picture shows the one that was picked.
 ui::Color as_seen(const RowBuild& b, ui::Color picked) {
-    const glm::dvec3 solved = b.edited.seen.solve(b.name(), vector_of(picked), b.value<glm::dvec3>(),
+    const glm::dvec3 solved = b.edited.seen.solve(b.step(), vector_of(picked), b.value<glm::dvec3>(),
                                                   [&](document::Content& content, const glm::dvec3& color) {
                                                       if (void* const found = b.find(content)) b.row.set(found, color);
                                                   });

@@ -157,7 +157,7 @@ void add_view_commands(app::Editor& editor) {
          .tip = "Shows the reference over the view, translucent, so that the camera can be placed by it",
          .missing = "there is no reference that can be shown"});
     editor.commands.add({.id = "view.use_view",
-                         .title = "Use this view as the endoscope",
+                         .title = "Use view as endoscope",
                          .group = "View",
                          .run = [&editor] { use_view(editor); },
                          .enabled = [&editor] { return !editor.looking.endoscope; },

@@ -12,6 +12,7 @@
 #include "app/preview/events.h"
 #include "app/preview/orbit.h"
 #include "app/reference/reference.h"
+#include "document/words.h"
 #include "panels/band_strip.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
@@ -140,7 +141,7 @@ class ViewPanel {
         const Scene& scene = on_.edited.document.scene();
         const bool has_plate = !low && (scene.plate.use || !scene.reference.file.empty());
         items[plate] = {.width = has_plate ? ui::tool_width(ui_, "Plate") : 0, .rank = 3};
-        items[use] = {.width = on_.looking.endoscope ? 0 : ui::tool_width(ui_, "Use view"), .rank = 4};
+        items[use] = {.width = on_.looking.endoscope ? 0 : ui::tool_width(ui_, "Use as endoscope"), .rank = 4};
         items[whole] = {.width = ui::tool_width(ui_, "Frame the organ"), .rank = 5};
         // The tools' values have room beside them, shown or not: else the tools would fold up when one is chosen.
         const float values = 2 * choice + ui::tool_width(ui_, "More...");
@@ -215,7 +216,7 @@ class ViewPanel {
     }
 
     void use_view_button() {
-        if (ui::button(ui_, "Use view",
+        if (ui::button(ui_, "Use as endoscope",
                        {.tip = "Moves the endoscope to where you look from: comparing and exporting use its view"}))
             on_.commands.run("view.use_view");
     }
@@ -412,8 +413,11 @@ class ViewPanel {
         if (!u.hit || (!on_.tool.action && on_.looking.overlay == Overlay::none)) return;
         char text[128];
         const int length =
-            std::snprintf(text, sizeof text, "vessels %.0f %%   fat %.0f %%   would bleed %.1f   %.0f mm away",
-                          100 * u.tissue.vessels, 100 * u.tissue.fat, u.tissue.bleeds, u.hit->distance);
+            u.tissue.known
+                ? std::snprintf(text, sizeof text, "vessels %.0f %%   fat %.0f %%   would bleed %.1f   %.0f mm away",
+                                100 * u.tissue.vessels, 100 * u.tissue.fat, u.tissue.bleeds, u.hit->distance)
+                : std::snprintf(text, sizeof text, "vessels and fat not known   would bleed %.1f   %.0f mm away",
+                                u.tissue.bleeds, u.hit->distance);
         ui::Node& node = ui_.leaf(ui::Role::status, "Under the pointer");
         node.text = ui_.copy({text, static_cast<std::size_t>(std::max(length, 0))});
         node.placed = true;
@@ -508,7 +512,8 @@ class ViewPanel {
         place({.fraction = {0.5F, 1}, .offset = {0, -ui_.em(2.8F)}, .pivot = {0.5F, 1}});
         const std::string more = faults.size() > 1 ? " (and " + std::to_string(faults.size() - 1) + " more)" : "";
         ui::label(ui_, "Not shown because of a fault:", {.tone = ui::Tone::warning});
-        ui::label(ui_, faults.front().text() + more, {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
+        ui::label(ui_, document::fault_text(faults.front(), on_.edited.document.preset()) + more,
+                  {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
         const ui::Row buttons(ui_);
         Fault fault = faults.front();
         if (const auto clip = clip_of(fault)) {

@@ -52,7 +52,7 @@ void add_window_commands(app::Editor& editor) {
     add_layout_commands(editor);
     editor.commands.add({.id = "window.settings",
                          .title = "Settings...",
-                         .group = "Window",
+                         .group = "Edit",
                          .chord = {key_of(','), Mods::command},
                          .icon = ui::Icon::gear,
                          .run = [&editor] { ui::open_dialog(editor.ui(), "settings"); },

@@ -57,7 +57,7 @@ constexpr PanelRow panel_rows[] = {
     {"History", "All that was done, to go back to",
      [](Ui& ui, Editor& e) { history_panel(ui, e.document, e.commands); }},
     {"Scene", "Organ, tool, camera, light and reference",
-     [](Ui& ui, Editor& e) { scene_panel(ui, edited_in(e), e.commands, e.toasts); }},
+     [](Ui& ui, Editor& e) { scene_panel(ui, edited_in(e), e.preview, e.commands, e.toasts); }},
 };
 
 /// A small letter for each large one: of "View" in "window.show_view".
@@ -139,6 +139,7 @@ void add_panel_commands(Editor& editor) {
                              .title = "Show " + std::string(row.name),
                              .group = "Window",
                              .run = [&editor, name = row.name] { editor.layouts().bring_to_front(name); },
+                             .checked = [&editor, name = row.name] { return editor.layouts().seen(name); },
                              .tip = std::string(row.tip) + "; shows the panel, also if it was closed"});
 }
 

@@ -147,7 +147,7 @@ void Front::spread_over(std::uint32_t triangle, std::uint32_t from, FrontRoom& r
         slowness = 0.0;
         for (const std::uint32_t c : corners) slowness += room.terrain.slowness(c, metric_.crease_bias) / 3.0;
         // Gravity alone must not drive blood: each mm costs something in every direction.
-        slowness = std::max(slowness, std::min(1.0, metric_.gravity_bias + 0.05));
+        slowness = std::max(slowness, std::min(1.0, metric_.gravity_bias + least_cost));
     }
     const auto known = [&](std::uint32_t v) { return room.cells_[v].stamp == room.stamp_; };
     const auto length = [&](std::uint32_t v) { return room.cells_[v].length / slowness; };

@@ -22,6 +22,9 @@
 
 namespace lapfx::bleeding {
 
+/// Of one mm of a crease, in every direction.
+inline constexpr double least_cost = 0.05;
+
 struct Reached {
     std::uint32_t vertex;  ///< of the surface
     float distance;        ///< mm from the contact point

@@ -54,9 +54,11 @@ constexpr Parameter rows[] = {
               "the bleeding speed, at which the animation variable grows.")),
     again(changes_values,
           number<&B::max_extent>(
-              "max_extent", "Max extent", {0, 200, 0.5, "mm"},
-              "How far blood spreads from its wound over level, smooth tissue. Gravity bias and crease bias let it run "
-              "farther downhill and along folds. In the paper: the upper threshold of the animation variable.")),
+              "max_extent", "Level extent", {0, 200, 0.5, "mm"},
+              "How far blood spreads from its wound over level, smooth tissue, at most. It is no bound "
+              "elsewhere: gravity bias and crease bias let it run farther, at their defaults one and a half "
+              "times as far downhill or along a fold, and three times down a fold. In the paper: the upper "
+              "threshold of the animation variable.")),
     again(changes_sums,
           number<&B::threshold>(
               "threshold", "Threshold", {0, 10, 0.05, "mm"},

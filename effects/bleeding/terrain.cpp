@@ -134,7 +134,7 @@ double Terrain::slowness(std::uint32_t point, double crease_bias) {
     double drawn = std::clamp((c - facet_height) / 0.5, 0.0, 1.0);
     // The line along which two parts meet is a crease too.
     if (const SurfacePoint* other = bridge(point)) drawn = std::max(drawn, 1.0 - other->distance / meeting_gap);
-    if (drawn > 0.0) return 1.0 - 0.65 * crease_bias * drawn;
+    if (drawn > 0.0) return 1.0 - most_drawn * crease_bias * drawn;
     return 1.0 + 0.33 * crease_bias * std::clamp((-c - facet_height) / 0.5, 0.0, 1.0);
 }
 

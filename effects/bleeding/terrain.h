@@ -33,6 +33,7 @@ class Terrain {
     const SurfacePoint* bridge(std::uint32_t point);
 
     static constexpr double bridge_longest = 5.0;  // mm
+    static constexpr double most_drawn = 0.65;     // share of a mm that a crease saves at crease_bias 1
 
   private:
     bool section_heights(std::uint32_t point, const glm::dvec3& normal, const glm::dvec3& direction, double& near,

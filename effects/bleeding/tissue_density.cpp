@@ -269,7 +269,10 @@ TissueDensity::Tissue TissueDensity::mean(const glm::dvec3& position) const noex
 TissueSample TissueDensity::sample(const glm::dvec3& position) const noexcept {
     if (!finite(position)) return {};
     const Tissue here = mean(position);
-    return {.vessels = double(here.density.x), .fat = double(here.density.y), .bleeds = strength_of(here)};
+    return {.vessels = double(here.density.x),
+            .fat = double(here.density.y),
+            .bleeds = strength_of(here),
+            .known = here.known};
 }
 
 double TissueDensity::strength_of(const Tissue& here) const noexcept {

@@ -1,6 +1,7 @@
 // load_organ(): chooses the reader and the unit, then mends and completes.
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "media/image.h"
 #include "organ/formats.h"
 #include "organ/load.h"
 #include "organ/mend.h"
@@ -16,6 +17,22 @@ glm::dmat4 to_millimetres(double scale, const glm::dvec3& degrees) {
     matrix = glm::rotate(matrix, angle.y, {0.0, 1.0, 0.0});
     matrix = glm::rotate(matrix, angle.x, {1.0, 0.0, 0.0});
     return glm::scale(matrix, glm::dvec3(scale));
+}
+
+/// The picture in place of all textures of the base colour. Throws Error.
+void give_texture(Organ& organ, const std::filesystem::path& path, std::vector<organ::Encoded>* encoded) {
+    const std::string file = path.string();
+    const auto bytes = std::make_shared<const organ::Bytes>(organ::read_file(path, file));
+    Image image;
+    if (const std::string fault = media::decode_image(*bytes, image); !fault.empty()) organ::refuse(file, "", fault);
+    image.name = path.filename().string();
+    for (Material& material : organ.materials) material.base_color_image = static_cast<int>(organ.images.size());
+    if (encoded != nullptr) {
+        encoded->resize(organ.images.size());
+        encoded->push_back(bytes);
+    }
+    organ.images.push_back(std::move(image));
+    organ.files.push_back(path);
 }
 
 }  // namespace
@@ -47,6 +64,7 @@ Organ organ::load(const std::filesystem::path& path, const OrganOptions& options
     organ.files = std::move(files);
     organ.files.insert(organ.files.begin(), path);
     organ.unread_files = std::move(unread);
+    if (!options.texture.empty()) give_texture(organ, options.texture, encoded);
     stages.reach(0.85);
     organ::complete(organ, missing);
     stages.reach(1.0);

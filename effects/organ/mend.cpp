@@ -167,8 +167,8 @@ void close_seams(Organ& organ, double scale, Counts& counts) {
     }
     char gap[32];
     std::snprintf(gap, sizeof gap, "%.2g", weld.gap * scale);
-    organ.warnings.push_back(counted(counts.sewn, "vertex of a torn seam", "vertices of torn seams") +
-                             " joined to the other side, up to " + gap + " mm away");
+    organ.warnings.push_back("gaps along seams closed: " + counted(counts.sewn, "vertex", "vertices") +
+                             " moved by up to " + gap + " mm");
 }
 
 void drop_empty_parts(Organ& organ, Missing& missing) {

@@ -306,7 +306,10 @@ organ::RefinePlan organ::plan_refine(const Organ& organ, const work::Stages& sta
         // estimate is poor, it is found by doubling strides and then by halving. Not for step 0, because edges too far
         // out to be split make fewer triangles than the estimate.
         int too_fine = 0;
-        for (step = 1; at_least.triangles(longest_of(step)) > static_cast<double>(most); ++step) too_fine = step;
+        for (step = 1; at_least.triangles(longest_of(step)) > static_cast<double>(most); ++step) {
+            stages.reach(0.0);
+            too_fine = step;
+        }
         for (int stride = 1; (made = made_by(step)) > most; stride *= 2) {
             too_fine = step;
             step += stride;

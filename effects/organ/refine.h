@@ -16,8 +16,8 @@ namespace lapfx::organ {
 constexpr double longest_wanted = 2.0;
 /// At most this many triangles are added. An organ needs fewer; a room or a wrong unit would need more.
 constexpr std::size_t most_added = 300'000;
-/// Burns are a tenth smaller, and more, on edges longer than this, mm; where most of an organ has such edges, it is
-/// told. A whole abdomen has not.
+/// On edges longer than this, mm, a burn is a tenth smaller or more: it is told where half of the surface has such
+/// edges. Half of a whole abdomen has shorter ones.
 constexpr double told_from = 4.0;
 
 /// The longest edges that are left. Where most_added is not enough for longest_wanted, edges that are long in the file

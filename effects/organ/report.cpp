@@ -93,7 +93,7 @@ OrganReport report(const Organ& organ) {
     if (plan.is_told())
         report.warnings.push_back(
             "its triangles are too many and too large to split all edges down to " + number(organ::longest_wanted) +
-            " mm: on most of it, blood and burns can be no finer than edges of " + number(plan.usual) + " mm");
+            " mm: on half of it, blood and burns can be no finer than edges of " + number(plan.usual) + " mm");
     const organ::Weld weld = organ::weld_surface(organ.positions, organ.indices);
     std::vector<std::uint32_t> triangles(organ.indices.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i] = weld.point[organ.indices[i]];

@@ -40,6 +40,10 @@ constexpr Parameter organ_rows[] = {
     again(redo::organ | redo::amounts,
           vector<&SceneOrgan::rotation>("rotation", "Rotation", {-360, 360, 1, "degrees"},
                                         "Turns about the x, then the y, then the z axis.")),
+    again(redo::organ | redo::amounts,
+          path<&SceneOrgan::texture>("texture", "Texture",
+                                     "A picture in place of the organ's own base colour textures, laid over it by its "
+                                     "texture coordinates; empty: its own. Vessels and fat are looked for in it.")),
     color<&SceneOrgan::color>("color", "Colour",
                               "Multiplies the organ's own colours; white leaves them as they are. For an organ without "
                               "a texture it is the colour of the tissue. It does not change where the organ bleeds."),

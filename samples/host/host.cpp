@@ -68,6 +68,10 @@ GLuint buffer_of(const std::vector<T>& data) {
     return name;
 }
 
+std::filesystem::path texture_of(const lapfx::Scene& scene) {
+    return scene.organ.texture.empty() ? std::filesystem::path() : scene.folder / scene.organ.texture;
+}
+
 struct Host {
     lapfx::Scene scene;
     glm::ivec2 size;
@@ -82,7 +86,8 @@ struct Host {
         : scene(lapfx::load_scene(arguments[1])),
           size(pixels),
           own(std::string(arguments[4]) == "own"),
-          organ(lapfx::load_organ(scene.folder / scene.organ.file, {scene.organ.scale, scene.organ.rotation})),
+          organ(lapfx::load_organ(scene.folder / scene.organ.file,
+                                  {scene.organ.scale, scene.organ.rotation, texture_of(scene)})),
           effects(own ? organ = lapfx::refine(organ).organ : organ, lapfx::load_preset(arguments[2]),
                   {static_cast<std::uint32_t>(scene.seed), scene.gravity, {arguments[3]}, wait}) {
         effects.set_curves(scene.curves);

@@ -17,7 +17,9 @@ int main(int argc, char** argv) {
         const lapfx::Scene scene = lapfx::load_scene(argv[1]);
         const lapfx::Preset preset = lapfx::load_preset(argv[2]);
         const auto organ = lapfx::prepare_organ(
-            lapfx::load_organ(scene.folder / scene.organ.file, {scene.organ.scale, scene.organ.rotation}),
+            lapfx::load_organ(scene.folder / scene.organ.file,
+                              {scene.organ.scale, scene.organ.rotation,
+                               scene.organ.texture.empty() ? "" : scene.folder / scene.organ.texture}),
             preset.vessels);
         lapfx::AmountsModel model(organ, {.gravity = scene.gravity});
         model.set(preset, scene.events, scene.curves);

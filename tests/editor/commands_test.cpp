@@ -170,6 +170,19 @@ std::map<std::string, const ui::Node*> entries(const ui::Ui& ui) {
     return found;
 }
 
+TEST_F(CommandsTest, PanelsThatAreSeenHaveAMark) {
+    layout("Tune");
+    const auto marked = [&](const std::string& id) {
+        return editor().commands.checked(editor().commands.index_of(id));
+    };
+    EXPECT_TRUE(marked("window.show_view"));
+    EXPECT_FALSE(marked("window.show_keying")) << "a tab behind another";
+    editor().commands.run("window.show_keying");
+    EXPECT_TRUE(marked("window.show_keying"));
+    EXPECT_FALSE(marked("window.show_preset"));
+    EXPECT_EQ(editor().commands[editor().commands.index_of("window.settings")].group, "Edit");
+}
+
 TEST_F(CommandsTest, EachIsInTheMenuOfItsGroup) {
     open_sample();
     std::set<std::string> groups;

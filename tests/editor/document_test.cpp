@@ -27,6 +27,25 @@ using ui::Key;
 using ui::key_of;
 using ui::Mods;
 
+TEST_F(EditorDocument, TheHistoryOpensAtTheCurrentStep) {
+    for (int i = 0; i < 60; ++i)
+        editor().document.change("Step " + std::to_string(i),
+                                 [&](document::Content& c) { c.preset.bleeding.speed = 1 + 0.1 * i; });
+    for (int i = 0; i < 10; ++i) editor().document.undo();
+    editor().layouts().shown.show("History");
+    ui().frame().frame();
+    ASSERT_TRUE(ui().exists("**/Steps/Step 49")) << ui().dump();
+    const ui::Rect row = ui().rect("**/Steps/Step 49"), table = ui().rect("**/History/Steps");
+    EXPECT_LE(row.bottom(), table.bottom() + 1);
+    EXPECT_GE(row.y, table.y);
+    editor().document.go_to(3);
+    ui().frame().frame();
+    ASSERT_TRUE(ui().exists("**/Steps/Step 2")) << "and follows";
+    ui().wheel("**/History/Steps", {0, -5}).frame();
+    ui().wheel("**/History/Steps", {0, -30}).frame();
+    EXPECT_FALSE(ui().exists("**/Steps/Step 2")) << "one may look elsewhere meanwhile";
+}
+
 TEST_F(EditorDocument, TheHistoryIsWalkedByClickAndByKeys) {
     layout("Tune");
     ui().key('H', Mods::command).frame();
@@ -310,7 +329,7 @@ TEST_F(EditorDocument, ASecondEditorOnTheSameFileIsTold) {
     const auto other = document::Lock::take(document::lock_file(state, file));
     ASSERT_TRUE(other.has_value()) << "leaving a file releases it";
     open({file.string()});
-    ASSERT_TRUE(asked("Open in another editor"));
+    ASSERT_TRUE(asked("Another editor has this file open"));
     EXPECT_NE(editor().document.preset_file(), file);
     say("Open a copy");
     EXPECT_TRUE(editor().document.preset_file().empty());

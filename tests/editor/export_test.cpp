@@ -200,6 +200,16 @@ TEST_F(ExportTest, APresetThatCannotStandAloneBecomesABundle) {
     EXPECT_TRUE(fs::exists(folder() / "out/together/organ/lagb.glb"));
 }
 
+TEST_F(ExportTest, TheTimeThatIsRenderedIsTheOneThatIsShown) {
+    editor().timeline.seek(5.592273);
+    editor().commands.run("export.picture");
+    ui().frame();
+    EXPECT_EQ(form().at, 5.592);
+    form().at = 1.23456789;
+    ui().frame().frame();
+    EXPECT_EQ(form().at, 1.234);
+}
+
 TEST_F(ExportTest, APresetAlone) {
     editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 9.25; });
     editor().commands.run("export.open");
@@ -427,6 +437,11 @@ TEST_F(OutsideTest, WhatABundleCopiesFromElsewhereIsListedAndAgreedTo) {
     EXPECT_THAT(ui().dump(), HasSubstr("outside the folder " + (folder() / "case").string()));
     EXPECT_TRUE(ui().is("New export/Export", ui::Is::disabled));
     EXPECT_THAT(ui().tip("New export/Export"), HasSubstr("agree"));
+    EXPECT_TRUE(
+        ui().exists("New export/Not possible yet: agree to copying the files from elsewhere: check \"Copy "
+                    "these files\""))
+        << ui().dump();
+    EXPECT_THAT(ui().dump(), testing::Not(HasSubstr("are copied")));
     editor().exports().start();
     EXPECT_FALSE(editor().exports().running()) << "not even from a script";
     ui().click("New export/Form/Copy these files").frame();

@@ -130,6 +130,21 @@ TEST_F(EyedropperTest, WhatCannotBeSeenIsToldAndTheNearestIsTaken) {
     EXPECT_EQ(deep(), glm::ivec3(95, 28, 32));
 }
 
+TEST_F(EyedropperTest, KeysThatAreTypedInThePickerChooseNoTool) {
+    layout("Tune");
+    ui().click("**/Deep colour/Colour").frame();
+    const auto before = editor().tool.action;
+    for (const char c : {'3', '8', 'v', 'A', '4'}) ui().key(ui::key_of(c)).frame();
+    EXPECT_EQ(editor().tool.action, before);
+    EXPECT_EQ(editor().looking.overlay, Overlay::none);
+    ui().type("#8a4a3c").frame();
+    EXPECT_EQ(deep(), glm::ivec3(0x8a, 0x4a, 0x3c));
+    EXPECT_EQ(editor().tool.action, before);
+    ui().key(ui::Key::escape).key(ui::Key::escape).key(ui::Key::escape).frame();
+    ui().key(ui::key_of('3')).frame();
+    EXPECT_EQ(editor().tool.action, ToolAction::coagulate) << "the picker is closed";
+}
+
 TEST_F(EyedropperTest, ALoupeShowsPixelsAndTheColourUnderThePointer) {
     layout("Tune");
     ui().click("**/Deep colour/Colour").frame();

@@ -103,7 +103,7 @@ TEST_F(FindTest, ARowThatIsNotThereIsTold) {
 
 TEST_F(FindTest, ThePanelsSearchKnowsEverydayWords) {
     ui().key('F', Mods::command).type("blood size");
-    EXPECT_TRUE(ui().exists("**/Bleeding/Max extent"));
+    EXPECT_TRUE(ui().exists("**/Bleeding/Level extent"));
     EXPECT_FALSE(ui().exists("**/Bleeding/Gloss"));
 }
 

@@ -39,6 +39,8 @@ TEST_F(HelpTest, TheSheetTellsWhatThePointerDoes) {
     EXPECT_EQ(ui().text("**/All keys/Orbit"), "drag");
     EXPECT_EQ(ui().text("**/All keys/Ten times finer"), "Shift+drag");
     EXPECT_EQ(ui().text("**/All keys/Menu: copy, lock, range"), "right click");
+    EXPECT_EQ(ui().text("**/All keys/The other picture, while held"), "F");
+    EXPECT_EQ(ui().text("**/All keys/All of it"), "F") << "in the timeline";
     EXPECT_EQ(ui().text("**/All keys/Undo"), "Ctrl+Z");
     EXPECT_EQ(ui().text("**/All keys/New folder"), "Ctrl+Shift+N");
     EXPECT_EQ(ui::faults_of(ui().ui().tree()), std::vector<std::string>{});

@@ -155,7 +155,7 @@ TEST_F(KeyingPanel, SuggestFillsTheThresholds) {
     EXPECT_NE(told.find("% sure"), std::string::npos) << "told in place";
     EXPECT_NE(told.find("the background is green ("), std::string::npos);
     EXPECT_NE(told.find(" levels; smoke is found by its colour"), std::string::npos) << "with its unit";
-    EXPECT_NE(told.find("Chroma high 0 to "), std::string::npos) << editor().keying().suggestion_changes();
+    EXPECT_NE(told.find("Chroma high from 0 to "), std::string::npos) << editor().keying().suggestion_changes();
     EXPECT_EQ(told.find("code values"), std::string::npos) << "one word for it everywhere";
     EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("For this clip only (")) << "and says so";
     ui().click(panel + "Bench/Thresholds/Use for all").frame();
@@ -317,7 +317,7 @@ TEST_F(KeyingPanel, ASuggestionThatEndsWhileAnotherClipIsSelectedIsForItsOwn) {
     const std::string told = ui().dump();
     EXPECT_NE(told.find("Keying for green.avi, "), std::string::npos) << "but told";
     EXPECT_NE(told.find("For this clip only: "), std::string::npos) << "of the clip that it is for";
-    EXPECT_NE(told.find("Spill 0.25 to 1"), std::string::npos) << "with its values";
+    EXPECT_NE(told.find("Spill from 0.25 to 1"), std::string::npos) << "with its values";
 }
 
 TEST_F(KeyingPanel, ASuggestionThatEndsAsTheSelectedClipGoesIsForItsOwn) {
@@ -348,10 +348,10 @@ TEST_F(KeyingPanel, WhatASuggestionChangedIsSaidAsLongAsItIsSo) {
     commands.bind(commands.index_of("edit.undo"), {ui::key_of('U'), ui::Mods::command});
     ui().click(panel + "Bench/Thresholds/Suggest keying").frame().frame();
     EXPECT_NE(ui().dump().find("Ctrl+U undoes it."), std::string::npos);
-    EXPECT_NE(ui().dump().find("Spill 0.25 to 1"), std::string::npos) << editor().keying().suggestion_changes();
+    EXPECT_NE(ui().dump().find("Spill from 0.25 to 1"), std::string::npos) << editor().keying().suggestion_changes();
     editor().document.undo();
     ui().frame().frame();
-    EXPECT_EQ(ui().dump().find("Spill 0.25 to 1"), std::string::npos) << "it is taken back";
+    EXPECT_EQ(ui().dump().find("Spill from 0.25 to 1"), std::string::npos) << "it is taken back";
     EXPECT_EQ(ui().dump().find("Ctrl+U takes it back"), std::string::npos);
     EXPECT_NE(ui().dump().find("% sure"), std::string::npos) << "the clip is as it was";
     editor().document.redo();

@@ -30,6 +30,11 @@ class NarrowTest : public EditorTest {
         ui().frame().frame().frame();
     }
 
+    void show(std::string_view panel) {
+        editor().layouts().shown.show(panel);
+        ui().frame().frame();
+    }
+
     struct Box {
         std::string path;
         ui::Rect rect;
@@ -65,8 +70,10 @@ class NarrowTest : public EditorTest {
     void expect_all_apart(float scale, glm::ivec2 size) {
         SCOPED_TRACE(std::to_string(size.x) + " px at scale " + std::to_string(scale));
         shape(scale, size);
-        expect_apart("Snapshots");
-        expect_apart("Amounts");
+        for (const char* const panel : {"Snapshots", "Amounts"}) {  // in a small window one lies behind the other
+            show(panel);
+            expect_apart(panel);
+        }
     }
 };
 
@@ -82,6 +89,7 @@ TEST_F(NarrowTest, SnapshotsAndAmountsDoNotOverlap) {
 
 TEST_F(NarrowTest, PlotsKeepRoomForTheirCurves) {
     shape(1, {600, 800});
+    show("Amounts");
     const ui::Rect plot = ui().rect("**/All plots/Blood area");
     EXPECT_GT(plot.h, 80.0F);
     EXPECT_GT(plot.w, 120.0F);
@@ -92,6 +100,7 @@ TEST_F(NarrowTest, PlotsKeepRoomForTheirCurves) {
 
 TEST_F(NarrowTest, SnapshotsWorkWhenTheyAreIcons) {
     shape(1, {600, 800});
+    show("Snapshots");
     ui().click("**/Show A").frame();
     EXPECT_TRUE(editor().snapshots().shown(0));
     ui().click("**/Keep C").frame();

@@ -52,7 +52,7 @@ TEST_F(PresetPanel, WhatThePaperTunesIsListedFirstAndLive) {
     editor().layouts().shown.show("View");
     ui().frame().frame();
     expect_live("Bleeding: Speed", -12, 6);
-    expect_live("Bleeding: Max extent", 30, 6);
+    expect_live("Bleeding: Level extent", 30, 6);
     expect_live("Bleeding: Noise scale", -60, 6);
     expect_live("Keying: Luma/Low", 40, 6);
     expect_live("Keying: Luma/High", -60, 6);
@@ -71,6 +71,16 @@ void expect_rows(ui::Harness& ui, const Table& table, int& count) {
     }
     for (const Table& child : table.tables)
         if (child.list == nullptr) expect_rows(ui, child, count);
+}
+
+TEST_F(PresetPanel, TheLevelExtentTellsHowFarBloodGetsHere) {
+    editor().document.change("Extent", [](document::Content& c) {
+        BleedingParameters& b = c.preset.bleeding;
+        b.max_extent = 21, b.noise_strength = b.threshold = 0, b.gravity_bias = 0.35, b.crease_bias = 0.5;
+    });
+    ui().frame();
+    EXPECT_NE(ui().dump().find("up to 21 mm level, 32 downhill, 31 in folds, 65 down a fold"), std::string::npos)
+        << ui().dump();
 }
 
 TEST_F(PresetPanel, EveryRowOfTheTableIsThere) {
@@ -101,6 +111,17 @@ TEST_F(PresetPanel, SearchFindsByNameKeyAndHelp) {
     EXPECT_FALSE(ui().exists("**/Bleeding/Noise octaves"));
     ui().key(Key::escape).type("no such thing");
     EXPECT_TRUE(ui().exists("**/No parameter has this name"));
+}
+
+TEST_F(PresetPanel, EscInFindGoesBackToWhereOneWas) {
+    ui().focus("**/Bleeding/Gloss");
+    ui().key('F', Mods::command).type("luma").key(Key::escape);
+    EXPECT_TRUE(ui().focused().ends_with("Preset/Search")) << "the first empties the field: " << ui().focused();
+    ui().key(Key::escape).frame();
+    EXPECT_TRUE(ui().focused().ends_with("Bleeding/Gloss")) << ui().focused();
+    editor().layouts().shown.show("Clips");
+    ui().frame().key('F', Mods::command).frame().key(Key::escape).frame();
+    EXPECT_TRUE(ui().focused().ends_with("Preset/Search")) << "what had it is not there: " << ui().focused();
 }
 
 TEST_F(PresetPanel, ChangedValuesAreCountedListedAndReset) {

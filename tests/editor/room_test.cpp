@@ -77,7 +77,7 @@ TEST_F(RoomTest, EveryToolOfTheViewCanBeReached) {
             shape(to);
             if (!ui().exists("Workspace/View")) continue;  // a tab that is not in front
             for (const std::string tool :
-                 {"Tool", "Power", "Strength", "Overlay", "Endoscope view", "Use view", "Frame the organ"})
+                 {"Tool", "Power", "Strength", "Overlay", "Endoscope view", "Use as endoscope", "Frame the organ"})
                 expect_reachable("View", "View tools", tool);
             if (ui().exists("View tools")) ui().key(ui::Key::escape).frame();
         }
@@ -87,8 +87,10 @@ TEST_F(RoomTest, EveryToolOfTheViewCanBeReached) {
 TEST_F(RoomTest, ASmallWindowHasOneGroupOfTabsAndALargeOneItsLayoutAgain) {
     layout("Compare");
     const ui::DockLayout before = editor().layouts().shown;
-    shape({1, {500, 400}});
-    EXPECT_TRUE(editor().layouts().stacked());
+    for (const glm::ivec2 small : {glm::ivec2(500, 400), {800, 600}, {600, 400}}) {
+        shape({1, small});
+        EXPECT_TRUE(editor().layouts().stacked()) << small.x;
+    }
     EXPECT_EQ(editor().layouts().shown.nodes.size(), 1U);
     EXPECT_EQ(editor().layouts().arranged(), before) << "what the settings keep";
     EXPECT_TRUE(editor().layouts().seen("Reference"));

@@ -1,9 +1,12 @@
 // The timeline and the scene panel: events are moved, stretched and typed in. Rows of the scene; the unit of an organ.
 #include <fstream>
+#include <opencv2/imgcodecs.hpp>
 
 #include "app/base/layouts.h"
 #include "app/files/organ_choice.h"
 #include "editor/support/editor_test.h"
+#include "lapfx/prepared_organ.h"
+#include "ui/core/node.h"
 #include "ui/core/tree.h"
 
 namespace lapfx::test {
@@ -140,8 +143,8 @@ TEST_F(TimelinePanelTest, AnOrganInMetresIsPutRightInTheDialog) {
     ASSERT_TRUE(editor().organ_choice().ready());
     EXPECT_NEAR(editor().organ_choice().size().x, 0.25, 1e-6);
     ui().key(ui::Key::enter).frame();
-    EXPECT_TRUE(editor().organ_choice().ready()) << "a size that no organ has is not loaded by Enter";
-    ui().click("**/Use m");
+    EXPECT_TRUE(editor().organ_choice().ready())
+        << "a size that no organ has is not loaded by Enter: it takes the unit";
     EXPECT_NEAR(editor().organ_choice().size().x, 250, 1e-3);
     editor().organ_choice().set_rotation({-90, 0, 0});
     EXPECT_NEAR(editor().organ_choice().size().y, 150, 1e-3) << "z is up";
@@ -157,6 +160,75 @@ TEST_F(TimelinePanelTest, AnOrganInMetresIsPutRightInTheDialog) {
     editor().document.undo();
     EXPECT_EQ(editor().document.scene().organ.file, "lagb.glb");
     EXPECT_EQ(events().size(), 3U);
+}
+
+TEST_F(TimelinePanelTest, ASmallOrganIsOfferedInTheUnitThatMakesItUsual) {
+    open({box("centimetres.obj", 9.6, 6, 6.6)});
+    ui().frame().frame().frame();
+    ASSERT_TRUE(ui().exists("**/Use cm"));
+    EXPECT_EQ(ui().ui().focus(), ui().node("**/Use cm").id) << "not Cancel";
+    EXPECT_EQ(editor().organ_choice().reason(),
+              "9.6 mm is small for an organ (5 to 600 mm are usual). If the unit is cm, its longest side is 96 mm, "
+              "nearest to a liver's 200 mm.");
+    ui().key(ui::Key::enter).frame();
+    EXPECT_EQ(editor().organ_choice().scale(), 10);
+    EXPECT_FALSE(ui().exists("**/Use cm"));
+    ui().click("**/Cancel").frame();
+    open({box("usual.obj", 96, 60, 66)});
+    ui().frame().frame().frame();
+    EXPECT_FALSE(ui().exists("**/Use cm"));
+    EXPECT_NE(ui().ui().focus(), ui().node("**/Cancel").id);
+}
+
+TEST_F(TimelinePanelTest, AMissingTextureIsToldAndTheLikelyFileIsTaken) {
+    std::ofstream(folder() / "liver.mtl") << "newmtl m\nmap_Kd diffuse.png\n";
+    std::ofstream(folder() / "liver_light.obj")
+        << "mtllib liver.mtl\nv 0 0 0\nv 90 0 0\nv 0 60 10\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n";
+    std::filesystem::create_directory(folder() / "textures");
+    cv::imwrite((folder() / "textures/Liver_texture.jpg").string(), cv::Mat(32, 32, CV_8UC3, cv::Scalar(30, 40, 150)));
+    open({(folder() / "liver_light.obj").string()});
+    ui().frame().frame().frame();
+    ui().click("**/Load").frame().frame().frame();
+    editor().layouts().bring_to_front("Scene");
+    ui().frame().frame();
+    EXPECT_NE(ui().dump().find("Its texture diffuse.png cannot be read"), std::string::npos) << ui().dump();
+    const std::size_t steps = editor().document.done();
+    ui().click("**/Use Liver_texture.jpg").frame().frame();
+    EXPECT_EQ(editor().document.done(), steps + 1);
+    EXPECT_TRUE(editor().document.scene().organ.texture.ends_with("textures/Liver_texture.jpg"));
+    const auto organ = editor().preview.organ_of(editor().document.scene());
+    ASSERT_NE(organ, nullptr);
+    ASSERT_EQ(organ->organ().images.size(), 1U);
+    EXPECT_EQ(organ->organ().images[0].name, "Liver_texture.jpg");
+    EXPECT_FALSE(ui().exists("**/Use Liver_texture.jpg"));
+    editor().document.undo();
+    ui().frame().frame();
+    EXPECT_TRUE(ui().exists("**/Use Liver_texture.jpg"));
+}
+
+TEST_F(TimelinePanelTest, TheDialogShowsTheOrganWithABarOfTenMillimetres) {
+    open({box("box.obj", 9.6, 6, 6.6)});
+    ui().frame().frame().frame();
+    ASSERT_TRUE(ui().exists("**/About it/Organ"));
+    // 9.6 units over nine tenths of 320 px, or 6 over nine tenths of 160.
+    const double units = std::max(9.6 / 288, 6.0 / 144);
+    EXPECT_NEAR(editor().organ_choice().picture_pixel(), units, 1e-9);
+    ui().click("**/Use cm").frame();
+    EXPECT_NEAR(editor().organ_choice().picture_pixel(), 10 * units, 1e-9);
+    EXPECT_EQ(ui().text("**/About it/Organ"), "10 mm");
+}
+
+TEST_F(TimelinePanelTest, WhereNoColourTellsTheDensityTheReadoutSaysSo) {
+    open({box("box.obj", 250, 100, 150)});
+    ui().frame().frame();
+    ui().click("**/Load").frame().frame();
+    editor().document.change("Colour", [](document::Content& c) { c.scene.organ.color = {0.8, 0.3, 0.3}; });
+    editor().looking.overlay = Overlay::vessels;
+    ui().frame().frame();
+    ui().move(ui().node("Workspace/View/Preview").rect().center()).frame();
+    ASSERT_TRUE(ui().exists("**/Under the pointer"));
+    EXPECT_EQ(ui().text("**/Under the pointer").find("vessels and fat not known"), 0U)
+        << ui().text("**/Under the pointer");
 }
 
 TEST_F(TimelinePanelTest, TheColourStaysWithItsOrgan) {

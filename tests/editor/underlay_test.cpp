@@ -31,6 +31,7 @@ TEST_F(UnderlayTest, ItIsAsHighAsTheViewAndInItsMiddle) {
     editor().document.change("Aspect", [](document::Content& c) { c.scene.reference.aspect = 1; });
     ui().frame().frame();
     EXPECT_NEAR(ui().rect(underlay).w, view.h, 1);
+    ui().key(ui::Key::escape).frame();  // the list of tools
     ui().key('U').frame();
     EXPECT_FALSE(ui().exists(underlay)) << "the key ends it";
 }

@@ -28,7 +28,7 @@ struct Moved {
 };
 constexpr std::array<Moved, 4> four = {{
     {"**/Bleeding/Speed", "bleeding.speed", 9, 3},
-    {"**/Bleeding/Max extent", "bleeding.max_extent", 5, 11},
+    {"**/Bleeding/Level extent", "bleeding.max_extent", 5, 11},
     {"**/Bleeding/Noise scale", "bleeding.noise_scale", 1.5, 6},
     {"**/Favourites/Keying: Luma/Low", "smoke.keying.luma_low", 90, 2},
 }};

@@ -12,7 +12,7 @@ namespace {
 using ui::dock_tabs;
 using ui::DockLayout;
 
-constexpr glm::vec2 least_window{42, 24};  // em, for panels beside each other
+constexpr glm::vec2 least_window{58, 30};  // em, for panels beside each other
 
 /// All panels in one group, in their order, with the front panel of the first group in front.
 DockLayout stack_of(const DockLayout& layout) {

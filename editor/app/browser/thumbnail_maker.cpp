@@ -80,6 +80,7 @@ void add_scene(Hash& hash, const fs::path& file, bool preset, const ThumbnailMak
     hash.add(text);
     const Scene scene = parse_scene(text, file.string(), file.parent_path());
     hash.add_file(named_path(scene.folder, scene.organ.file, Reach::anywhere));
+    if (!scene.organ.texture.empty()) hash.add_file(named_path(scene.folder, scene.organ.texture, Reach::anywhere));
     if (preset && !scene.preset.empty())
         add_preset(hash, named_path(scene.folder, scene.preset, Reach::anywhere), options);
 }

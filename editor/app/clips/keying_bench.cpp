@@ -57,7 +57,7 @@ std::string rounded_text(const Parameter& row, const Value& value, int more) {
     return text_of(row, std::round(parts * *number) / parts);
 }
 
-/// "Luma low 16 to 31"; what differs by less than a step is told apart all the same.
+/// "Luma low from 16 to 31"; what differs by less than a step is told apart all the same.
 std::string change_text(const Parameter& row, const void* before, const void* after) {
     constexpr int most_more = 6;
     std::string from, to;
@@ -65,7 +65,7 @@ std::string change_text(const Parameter& row, const void* before, const void* af
         from = rounded_text(row, row.get(before), more);
         to = rounded_text(row, row.get(after), more);
     }
-    return std::string(row.name) + ' ' + from + " to " + to;
+    return std::string(row.name) + " from " + from + " to " + to;
 }
 
 std::string differing_rows(const Table& table, const void* before, const void* after) {

@@ -117,7 +117,7 @@ class KeyingBench {
     /// The suggestion for the selected clip, until another clip is selected.
     const std::optional<KeyingSuggestion>& suggestion() const { return suggestion_; }
     static constexpr double sure_from = 0.5;  ///< confidence below which a person should look first
-    /// What it changed, and for whom: "For this clip only: Luma low 16 to 31". Empty once the document has changed
+    /// What it changed, and for whom: "For this clip only: Luma low from 16 to 31". Empty once the document has changed
     /// again.
     std::string_view suggestion_changes() const;
     /// The document is as the suggestion left it: undo takes it back.

@@ -117,17 +117,21 @@ glm::ivec2 ExportForm::px() const {
     return named.x > 0 ? named : glm::ivec2(width, height);
 }
 
+double shown_time(double time) {
+    return std::floor(time * 1000 + 1e-6) / 1000;  // never beyond the end of the scene
+}
+
 void Exports::propose(OutputKind kind) {
     const document::Document& document = document_;
     form.kind = static_cast<int>(kind);
     form.outside_agreed = false;
-    form.at = timeline_.time;
+    form.at = shown_time(timeline_.time);
     if (timeline_.has_range) {
-        form.from = timeline_.range.low;
-        form.to = timeline_.range.high;
+        form.from = shown_time(timeline_.range.low);
+        form.to = shown_time(timeline_.range.high);
     } else {
         form.from = 0;
-        form.to = timeline_.duration();
+        form.to = shown_time(timeline_.duration());
     }
     const fs::path& file = document.preset_file();
     const std::string proposed_for = file.string() + "\n" + document.preset().name;
@@ -204,7 +208,7 @@ void Exports::check_preset_file(std::vector<Fault>& faults) const {
         if (found.files.empty()) faults.push_back(fault("clips", found.fault));
     }
     if (!outside_.empty() && !form.outside_agreed)
-        faults.push_back(fault("outside", "agree to copying the files from elsewhere"));
+        faults.push_back(fault("outside", "agree to copying the files from elsewhere: check \"Copy these files\""));
 }
 
 fs::path Exports::home() const {

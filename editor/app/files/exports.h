@@ -74,6 +74,9 @@ struct ExportForm {
     friend bool operator==(const ExportForm&, const ExportForm&) = default;
 };
 
+/// To the millisecond, as it is shown and written into commands: what is rendered is what is shown.
+double shown_time(double time);
+
 class Exports {
   public:
     /// Opens what was exported, where a person asks for that.

@@ -157,7 +157,7 @@ void Files::ask_in_use(const std::vector<Kind>& used, const std::vector<fs::path
             kind == Kind::scene ? parts_.document.forget_scene_file() : parts_.document.forget_preset_file();
         relock();
     };
-    Question question{.title = "Open in another editor",
+    Question question{.title = "Another editor has this file open",
                       .text = "Two editors would overwrite each other's work in one file.",
                       .lines = std::move(lines),
                       .answers = {},

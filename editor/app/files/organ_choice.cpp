@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/base/jobs.h"
 #include "app/base/paths.h"
 #include "app/base/settings.h"
+#include "app/files/organ_picture.h"
 #include "app/preview/looking.h"
 #include "app/preview/orbit.h"
 #include "lapfx/authoring/organ_report.h"
@@ -14,6 +16,9 @@
 namespace lapfx::app {
 
 namespace {
+
+constexpr double size_of_liver = 200.0;  // mm
+constexpr double small_organ = 25.0;     // mm: few are shorter, an ovary for one; the unit may be another
 
 bool close(double a, double b) {
     return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
@@ -48,13 +53,15 @@ int unit_of(double scale) {
 
 std::optional<double> likely_scale(double longest, double scale) {
     const auto possible = [&](double s) { return longest * s >= shortest_organ && longest * s <= longest_organ; };
-    if (!(longest > 0) || possible(scale)) return std::nullopt;
+    if (!(longest > 0)) return std::nullopt;
+    const auto off = [&](double s) { return std::abs(std::log(longest * s / size_of_liver)); };
+    if (possible(scale) && off(scale) <= std::log(size_of_liver / small_organ) + 1e-9) return std::nullopt;
     std::optional<double> best;
-    // Nearest to a liver; inches only where nothing else will do.
+    // Inches only where nothing else will do.
     const auto distance = [&](const LengthUnit& unit) {
-        return std::abs(std::log(longest * unit.millimetres / 200)) + (unit.name == "inch" ? 10.0 : 0.0);
+        return off(unit.millimetres) + (unit.name == "inch" ? 10.0 : 0.0);
     };
-    double nearest = 1e300;
+    double nearest = possible(scale) ? off(scale) : 1e300;
     for (const LengthUnit& unit : length_units) {
         if (!possible(unit.millimetres) || distance(unit) >= nearest) continue;
         nearest = distance(unit);
@@ -106,13 +113,34 @@ void OrganChoice::give_up() {
     organ_.reset();
     faults_.clear();
     report_ = {};
+    pictured_for_ = glm::dvec3(1e9);
     measured_for_ = glm::dvec3(1e9);
+}
+
+OrganChoice::~OrganChoice() {
+    if (image_ != 0) images_.remove(image_);
+}
+
+ui::ImageHandle OrganChoice::picture() {
+    if (!organ_) return 0;
+    if (pictured_for_ != rotation_) {
+        pictured_for_ = rotation_;
+        const OrganPicture made = organ_picture(*organ_, rotation_matrix(rotation_), picture_size);
+        units_per_pixel_ = made.units_per_pixel;
+        if (made.image.pixels.empty()) return 0;
+        if (image_ == 0)
+            image_ = images_.add(picture_size, made.image.pixels);
+        else
+            images_.update(image_, picture_size, made.image.pixels);
+    }
+    return image_;
 }
 
 void OrganChoice::take(const std::shared_ptr<const Organ>& organ, OrganReport report) {
     job_.reset();
     organ_ = organ;
     report_ = std::move(report);
+    read_ = true;
     if (scale_ == 0) scale_ = standard_scale_;
 }
 
@@ -147,6 +175,24 @@ bool OrganChoice::possible() const {
 
 std::optional<double> OrganChoice::likely() const {
     return organ_ ? likely_scale(longest_side(report_), scale_) : std::nullopt;
+}
+
+std::string OrganChoice::reason() const {
+    const std::optional<double> better = likely();
+    if (!better) return {};
+    const double longest = longest_side(report_);
+    const auto mm = [](double length) {
+        char text[32];
+        std::snprintf(text, sizeof text, length < 1000 ? "%.4g mm" : "%.0f mm", length);
+        return std::string(text);
+    };
+    const double now = longest * scale_;
+    const std::string off = now > longest_organ    ? " is larger than any organ"
+                            : now < shortest_organ ? " is smaller than any organ"
+                                                   : " is small for an organ";
+    return mm(now) + off + " (" + std::to_string(static_cast<int>(shortest_organ)) + " to " + mm(longest_organ) +
+           " are usual). If the unit is " + std::string(length_units[static_cast<std::size_t>(unit_of(*better))].name) +
+           ", its longest side is " + mm(longest * *better) + ", nearest to a liver's " + mm(size_of_liver) + ".";
 }
 
 bool OrganChoice::replaces() const {

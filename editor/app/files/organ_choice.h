@@ -21,6 +21,7 @@
 #include "lapfx/authoring/organ_report.h"
 #include "lapfx/organ.h"
 #include "lapfx/scene.h"
+#include "ui/draw/images.h"
 
 namespace lapfx::app {
 
@@ -36,8 +37,8 @@ inline constexpr std::array<LengthUnit, 4> length_units = {{{"mm", 1}, {"cm", 10
 /// The index in length_units of this scale; -1: none.
 int unit_of(double scale);
 
-/// mm per unit with which a mesh that is `longest` units long has the size of an organ; nothing where no unit gives
-/// that, or `scale` already does.
+/// mm per unit with which a mesh that is `longest` units long has the usual size of an organ, nearest to that of a
+/// liver; nothing where no unit gives that, or `scale` already does.
 std::optional<double> likely_scale(double longest, double scale);
 
 /// The ways up, and the rotations (degrees about x, then y, then z) that bring each to y.
@@ -57,8 +58,16 @@ class OrganChoice {
   public:
     /// All must outlive it. An organ that is loaded is `looking` at whole, and no event is `selected`.
     OrganChoice(document::Document& document, Jobs& jobs, Settings& settings, Looking& looking,
-                std::vector<std::size_t>& selected)
-        : document_(document), jobs_(jobs), settings_(settings), looking_(looking), selected_(selected) {}
+                std::vector<std::size_t>& selected, ui::ImageStore& images)
+        : document_(document),
+          jobs_(jobs),
+          settings_(settings),
+          looking_(looking),
+          selected_(selected),
+          images_(images) {}
+    ~OrganChoice();
+    OrganChoice(const OrganChoice&) = delete;
+    OrganChoice& operator=(const OrganChoice&) = delete;
 
     bool other_unit = false;  ///< in the dialog: a length is typed
 
@@ -66,6 +75,8 @@ class OrganChoice {
     void open(const std::filesystem::path& file);
     /// Once, after open(): the dialog is to be opened.
     bool take_asked() { return std::exchange(asked_, false); }
+    /// Once, when the file has been read: what has to be decided first gets the keyboard.
+    bool take_read() { return std::exchange(read_, false); }
     bool reading() const { return job_ != nullptr; }
     void give_up();
 
@@ -80,7 +91,13 @@ class OrganChoice {
     const glm::dvec3& rotation() const { return rotation_; }
     void set_rotation(const glm::dvec3& degrees) { rotation_ = degrees; }
     glm::dvec3 size() const;  ///< mm, as chosen
+    /// A picture of it as it is turned, made when it is asked for; 0: none.
+    ui::ImageHandle picture();
+    static constexpr glm::ivec2 picture_size{320, 160};
+    double picture_pixel() const { return scale_ * units_per_pixel_; }  ///< mm of one px of it
     std::optional<double> likely() const;
+    /// Why likely() is: "9.6 mm is small for an organ (5 to 600 mm are usual). If the unit is cm, ...".
+    std::string reason() const;
     /// Whether an organ can be as large as this one is with scale().
     bool possible() const;
 
@@ -100,6 +117,10 @@ class OrganChoice {
     Settings& settings_;
     Looking& looking_;
     std::vector<std::size_t>& selected_;
+    ui::ImageStore& images_;
+    ui::ImageHandle image_ = 0;     ///< of the images
+    glm::dvec3 pictured_for_{1e9};  ///< rotation of that
+    double units_per_pixel_ = 0;
     std::filesystem::path file_;
     std::shared_ptr<Job> job_;
     std::shared_ptr<const Organ> organ_;  ///< in units of the file
@@ -107,7 +128,7 @@ class OrganChoice {
     std::vector<Fault> faults_;
     double scale_ = 1, standard_scale_ = 1;
     glm::dvec3 rotation_{0.0};
-    bool asked_ = false;
+    bool asked_ = false, read_ = false;
     mutable glm::dvec3 measured_for_{1e9};  ///< rotation of the bounds below
     mutable glm::dvec3 low_{0.0}, high_{0.0};
 };

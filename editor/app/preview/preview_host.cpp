@@ -332,7 +332,7 @@ std::vector<std::filesystem::path> PreviewHost::clip_files(const Preset& preset)
 
 std::vector<std::filesystem::path> PreviewHost::organ_files(const Scene& scene) const {
     std::vector<std::filesystem::path> files = organ_files_;
-    for (const std::string& file : {scene.organ.file, scene.tool.file})
+    for (const std::string& file : {scene.organ.file, scene.organ.texture, scene.tool.file})
         if (std::filesystem::path path = path_from(scene.folder, file); !path.empty()) files.push_back(std::move(path));
     for (std::filesystem::path& file : files) file = std::filesystem::absolute(file).lexically_normal();
     std::sort(files.begin(), files.end());
@@ -423,15 +423,19 @@ Image PreviewHost::picture_with(const std::function<void(document::Content&)>& c
     const Scene scene = tried.scene;
     change(tried);
     const bool other_scene = !equal(scene_table(), &scene, &tried.scene);
+    auto as_before = [&](const void*) {
+        if (other_scene) preview_->set_scene(scene);
+        preview_->set_parameters(good_);
+        unchecked_ = true;
+    };
+    const std::unique_ptr<const PreviewHost, decltype(as_before)> restore(this, as_before);
     preview_->set_parameters(tried.preset);
     if (other_scene) preview_->set_scene(tried.scene);
     if (std::exchange(overlay_, shot.overlay) != shot.overlay) preview_->set_overlay(shot.overlay);
     preview_->set_camera(shot.camera);
+    preview_->set_haze_shown(shot.haze);
     tried_.resize(size);
     preview_->draw(shot.time, size, tried_.framebuffer());
-    unchecked_ = true;
-    if (other_scene) preview_->set_scene(scene);
-    preview_->set_parameters(good_);
     return tried_.read();
 }
 

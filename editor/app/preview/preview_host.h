@@ -92,9 +92,10 @@ class PreviewHost {
     /// The same into `copy`, whose target has a size.
     bool draw_into(PreviewCopy& copy, const Shot& shot);
     /// One picture of what is shown, as `change` makes it; what is shown stays. Values that take no other organ and no
-    /// other clips. Only where can_try(): there is a preview, and no tool works in it.
+    /// other clips. Only where can_try(): there is a preview of a scene without a fault, and no
+    /// tool works in it.
     Image picture_with(const std::function<void(document::Content&)>& change, const Shot& shot, glm::ivec2 size);
-    bool can_try() const { return preview_ && !lost_ && !tool_on_; }
+    bool can_try() const { return preview_ && !lost_ && !tool_on_ && !scene_fault_; }
     /// The shot of the last draw().
     const Shot& shown() const { return last_; }
     /// While time stands, a clip may still be late: whether another draw() could give a better picture.

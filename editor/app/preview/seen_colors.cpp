@@ -38,7 +38,7 @@ std::string note_of(std::string_view name, const SolvedColor& solved, double tim
     const std::string delta = " (Delta E " + number(solved.off, 1) + ")";
     if (solved.off <= reached_color)
         return std::string(name) + " is " + hex(solved.color) + ", so that " + hex(picked) + " is seen" + delta +
-               " through lamp, exposure and tone curve " + place;
+               " through lamp, exposure and tone curve, " + place;
     return hex(picked) + " cannot be seen " + place + ", whatever the colour is there: " + std::string(name) + " is " +
            hex(solved.color) + ", which comes nearest: " + hex(solved.seen) + delta;
 }
@@ -47,8 +47,14 @@ std::string note_of(std::string_view name, const SolvedColor& solved, double tim
 
 glm::dvec3 SeenColors::solve(std::string_view name, const glm::dvec3& picked, const glm::dvec3& now,
                              const std::function<void(document::Content&, const glm::dvec3&)>& put) {
-    if (!picture_ || !preview_.can_try()) return picked;
-    Picture picture = *std::exchange(picture_, std::nullopt);
+    const std::optional<Picture> clicked = std::exchange(picture_, std::nullopt);
+    if (!clicked) return picked;  // from no picture of this window
+    Picture picture = *clicked;
+    if (!preview_.can_try()) {
+        notices_.add({.kind = ui::ToastKind::warning,
+                      .text = note_of(name, {.color = picked, .picked = picked, .seen = picked}, picture.shot.time)});
+        return picked;
+    }
     picture.shot.overlay = Overlay::none;
     picture.shot.scale = 1;
     const double scale = std::min(1.0, longest_side / std::max({1, picture.size.x, picture.size.y}));

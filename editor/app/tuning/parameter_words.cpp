@@ -13,7 +13,8 @@ constexpr std::pair<std::string_view, std::string_view> all[] = {
 
     {"bleeding", "blood bleed hemorrhage haemorrhage"},
     {"bleeding.speed", "rate velocity fast slow flow spread growth"},
-    {"bleeding.max_extent", "size spread amount area reach radius limit maximum pool large small how much far"},
+    {"bleeding.max_extent",
+     "max extent size spread amount area reach radius limit maximum pool large small how much far"},
     {"bleeding.threshold", "cutoff edge start thin film hide"},
     {"bleeding.noise_scale", "lobe pattern ragged irregular detail frequency edge shape perlin"},
     {"bleeding.noise_strength", "ragged irregular rough jagged edge shape amplitude perlin"},

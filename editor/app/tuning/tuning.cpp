@@ -9,6 +9,7 @@
 #include "app/base/settings.h"
 #include "app/preview/preview_host.h"
 #include "app/tuning/parameter_text.h"
+#include "document/words.h"
 
 namespace lapfx::app {
 
@@ -169,9 +170,11 @@ void Tuning::follow_faults() {
             const std::size_t entry = parameters().find_pointer(fault.place);
             if (entry != no_entry) {
                 states_[entry].fault = fault.reason;
-            } else if (std::find(other_faults_.begin(), other_faults_.end(), fault.text()) == other_faults_.end()) {
-                other_faults_.push_back(fault.text());
+                continue;
             }
+            std::string text = document::fault_text(fault, document_.preset());
+            if (std::find(other_faults_.begin(), other_faults_.end(), text) == other_faults_.end())
+                other_faults_.push_back(std::move(text));
         }
 }
 

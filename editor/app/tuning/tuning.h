@@ -78,6 +78,7 @@ class Tuning {
     // --- what the panel shows ----------------------------------------------------------------------------------------
     std::string search;
     bool changed_only = false;
+    std::uint64_t search_from = 0;   ///< what had the keyboard before the search field
     bool wants_search = false;       ///< the search field gets the keyboard in the next build
     std::size_t current = no_entry;  ///< the row that has or had the keyboard
     std::size_t wanted = no_entry;   ///< the row that gets it in the next build of the panel, and comes into sight

@@ -1,6 +1,7 @@
 #include "ui/canvas/pixels.h"
 
 #include <glm/gtc/color_space.hpp>
+#include <limits>
 
 #include "ui/canvas/drag_handle.h"
 #include "ui/core/node.h"
@@ -166,12 +167,28 @@ std::string_view picked_text(Ui& ui, Color picked, glm::ivec2 at) {
     return ui.join({format_hex(hex, picked, false), "   ", place_text(ui, at)});
 }
 
+glm::vec2 beside(const Rect& area, const Rect& measured, glm::vec2 size) {
+    const glm::vec2 end = area.at() + area.size(), after = measured.at() + measured.size(),
+                    before = measured.at() - size, level = measured.center() - size / 2.0F;
+    glm::vec2 best = after;
+    float least = std::numeric_limits<float>::infinity();
+    for (const glm::vec2 corner :
+         {after, glm::vec2(before.x, after.y), glm::vec2(after.x, before.y), before, glm::vec2(after.x, level.y),
+          glm::vec2(before.x, level.y), glm::vec2(level.x, after.y), glm::vec2(level.x, before.y)}) {
+        const glm::vec2 at = glm::max(glm::min(corner, end - size), area.at());
+        const Rect both = intersect({at.x, at.y, size.x, size.y}, measured);
+        const float covered = std::max(both.w, 0.0F) * std::max(both.h, 0.0F);
+        if (covered < least) least = covered, best = at;
+    }
+    return best;
+}
+
 void draw_readout(Painter& painter, const View& view, const Readout& readout) {
     const Theme& t = painter.theme();
     const TextStyle style = painter.number_style();
     const float pad = painter.em(0.4F), row = painter.em(1.35F);
     const auto box_reach = static_cast<float>(view.zoom * readout.side / 2);
-    const float away = painter.em(0.8F) + std::min(box_reach, painter.em(4));
+    const float away = painter.em(0.8F) + box_reach;
     const float swatch = readout.swatch.a > 0 ? row + pad : 0;
     float width = 0;
     for (int i = 0; i < readout.line_count; ++i)
@@ -180,13 +197,9 @@ void draw_readout(Painter& painter, const View& view, const Readout& readout) {
     const float glass = readout.image != 0 ? painter.em(magnified_pixel) * static_cast<float>(magnified) : 0;
     const glm::vec2 size(std::max(width, glass) + 2 * pad,
                          static_cast<float>(readout.line_count) * row + (glass > 0 ? glass + pad : 0) + 2 * pad);
-    // The readout is right of and below the pixel, or on the other side where there is no room.
     const glm::vec2 middle(view.to_screen(glm::dvec2(readout.at) + 0.5));
-    glm::vec2 corner = middle + away;
-    const glm::vec2 end = view.area.at() + view.area.size();
-    if (corner.x + size.x > end.x) corner.x = middle.x - away - size.x;
-    if (corner.y + size.y > end.y) corner.y = middle.y - away - size.y;
-    corner = glm::floor(glm::max(glm::min(corner, end - size), view.area.at()));
+    const glm::vec2 corner =
+        glm::floor(beside(view.area, {middle.x - away, middle.y - away, 2 * away, 2 * away}, size));
     Rect box{corner.x, corner.y, size.x, size.y};
     painter.shadow(box, t.shadow, painter.em(0.4F), painter.em(t.radius));
     painter.fill(box, t.raised, painter.em(t.radius));

@@ -56,6 +56,9 @@ struct Readout {
     int side = 1;                 ///< of the sample box
     Color swatch = {0, 0, 0, 0};  ///< alpha 0: none
 };
+/// Where such a box lies: in `area`, beside what is measured, right of and below it if there is room. It covers the
+/// least of it where there is none.
+glm::vec2 beside(const Rect& area, const Rect& measured, glm::vec2 size);
 void draw_readout(Painter& painter, const View& view, const Readout& readout);
 /// The colour that code values are shown as.
 Color color_of(const glm::vec4& code_value);

@@ -56,6 +56,10 @@ enum class Key : std::uint16_t {
 constexpr Key key_of(char c) {
     return static_cast<Key>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
 }
+/// Whether it writes a character.
+constexpr bool printable(Key key) {
+    return key >= Key::space && static_cast<int>(key) < 256;
+}
 
 enum class EventKind : std::uint8_t {
     none,

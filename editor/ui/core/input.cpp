@@ -60,6 +60,11 @@ void Input::reveal(Id id) {
 bool Input::press_shortcut(Key key, Mods mods) {
     const bool modal =
         std::any_of(overlays_.begin(), overlays_.end(), [](const Overlay& o) { return o.kind == OverlayKind::modal; });
+    // Letters that are typed while a popup is open are not for what lies below.
+    const bool popup = std::any_of(overlays_.begin(), overlays_.end(), [](const Overlay& o) {
+        return o.kind == OverlayKind::popup || o.kind == OverlayKind::submenu;
+    });
+    if (popup && printable(key) && !has(mods, Mods::command) && !has(mods, Mods::alt)) return false;
     if (modal || options_.shortcuts == nullptr || !options_.shortcuts->press(key, mods)) return false;
     again_ = true;
     return true;

@@ -8,10 +8,6 @@ namespace lapfx::ui {
 
 namespace {
 
-bool printable(Key key) {
-    return key >= Key::space && static_cast<int>(key) < 256;
-}
-
 bool takes_when_editing(Key key, Mods mods) {
     if (has(mods, Mods::alt)) return false;
     switch (key) {

@@ -238,7 +238,22 @@ void Ui::route_text(const Event& event) {
                         c == '=' || (letter && !key_ran_shortcut_);
     if (has(node->sense, Sense::typing) || has(node->sense, Sense::editing) ||
         (has(node->sense, Sense::digits) && number && ringed_))
-        send(focus_, event);
+        return send(focus_, event);
+    // What is typed while a popup is open is for its text field, as "#8a4a3c" in a colour picker.
+    if (has(node->sense, Sense::digits) || c <= U' ' || has(event.mods, Mods::command)) return;
+    if (const Id field = text_field_of_popup(); field != 0) {
+        set_focus(field, true);
+        send(field, event);
+    }
+}
+
+/// The first text field of the popup on top; 0: there is no popup, or none in it.
+Id Ui::text_field_of_popup() const {
+    if (overlays_.empty() || overlays_.back().kind != OverlayKind::popup) return 0;
+    for (const Node& node : nodes_before())
+        if (node.layer == overlays_.size() && node.role == Role::text_field && has(node.sense, Sense::typing))
+            return node.id;
+    return 0;
 }
 
 void Ui::route_drop(Event& event) {

@@ -73,6 +73,7 @@ class Ui : public Inspection {
     void route_wheel(const Event& event);
     void route_text(const Event& event);
     void route_drop(Event& event);
+    Id text_field_of_popup() const;
     bool opens_entry(const Event& event);
     void cancel_held();
     std::uint32_t hit(std::span<const Node> all, glm::vec2 at, Sense senses) const;

@@ -149,6 +149,17 @@ void FileDialog::build_path_bar(Ui& ui) {
     if (!next.empty()) go(next);
 }
 
+/// A folder's path in this width, px: folders at its beginning give way, its own name stays.
+static std::string_view short_path(Ui& ui, std::string_view path, float room) {
+    std::string_view shown = path;
+    for (std::size_t from = 0; ui.text_width(shown) > room;) {
+        from = path.find('/', from + 1);
+        if (from == path.npos) return name_of_path(path);
+        shown = ui.join({"\u2026", path.substr(from)});
+    }
+    return shown;
+}
+
 void FileDialog::build_places(Ui& ui) {
     const std::string* chosen = nullptr;
     {
@@ -166,7 +177,7 @@ void FileDialog::build_places(Ui& ui) {
         if (!recent_.empty()) label(ui, "Recent", {.tone = Tone::dim});
         for (const std::string& each : recent_) {
             ui.push_seed(each);
-            place(each == "/" ? std::string_view(each) : name_of_path(each), each);
+            place(short_path(ui, each, ui.em(places_width - 3)), each);
             ui.pop_seed();
         }
     }

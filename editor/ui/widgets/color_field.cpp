@@ -246,7 +246,7 @@ void put_hex(Session& s, const ColorOptions& options) {
     char hex[9];
     const bool typing = ui.focus() == s.p.hex_field && s.p.hex_field != 0;
     if (!typing) s.p.hex = format_hex(hex, s.color, options.alpha);
-    const Edit typed = text_field(ui, "Hex", s.p.hex, {.width = px(ui.em(7.5F)), .monospace = true});
+    const Edit typed = text_field(ui, "Hex", s.p.hex, {.width = px(ui.em(7.5F)), .monospace = true, .whole = true});
     s.p.hex_field = ui.last().id;
     const std::optional<Color> color = parse_hex(s.p.hex);
     if (!color) {

@@ -169,6 +169,7 @@ std::string_view fitted(Painter& painter, std::string_view number, const TextSty
     if (error != std::errc() || end != number.data() + number.size()) return number;
     for (int decimals = static_cast<int>(number.size() - point) - 2; decimals >= 0; --decimals) {
         const std::string_view shorter = format_number(buffer, value, decimals);
+        if (value != 0 && shorter.find_first_of("123456789") == shorter.npos) break;  // 0.04 is not 0
         if (painter.fonts().run(shorter, style).width <= room + 0.5F) return shorter;
     }
     return number;

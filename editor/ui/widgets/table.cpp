@@ -255,6 +255,17 @@ TableEvents table(Ui& ui, std::string_view label, TableState& state, std::span<c
                                .height = options.height,
                                .top = height,
                                .role = Role::table}});
+        if (options.show < count) {
+            // Before the first layout nobody knows how many rows are in sight.
+            if (list.area().state().view.y > 0) {
+                const float before = list.area().state().offset.y;
+                LineWindow::show(list.area(), options.show, height);
+                // The rows of this build are those of before.
+                if (list.area().state().offset.y != before) ui.build_again();
+            } else {
+                events.unseen = true, ui.build_again();
+            }
+        }
         Making making{ui, state, columns, cell, events};
         for (std::size_t row = list.first(); row < list.last(); ++row) making.row(list, row, key_of(row));
         making.header(list, height);

@@ -45,12 +45,14 @@ struct TableOptions {
     Size width = grow(), height = grow();
     /// The key of a row, for selection and ids; null: its number.
     const RowList::KeyOf* key_of = nullptr;
-    bool letters = false;  ///< typed letters go to the next row whose first column begins with them
+    std::size_t show = no_row;  ///< scrolls to this row
+    bool letters = false;       ///< typed letters go to the next row whose first column begins with them
 };
 
 struct TableEvents : RowEvents {
     bool sorted = false;   ///< sort_column or descending has changed: the program sorts
     bool resized = false;  ///< widths have changed
+    bool unseen = false;   ///< it could not scroll to TableOptions::show yet: ask again in the next build
 };
 
 /// `cell(row, column)`: its text is copied. The first column names the row in the semantic tree.

@@ -33,8 +33,10 @@ void draw_tab(Painter& painter, const Node& node, const TabLook& look) {
     const Theme& t = painter.theme();
     const bool disabled = has(node.is, Is::disabled), hovered = has(node.is, Is::hovered) && !disabled;
     const Rect rect = node.rect();
-    // One that is not seen whole is in the menu of all tabs: half a name looks like a mistake.
-    if (intersect(rect, painter.clip()).w < rect.w - 1) return;
+    // One that is not seen whole is in the menu of all tabs: half a name looks like a mistake. Unless there is no room
+    // for more than half of it.
+    const bool fits = painter.clip().w >= rect.w;
+    if ((fits || !look.active) && intersect(rect, painter.clip()).w < rect.w - 1) return;
     if (look.active || hovered) painter.fill(rect, look.active ? t.panel : t.control);
     const float line = 2 * painter.hairline();
     if (look.active) painter.fill({rect.x, rect.y, rect.w, line}, disabled ? t.text_disabled : t.accent);

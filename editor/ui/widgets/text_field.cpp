@@ -22,6 +22,7 @@ struct Field {
     std::size_t start = 0;  ///< byte at which the shaped window begins
     float offset = 0;       ///< px by which the window is scrolled to the left
     double scrolled = 0;    ///< s, when a drag last scrolled it
+    bool whole = false;     ///< the next press leaves all selected
 };
 
 struct FieldLook {
@@ -139,9 +140,11 @@ Edit edit_field(Ui& ui, Node& node, const Response& r, Field& field, std::string
     std::string_view window = window_of(ui, field, look.style);
     ui.events_of(node.id, [&](const Event& event) {
         if (event.kind == EventKind::press && event.button == Button::left) {
+            if (std::exchange(field.whole, false)) return field.editing.touch(ui);
             const float x = event.at.x - part.x + field.offset;
             field.editing.press(ui, event, field.start + ui.fonts().run(window, look.style).byte_at(x));
         } else {
+            field.whole = field.whole && event.kind != EventKind::key && event.kind != EventKind::text;
             field.editing.take(ui, event, text, result);
         }
     });
@@ -210,6 +213,7 @@ Edit put_field(Ui& ui, std::string_view label, std::string& text, const TextFiel
         Field& field = ui.memory<Field>(node.id);
         if (!was_focused) {
             field = {};
+            field.whole = options.whole;
             field.editing.open(ui, text,
                                {.bytes = options.bytes,
                                 .read_only = options.read_only,

@@ -19,7 +19,8 @@ struct TextFieldOptions {
     bool read_only = false;       ///< can be selected and copied
     bool invalid = false;         ///< red: what is typed cannot be taken; say why in `tip`
     bool monospace = false;
-    bool path = false;  ///< where it is too long, its end is seen
+    bool path = false;   ///< where it is too long, its end is seen
+    bool whole = false;  ///< the first press selects all, so that what is typed then replaces it
     /// For a field above a list: Enter, Esc, up, down and the page keys do nothing here; whoever builds it reads them
     /// with ui.events_of(id of the field).
     bool keys_outside = false;

@@ -68,9 +68,9 @@ struct Organ {
     std::vector<Part> parts;             ///< cover all indices, in order
     std::vector<Material> materials;     ///< at least one
     std::vector<Image> images;
-    std::vector<std::string> warnings;  ///< what was repaired or left out, a line each
-    std::vector<std::filesystem::path>
-        files;  ///< the files that it was read from, the mesh first; all are in its folder or below
+    std::vector<std::string> warnings;         ///< what was repaired or left out, a line each
+    std::vector<std::filesystem::path> files;  ///< the files that it was read from, the mesh first; all are in its
+                                               ///< folder or below, but for OrganOptions::texture
     std::vector<std::filesystem::path>
         unread_files;      ///< files that it names inside that folder, but that are missing or not what they should be
     bool has_uvs = false;  ///< the file had texture coordinates (else they were made)
@@ -84,6 +84,7 @@ struct Organ {
 struct OrganOptions {
     double scale = 0.0;        ///< mm per unit of the file; 0 = by format: 1000 for glTF (metres), 1 for others
     glm::dvec3 rotation{0.0};  ///< degrees about x, then y, then z, applied after the scale
+    std::filesystem::path texture = {};  ///< a picture in place of all base colour textures; empty: its own
 };
 
 /// Throws Error: bad_input (missing, not a plain file, empty, truncated, malformed, no triangles, an

@@ -23,7 +23,7 @@ struct RefinedOrgan {
 };
 
 /// Splits edges longer than 2 mm without making cracks, also along texture seams. It adds at most 300,000 triangles;
-/// where that is not enough (a room, a wrong unit) only longer edges are split.
+/// where that is not enough (a room, a wrong unit), edges that are long in the file stay longer.
 RefinedOrgan refine(Organ organ);
 
 }  // namespace lapfx

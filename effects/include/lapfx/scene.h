@@ -22,6 +22,7 @@ struct SceneOrgan {
     std::string file;
     double scale = 0.0;        ///< mm per unit of the file; 0 = by format: 1000 for glTF (metres), 1 for others
     glm::dvec3 rotation{0.0};  ///< degrees about x, then y, then z
+    std::string texture = {};  ///< a picture in place of the organ's own base colour textures; empty: its own
     glm::dvec3 color{1.0};     ///< sRGB; multiplies the organ's own colours in linear light
 };
 

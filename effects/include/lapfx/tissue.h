@@ -10,6 +10,7 @@ struct TissueSample {
     double fat = 0.0;      ///< 0..1, share of the region that is fat; 0 where the organ has no colour
     double bleeds = 0.0;   ///< 0..4, how strongly a cut here bleeds, times the preset's speed; 0: not at all. 1 where
                            ///< the organ has no colour or shows no vessels
+    bool known = false;    ///< the organ's own colours tell the density; else vessels and fat stand for "not known"
 };
 
 }  // namespace lapfx

@@ -25,6 +25,21 @@ TEST(MeanOf, AveragesWhatIsInside) {
     EXPECT_EQ(mean_of(ramp, size, {-50, 5}, 3), glm::vec4(0));
 }
 
+TEST(Beside, TheBoxCoversNothingOfWhatIsMeasuredWhereThereIsRoom) {
+    const Rect area{10, 20, 400, 300};
+    const glm::vec2 size(150, 60);
+    for (float x = 10; x <= 370; x += 40)
+        for (float y = 20; y <= 280; y += 40) {
+            const Rect measured{x, y, 40, 40};
+            const glm::vec2 at = beside(area, measured, size);
+            const Rect box{at.x, at.y, size.x, size.y}, both = intersect(box, measured);
+            EXPECT_FALSE(both.w > 0 && both.h > 0) << x << ", " << y;
+            EXPECT_EQ(intersect(box, area), box) << x << ", " << y;
+        }
+    EXPECT_EQ(beside(area, {100, 100, 40, 40}, size), glm::vec2(140, 140)) << "right of and below it";
+    EXPECT_EQ(beside({0, 0, 200, 100}, {80, 30, 40, 40}, {190, 30}), glm::vec2(10, 70)) << "below it, at the edge";
+}
+
 /// A picture of 200 x 100 pixels in 400 x 300 px: when fitted, its scale is 2 and its upper left corner is at 0, 50.
 struct Viewed {
     ViewState state;

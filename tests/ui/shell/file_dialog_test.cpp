@@ -226,19 +226,26 @@ TEST_F(FileDialogTest, NamesThatAreNoUtf8AreShownAndKept) {
     EXPECT_THAT(chosen, ElementsAre("/home/u/bad\xff.exr"));
 }
 
+TEST_F(FileDialogTest, RecentFoldersHaveTheirPaths) {
+    dialog.set_recent({"/data/one hospital/a/smoke", "/data/another hospital/b/smoke"});
+    open(request(FileTask::open));
+    EXPECT_GT(ui.rect("Plates/\u2026/a/smoke").w, 0) << "where that is too long, its end";
+    EXPECT_GT(ui.rect("Plates/\u2026/b/smoke").w, 0) << "which tells two of one name apart";
+}
+
 TEST_F(FileDialogTest, NamesWithTwoHashesAreShownWhole) {
     files.folders["/home/u"].push_back({.name = "a##b", .folder = true});
     files.folders["/home/u/a##b"] = {{.name = "#c##d.exr"}};
     dialog.set_recent({"/home/u/a##b"});
     open(request(FileTask::open));
-    EXPECT_GT(ui.rect("Plates/a##b").w, 0) << "a recent one";
+    EXPECT_GT(ui.rect("Plates//home/u/a##b").w, 0) << "a recent one, with its path";
     ui.click("Plates/Files/a##b", {.clicks = 2});
     EXPECT_EQ(dialog.folder(), "/home/u/a##b");
     ui.click("Plates/Name").type("gone##1.exr").key(Key::enter);
     EXPECT_TRUE(says("\"/home/u/a##b/gone##1.exr\" does not exist")) << ui.dump();
     ui.click("Plates/Home");
     files.faults["/home/u/a##b"] = "Permission denied";
-    ui.click("Plates/a##b");
+    ui.click("Plates//home/u/a##b");
     EXPECT_TRUE(says("\"/home/u/a##b\" cannot be read: Permission denied")) << ui.dump();
 }
 

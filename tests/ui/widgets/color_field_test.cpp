@@ -137,6 +137,17 @@ TEST_F(ColorFieldTest, ATypedColourIsTakenWhenItIsOne) {
     EXPECT_EQ(color, rgb(0x123456));
 }
 
+TEST_F(ColorFieldTest, WhatIsTypedGoesIntoTheHexFieldWithOneClickOrNone) {
+    open();
+    ui.click("Key picker/Hex").type("#8a4a3c").key(Key::enter);
+    EXPECT_EQ(color, rgb(0x8a4a3c)) << "all was selected";
+    ui.key(Key::escape).key(Key::escape);
+    open();
+    ui.type("#0a1b2c");
+    EXPECT_EQ(color, rgb(0x0a1b2c)) << "the keyboard was at the square";
+    EXPECT_EQ(ui.text("Key picker/Hex"), "#0a1b2c");
+}
+
 TEST_F(ColorFieldTest, EscapeWhileTypingGoesBack) {
     open();
     ui.click("Key picker/Hex").key('A', Mods::command).type("#fff");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "lapfx/authoring/reach.h"
 #include "support/meshes.h"
 
 namespace lapfx::bleeding {
@@ -129,6 +130,36 @@ TEST(Front, FollowsTheSurfaceOverAFold) {
         worst = std::max(worst, std::abs(r.distance - unfolded));
     }
     EXPECT_LT(worst, 1e-6);
+}
+
+/// Blood of 21 mm runs 100 mm down a fold where gravity and the fold help it: that is what the biases say.
+TEST(Front, NoReachIsExceeded) {
+    BleedingParameters p;
+    p.max_extent = 21.0;
+    p.noise_strength = p.threshold = 0.0;
+    p.gravity_bias = 0.35;
+    p.crease_bias = 0.5;
+    const BloodReach reach = blood_reach(p);
+    EXPECT_DOUBLE_EQ(reach.level, 21.0);
+    EXPECT_NEAR(reach.downhill, 32.3, 0.05);
+    EXPECT_NEAR(reach.fold, 31.1, 0.05);
+    EXPECT_NEAR(reach.down_fold, 64.6, 0.05);
+    p.gravity_bias = 0.55;
+    EXPECT_NEAR(blood_reach(p).down_fold, 168.0, 0.05);
+    p.crease_bias = 1.0;
+    EXPECT_NEAR(blood_reach(p).down_fold, 420.0, 0.05) << "each mm costs something";
+    // A fold that leads straight down: the front comes close to that bound and does not exceed it.
+    p.gravity_bias = 0.35, p.crease_bias = 0.5, p.max_extent = 10.0;
+    Organ fold = test::plane(90.0, 180);
+    for (glm::vec3& at : fold.positions)
+        if (at.x > 0.0F) at = {0.0F, at.x, at.z};
+    const Surface surface(fold);
+    FrontRoom room(surface, {0.0, 0.0, 1.0});
+    double farthest = 0.0;
+    for (const Reached& r : bleeding::march(room, metric_of(p), {0.0, 0.0, -20.0}, p.max_extent))
+        farthest = std::max(farthest, surface.positions[r.vertex].z + 20.0);
+    EXPECT_LE(farthest, blood_reach(p).down_fold + 0.01);
+    EXPECT_GT(farthest, blood_reach(p).downhill) << "farther than down a smooth wall";
 }
 
 TEST(Front, AnEmptySurfaceReachesNothing) {

@@ -260,6 +260,7 @@ TEST(TissueDensity, WithoutColourVesselsAreEven) {
         const Known k(organ, p);
         EXPECT_EQ(k.tissue.vessels({1.0, 0.0, 2.0}), 1.0);
         EXPECT_EQ(k.tissue.fat({1.0, 0.0, 2.0}), 0.0);
+        EXPECT_FALSE(k.tissue.sample({1.0, 0.0, 2.0}).known);
         EXPECT_EQ(k.tissue.wound_strength({1.0, 0.0, 2.0}), 1.0);
         EXPECT_EQ(k.tissue.report().known, 0.0);
         EXPECT_EQ(k.tissue.report().alike, 1.0);
@@ -278,6 +279,7 @@ TEST(TissueDensity, BadPlacesAreNowhere) {
         EXPECT_EQ(sample.fat, 0.0);
         EXPECT_EQ(k.tissue.wound_strength({0.0, 0.0, bad}), 0.0);
     }
+    EXPECT_TRUE(k.tissue.sample({1e5, 0.0, 0.0}).known);
     EXPECT_GE(k.tissue.fat({1e5, 0.0, 0.0}), 0.97) << "far away: the nearest place";
 }
 

@@ -13,7 +13,7 @@ std::vector<std::string> faults_of(std::string_view text, std::string_view key =
         parse_curve_text(text, *curve_table(key));
     } catch (const Error& error) {
         std::vector<std::string> texts;
-        for (const Fault& fault : error.faults()) texts.push_back(fault.place + ": " + fault.reason);
+        for (const Fault& fault : error.faults()) texts.push_back(fault.text());
         return texts;
     }
     return {};
@@ -35,6 +35,7 @@ TEST(CurveText, NamesTheLineOfEachFault) {
                 ElementsAre("line 2: \"2 x1\" is not a time and a value", "line 3: \"3\" is not a time and a value",
                             "line 4: Value: 5 is above the maximum 4 (allowed: 0 to 4)",
                             "line 6: 4 s is not after 4 s, the time of the point before"));
+    EXPECT_THAT(faults_of(""), ElementsAre("no points: expected a time and a value in each line"));
     EXPECT_THAT(faults_of("hello"), ElementsAre("line 1: no points: expected a time and a value in each line"));
     EXPECT_THAT(faults_of("0 1.5", "cautery_power"),
                 ElementsAre("line 1: Value: 1.5 is above the maximum 1 (allowed: 0 to 1)"));

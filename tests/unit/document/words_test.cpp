@@ -28,8 +28,17 @@ TEST(Words, AStepSaysOldAndNewValueWithTheUnitOnce) {
     EXPECT_EQ(title_of(step("Fit", before, after)), "Fit: Speed 4 to 8.3 mm/s");
     after.preset.bleeding.max_extent = 20;
     after.preset.smoke.keying.luma_low = 20;
-    EXPECT_EQ(title_of(step("Randomise", before, after)), "Randomise: 3 parameters");
+    EXPECT_EQ(title_of(step("Randomise", before, after)), "Randomise: 3 values");
     EXPECT_EQ(title_of(step("Nothing", before, before)), "Nothing");
+}
+
+TEST(Words, AFaultOfAClipNamesIt) {
+    const Preset preset = content().preset;
+    EXPECT_EQ(fault_text({"", "/smoke/clips/1/file", "no such file"}, preset), "smoke clip 2, haze.mp4: no such file");
+    EXPECT_EQ(fault_text({"", "/smoke/clips/0/edge_fade", "2 is more than 1"}, preset),
+              "smoke clip 1, plume.mp4, edge fade: 2 is more than 1");
+    EXPECT_EQ(fault_text({"a.json", "/smoke/clips/7", "odd"}, preset), "a.json: /smoke/clips/7: odd");
+    EXPECT_EQ(fault_text({"", "/bleeding/speed", "odd"}, preset), "/bleeding/speed: odd");
 }
 
 TEST(Words, EventsAndClipsAreNamedByWhatTheyAre) {

@@ -57,6 +57,22 @@ TEST_F(Mtl, ALibraryThatCannotBeReadIsToldOfOnce) {
             << name;
 }
 
+TEST_F(Mtl, APictureTakesThePlaceOfAllTextures) {
+    picture("own.png", {200, 0, 0});
+    picture("other.jpg", {0, 0, 200});
+    folder.write("a.mtl", "newmtl a\nmap_Kd own.png\nnewmtl b\nmap_Kd gone.png\n");
+    load("mtllib a.mtl\n");
+    const Organ organ = load_organ(at("m.obj"), {.texture = at("other.jpg")});
+    ASSERT_EQ(organ.images.size(), 2U);
+    EXPECT_EQ(organ.images[1].name, "other.jpg");
+    EXPECT_NEAR(organ.images[1].pixels[0], 200, 6);
+    for (const Material& material : organ.materials) EXPECT_EQ(material.base_color_image, 1);
+    EXPECT_EQ(organ.files.back(), at("other.jpg"));
+    folder.write("no.png", "text");
+    EXPECT_THROW(load_organ(at("m.obj"), {.texture = at("no.png")}), Error);
+    EXPECT_THROW(load_organ(at("m.obj"), {.texture = at("missing.png")}), Error);
+}
+
 TEST_F(Mtl, ATextureIsReadOnceUnderAllItsNames) {
     picture("skin.png", {10, 20, 30});
     folder.write("bad.png", "no picture");

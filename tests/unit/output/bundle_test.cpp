@@ -116,6 +116,17 @@ TEST_F(BundleTest, AnImageOfASequenceThatIsNoneStaysBehindWithTheBundle) {
     EXPECT_TRUE(fs::is_empty(to_.path()));
 }
 
+TEST_F(BundleTest, TheOrgansTextureComesAlong) {
+    Bundle whole = bundle(preset_with(from_.path(), {}));
+    whole.scene = load_scene(samples / "lagb.scene.json");
+    const fs::path picture = fs::directory_iterator(samples / "pictures")->path();
+    whole.scene->organ.texture = picture.string();
+    write_bundle(whole);
+    const Scene scene = load_scene(to_ / "ooze/ooze.scene.json");
+    EXPECT_EQ(scene.organ.texture, "texture/" + picture.filename().string());
+    EXPECT_EQ(test::read_text(to_ / "ooze" / scene.organ.texture), test::read_text(picture));
+}
+
 TEST_F(BundleTest, SceneAndOrganComeAlong) {
     Bundle whole = bundle(preset_with(from_.path(), {}));
     whole.scene = load_scene(samples / "lagb.scene.json");

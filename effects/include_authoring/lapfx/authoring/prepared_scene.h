@@ -22,6 +22,8 @@ namespace lapfx {
 std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const VesselParameters& vessels = {},
                                                    const Progress& progress = {});
 
+/// How its organ is loaded. Throws Error (bad_input) for a texture that its name leads nowhere.
+OrganOptions organ_options(const Scene& scene);
 /// Whether prepare_organ() gives the same for both if no file has changed: same organ and instrument, with the same
 /// scale and rotation; or the same plate, for the same camera. Exposure and vignette may differ.
 bool same_organ(const Scene& a, const Scene& b);

@@ -11,6 +11,9 @@ TEST(OrganChoice, TheUnitIsGuessedFromTheSize) {
     EXPECT_EQ(likely_scale(180, 1000), 1) << "mm taken for metres";
     EXPECT_EQ(likely_scale(180, 1), std::nullopt) << "it is right already";
     EXPECT_EQ(likely_scale(25, 1000), 10) << "of cm and inches what is nearer to a liver";
+    EXPECT_EQ(likely_scale(9.6, 1), 10) << "possible, but few organs are so small";
+    EXPECT_EQ(likely_scale(25, 1), std::nullopt);
+    EXPECT_EQ(likely_scale(500, 1), std::nullopt);
     EXPECT_EQ(likely_scale(0, 1), std::nullopt);
 }
 

@@ -1,0 +1,77 @@
+#include "app/files/likely_texture.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+#include "lapfx/authoring/formats.h"
+
+namespace lapfx::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t most_looked_at = 2000;  // files and folders, together
+constexpr std::size_t same_word = 4;          // letters of a beginning that are no accident
+
+std::string plain(const fs::path& file) {
+    std::string name = file.stem().string();
+    for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return name;
+}
+
+bool is_other_map(const std::string& name) {
+    constexpr std::string_view others[] = {"normal", "bump", "rough", "spec", "height", "metal", "occlusion"};
+    return std::ranges::any_of(others, [&](std::string_view word) { return name.find(word) != std::string::npos; });
+}
+
+std::size_t shared(const std::string& a, const std::string& b) {
+    const auto end = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
+    return static_cast<std::size_t>(end - a.begin());
+}
+
+void gather(const fs::path& folder, bool deeper, std::size_t& looked_at, std::vector<fs::path>& found) {
+    std::error_code error;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+        if (++looked_at > most_looked_at) return;
+        std::error_code ignored;
+        if (it->is_directory(ignored)) {
+            if (deeper) gather(it->path(), false, looked_at, found);
+        } else if (is_named_as(Content::picture, it->path()) && it->is_regular_file(ignored) &&
+                   !is_other_map(plain(it->path()))) {
+            found.push_back(it->path());
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<fs::path> missing_textures(const std::vector<fs::path>& unread) {
+    std::vector<fs::path> missing;
+    std::ranges::copy_if(unread, std::back_inserter(missing), [](const fs::path& file) {
+        return is_named_as(Content::picture, file) && !is_other_map(plain(file));
+    });
+    return missing;
+}
+
+std::optional<fs::path> likely_texture(const fs::path& missing, const fs::path& mesh) {
+    std::vector<fs::path> found;
+    std::size_t looked_at = 0;
+    gather(missing.parent_path(), true, looked_at, found);
+    std::erase(found, missing);
+    std::ranges::sort(found);
+    const std::string wanted = plain(missing), organ = plain(mesh);
+    const auto likeness = [&](const fs::path& file) -> std::size_t {
+        const std::string name = plain(file);
+        if (name == wanted) return 1000;
+        const std::size_t most = std::max(shared(name, wanted), shared(name, organ));
+        return most >= same_word ? most : 0;
+    };
+    if (found.empty()) return std::nullopt;
+    std::ranges::stable_sort(found, std::greater(), likeness);
+    if (found.size() > 1 && likeness(found[0]) == likeness(found[1])) return std::nullopt;
+    return found.front();
+}
+
+}  // namespace lapfx::app
