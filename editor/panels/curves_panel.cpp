@@ -196,7 +196,9 @@ void numbers_of_point(ui::Ui& ui, document::Document& document, double now, cons
     const Parameter &time = *table.find_row("time"), &factor = *table.find_row("value");
     const double before = number > 0 ? points[number - 1].time + 1 / roundest : time.minimum;
     const double after = number + 1 < points.size() ? points[number + 1].time - 1 / roundest : time.maximum;
-    put("Time", points[number].time, time, before, after, "s", &CurvePoint::time);
+    // In a file, points may be too close for any time between them.
+    const double given = points[number].time;
+    put("Time", points[number].time, time, std::min(before, given), std::max(after, given), "s", &CurvePoint::time);
     put("Value", points[number].value, factor, factor.minimum, factor.maximum, {}, &CurvePoint::value);
 }
 

@@ -113,8 +113,8 @@ class ScenePanel {
             return;
         }
         ui::label(ui_, edited_.document.scene().organ.file, {.tone = ui::Tone::dim});
-        static const std::vector<ui::FileFilter> pictures = app::clip_filters("Videos");
-        row(t, "texture", owner, {.prefix = "Organ", .standard = options.standard, .files = &pictures.back()});
+        static const ui::FileFilter pictures = app::picture_filter();
+        row(t, "texture", owner, {.prefix = "Organ", .standard = options.standard, .files = &pictures});
         missing();
         row(t, "scale", owner, {.prefix = "Organ", .standard = options.standard, .maximum = 1000});
         row(t, "rotation", owner, {.prefix = "Organ", .standard = options.standard, .maximum = 180, .minimum = -180});

@@ -525,14 +525,18 @@ class ViewPanel {
 
     /// The preset's clip whose file is meant.
     std::optional<std::size_t> clip_of(const Fault& fault) const {
-        const std::vector<SmokeClip>& clips = on_.edited.document.preset().smoke.clips;
-        for (std::size_t i = 0; i < clips.size(); ++i) {
+        const Preset& preset = on_.edited.document.preset();
+        const std::vector<SmokeClip>& clips = preset.smoke.clips;
+        const std::filesystem::path file(fault.file);
+        std::optional<std::size_t> of_this_name;
+        for (std::size_t i = clips.size(); i-- > 0;) {
             const std::string place = "/smoke/clips/" + std::to_string(i);
-            const bool named =
-                std::filesystem::path(fault.file).filename() == std::filesystem::path(clips[i].file).filename();
-            if (fault.place.empty() ? named : fault.place == place || fault.place == place + "/file") return i;
+            if (fault.place == place || fault.place == place + "/file") return i;
+            if (!fault.place.empty()) continue;
+            if (document::real_clip(clips[i].file, preset.folder) == file) return i;
+            if (std::filesystem::path(clips[i].file).filename() == file.filename()) of_this_name = i;
         }
-        return std::nullopt;
+        return of_this_name;
     }
 
     void clip_ways_out(std::size_t clip) {

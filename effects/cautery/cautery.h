@@ -38,8 +38,9 @@ class Cautery {
     void update(double time) noexcept;
 
     /// All wounds that start at or before the updated time, and perhaps later ones, with their stops as far as known.
-    /// Within 1 mm only the first wound counts, while it is open and at least as strong. The first WoundList::most
-    /// (4096) are kept; later ones are left out. Valid until the next set() or update().
+    /// Within 1 mm only the first wound counts, of several at one time the strongest, while it is open and at least as
+    /// strong. The first WoundList::most (4096) are kept; later ones are left out. Valid until the next set() or
+    /// update().
     std::span<const Wound> wounds() const { return clips().empty() ? list().wounds() : sealed_; }
     /// Changes when the wounds do.
     std::uint64_t wounds_version() const { return heat_version() + clips_.version(); }

@@ -28,11 +28,10 @@
 // - coagulation 60: proteins denature and vessels shrink shut. Char 150: water is gone and the surface blackens. Cut
 //   180: tissue parts. Maximum 400: what a monopolar hook reaches; keeps long contacts from running away.
 // - heat_spread 0.5 mm in the first second, cooling_time 4.4 s: with these values both models burn equally. The
-// bio-heat
-//   equation is the reference, because its constants are measured. Under a resting Gaussian source it spreads so fast
-//   (the square of its radius grows by 4 diffusivity t, and later heat has spread less) and takes heat from the middle
-//   as if it cooled. The radius that is charred (150) and cooked (60), mm, and the start of the cut, for burns at full
-//   power in one place:
+//   bio-heat equation is the reference, because its constants are measured. Under a resting Gaussian source it spreads
+//   so fast (the square of its radius grows by 4 diffusivity t, and later heat has spread less) and takes heat from the
+//   middle as if it cooled. The radius that is charred (150) and cooked (60), mm, and the start of the cut, for burns
+//   at full power in one place:
 //
 //     s of burn           1             2             3             4             5           cut at
 //     bioheat         1.17, 2.31    1.76, 2.74    2.07, 3.02    2.29, 3.25    2.47, 3.45      0.71 s

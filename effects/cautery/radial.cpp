@@ -6,7 +6,7 @@ namespace lapfx::cautery {
 
 namespace {
 
-/// Beyond so many radii a bell of any height that can be read is below 0.1 degrees.
+/// Beyond so many radii a bell of 800 degrees is below 0.1 degrees.
 constexpr double bell_reach = 3.0;
 /// A place of a path uses a station that is closer than this share of the distance between places.
 constexpr double same_station = 0.25;
@@ -127,8 +127,8 @@ std::optional<HeatSum::Source> Radial::source_at(const Track& track, std::uint32
 
 void Radial::heat(Station& station, std::span<const HeatSum::Source> sources) {
     station.heat.add(sources, constants_);
-    for (const HeatSum::Source& source : sources)
-        widest_ = std::max(widest_, radius(station.heat.at(source.to, constants_).stayed));
+    // H is greatest where a part begins: at the end of a heating. One may be lengthened by a later source.
+    for (const HeatSum::Part& part : station.heat.parts()) widest_ = std::max(widest_, radius(part.start.stayed));
 }
 
 /// Stations in the cells along the tip's path, ascending.

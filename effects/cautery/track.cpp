@@ -57,7 +57,6 @@ void Track::append(const tool::Piece& piece) {
     const auto number = static_cast<std::uint32_t>(stays_.size());
     Stay stay{.contact = contact,
               .chain = number,
-              .chain_start = contact.time,
               .first_place = static_cast<std::uint32_t>(places_.size()),
               .latest_end = contact.end(),
               .latest_hot = contact.hot() ? contact.end() : -never};
@@ -68,7 +67,6 @@ void Track::append(const tool::Piece& piece) {
     if (piece.before != tool::Piece::none) {
         const Stay& before = stays_[piece.before];
         stay.chain = before.chain;
-        stay.chain_start = before.chain_start;
         stay.length = before.length;
         stay.next_place = before.next_place;
     }

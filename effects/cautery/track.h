@@ -27,8 +27,7 @@ inline bool touches(const Surface& surface, const glm::dvec3& tip) {
 
 struct Stay {
     ToolContact contact;
-    std::uint32_t chain = 0;  ///< number of the first piece of its stroke
-    double chain_start = 0.0;
+    std::uint32_t chain = 0;       ///< number of the first piece of its stroke
     double length = 0.0;           ///< mm of the stroke's path up to this piece's end
     std::uint64_t next_place = 0;  ///< number, along the stroke, of the first place that this piece did not reach
     std::uint32_t first_place = 0, end_place = 0;

@@ -10,8 +10,12 @@ ui::FileFilter document_filter() {
     return {"Presets and scenes", extensions(Content::document)};
 }
 
+ui::FileFilter picture_filter() {
+    return {"Images", extensions(Content::picture)};
+}
+
 std::vector<ui::FileFilter> clip_filters(std::string videos) {
-    return {{std::move(videos), extensions(Content::video)}, {"Images", extensions(Content::picture)}};
+    return {{std::move(videos), extensions(Content::video)}, picture_filter()};
 }
 
 std::vector<ui::FileFilter> open_filters() {

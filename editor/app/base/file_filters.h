@@ -10,6 +10,7 @@ namespace lapfx::app {
 
 ui::FileFilter mesh_filter();
 ui::FileFilter document_filter();  ///< presets and scenes
+ui::FileFilter picture_filter();
 /// What is a clip or a reference: first the videos, called `videos`, then the pictures.
 std::vector<ui::FileFilter> clip_filters(std::string videos);
 /// What Open takes: first all of it, then by kind.

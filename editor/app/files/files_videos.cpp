@@ -87,12 +87,12 @@ void Files::take_videos(std::vector<LookedAt> videos, std::optional<VideoUse> me
     // All of one use together: the shelf takes one lot at a time.
     const auto go_on = [=, this](const std::vector<std::string>& more, std::optional<VideoUse> as) {
         std::vector<std::string> all_clips = clips, all_references = references;
-        if (as) {
-            std::vector<std::string>& to = *as == VideoUse::smoke ? all_clips : all_references;
-            to.insert(to.end(), more.begin(), more.end());
-        }
+        if (as == VideoUse::smoke) all_clips.insert(all_clips.end(), more.begin(), more.end());
+        // There is one reference: the one that a person chose, and not one that was only recognised.
+        const bool chosen = as == VideoUse::reference;
+        if (chosen) all_references.insert(all_references.begin(), more.begin(), more.end());
         if (told && !clips.empty()) tell_use(clips, VideoUse::smoke, smoke_seen);
-        if (told && !references.empty()) tell_use(references, VideoUse::reference, surgery_seen);
+        if (told && !references.empty() && !chosen) tell_use(references, VideoUse::reference, surgery_seen);
         use(all_clips, VideoUse::smoke);
         use(all_references, VideoUse::reference);
     };

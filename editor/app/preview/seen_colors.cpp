@@ -6,6 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "ui/canvas/pixels.h"
+#include "ui/widgets/color_field.h"
+
 namespace lapfx::app {
 
 namespace {
@@ -14,11 +17,9 @@ namespace {
 constexpr double longest_side = 640;
 
 std::string hex(const glm::dvec3& color) {
-    char text[8];
-    const glm::ivec3 code(glm::round(glm::clamp(color, 0.0, 1.0) * 255.0));
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(code.r), static_cast<unsigned>(code.g),
-                  static_cast<unsigned>(code.b));
-    return text;
+    char text[9];
+    return std::string(
+        ui::format_hex(text, ui::color_of(glm::vec4(255.0 * glm::clamp(color, 0.0, 1.0), 255.0)), false));
 }
 
 std::string number(double value, int decimals) {

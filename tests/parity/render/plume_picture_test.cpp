@@ -47,8 +47,11 @@ TEST_F(PlumePicture, WeightsShareTheSmokeOfTheirRole) {
     for (const ClipRole role : {ClipRole::plume, ClipRole::haze}) {
         SmokeClip clip{.file = "clip.avi", .role = role, .start = ClipStart::beginning, .mirror = ClipMirror::off};
         preset.smoke.haze.accumulation = 0.3;
+        preset.smoke.clips = {};
+        const Image none = at(2.0);
         preset.smoke.clips = {clip};
         const Image alone = at(2.0);
+        EXPECT_GT(test::differing(alone, none, 0), 100) << "there is smoke";
         preset.smoke.clips[0].weight = 4.0;
         EXPECT_EQ(test::differing(alone, at(2.0), 0), 0) << "alone it is all, whatever it weighs";
         preset.smoke.clips = {clip, clip};

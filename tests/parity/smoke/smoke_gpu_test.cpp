@@ -217,6 +217,20 @@ class SmokeGpuPlume : public SmokeGpuTest {
         return plume_corners(
             {.anchor = {0.0f, 0.0f, -distance}, .extent = glm::vec2(1.2f, 1.0f) * distance, .source = {0.5f, 0.5f}});
     }
+    /// Those of a plume 100 mm away that fills the view.
+    std::array<glm::vec3, 4> filling() const {
+        const float tall = 2.0f * 100.0f * std::tan(glm::radians(30.0f));
+        const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
+        return plume_corners(
+            {.anchor = {0.0f, 0.0f, -100.0f}, .extent = glm::vec2(aspect, 1.0f) * tall, .source = {0.5f, 0.5f}});
+    }
+    /// A clip of one grey all over.
+    static HandMade even_clip(glm::ivec2 of_size, std::uint8_t code) {
+        HandMade clip(of_size, media::Layout::rgb, false, 1, {});
+        std::fill(clip.planes[0].begin(), clip.planes[0].end(), code);
+        clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
+        return clip;
+    }
 };
 
 // An instrument 60 mm away in front of tissue at 200 mm, with smoke at 100 mm. At a third of the resolution the
@@ -224,9 +238,7 @@ class SmokeGpuPlume : public SmokeGpuTest {
 TEST_F(SmokeGpuPlume, HasNoHaloAtTheEdgeOfAnInstrument) {
     set_size({180, 120});
     set_depth([](glm::ivec2 p) { return p.x + p.y / 3 < 100 ? 60.0f : 200.0f; });
-    HandMade clip({60, 40}, media::Layout::rgb, false, 1, {});
-    std::fill(clip.planes[0].begin(), clip.planes[0].end(), std::uint8_t{150});
-    clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
+    const HandMade clip = even_clip({60, 40}, 150);
     const KeyingParameters keying = by_luma();
     std::vector<glm::vec4> direct;
     for (const SmokeResolution resolution : {SmokeResolution::screen, SmokeResolution::clip, SmokeResolution::half}) {
@@ -249,9 +261,7 @@ TEST_F(SmokeGpuPlume, HasNoHaloAtTheEdgeOfAnInstrument) {
 }
 
 TEST_F(SmokeGpuPlume, FadesOverItsSoftnessWhereItMeetsTheScene) {
-    HandMade clip(size, media::Layout::rgb, false, 1, {});
-    std::fill(clip.planes[0].begin(), clip.planes[0].end(), std::uint8_t{150});
-    clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
+    const HandMade clip = even_clip(size, 150);
     const KeyingParameters keying = by_luma();
     const float alpha = (150.0f - 16.0f) / (220.0f - 16.0f);
     for (const double wanted : {2.0, 6.0, 20.0})
@@ -278,20 +288,15 @@ TEST_F(SmokeGpuPlume, ThickSmokeFadesEvenlyTowardsTheBorder) {
     set_size({120, 100});
     set_depth([](glm::ivec2) { return 400.0f; });
     plume.color = glm::dvec3(0.0);  // then only its transmission is seen
-    HandMade clip({120, 100}, media::Layout::rgb, false, 1, {});
-    std::fill(clip.planes[0].begin(), clip.planes[0].end(), std::uint8_t{255});
-    clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
+    const HandMade clip = even_clip({120, 100}, 255);
     const KeyingParameters keying = by_luma();
-    const float tall = 2.0f * 100.0f * std::tan(glm::radians(30.0f));  // fills the view
-    const auto filling = plume_corners(
-        {.anchor = {0.0f, 0.0f, -100.0f}, .extent = glm::vec2(1.2f, 1.0f) * tall, .source = {0.5f, 0.5f}});
     SmokeGpu gpu(SmokeResolution::clip, false);
     gpu.set_clip_pixels(size.x * size.y, 0);
     const double density = 0.5;
     const float whole = static_cast<float>(-std::log(0.002) * density);
     for (const float below : {0.5f, 0.08f, 0.0f}) {
         const auto pixels = draw(gpu, [&] {
-            gpu.plume({.frame = clip.frame(), .keying = &keying, .density = density, .below = below}, filling,
+            gpu.plume({.frame = clip.frame(), .keying = &keying, .density = density, .below = below}, filling(),
                       everywhere);
         });
         const auto thickness = [&](glm::ivec2 pixel) {
@@ -336,17 +341,12 @@ TEST_F(SmokeGpuPlume, WidensUpwardsAndGetsThinner) {
     set_size({200, 100});
     set_depth([](glm::ivec2) { return 400.0f; });
     plume.color = glm::dvec3(0.0);  // then only its transmission is seen
-    HandMade clip({200, 100}, media::Layout::rgb, false, 1, {});
-    std::fill(clip.planes[0].begin(), clip.planes[0].end(), std::uint8_t{120});
-    clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
+    const HandMade clip = even_clip({200, 100}, 120);
     const KeyingParameters keying = by_luma();
-    const float tall = 2.0f * 100.0f * std::tan(glm::radians(30.0f));  // fills the view
-    const auto filling = plume_corners(
-        {.anchor = {0.0f, 0.0f, -100.0f}, .extent = glm::vec2(2.0f, 1.0f) * tall, .source = {0.5f, 0.5f}});
     SmokeGpu gpu(SmokeResolution::clip, false);
     gpu.set_clip_pixels(size.x * size.y, 0);
     const auto pixels = draw(gpu, [&] {
-        gpu.plume({.frame = clip.frame(), .keying = &keying, .source = {0.5f, 1.0f}, .widening = 2.0f}, filling,
+        gpu.plume({.frame = clip.frame(), .keying = &keying, .source = {0.5f, 1.0f}, .widening = 2.0f}, filling(),
                   everywhere);
     });
     const auto thickness = [&](int x, int y) {

@@ -271,7 +271,7 @@ TEST(Refine, ARoomDoesNotExplode) {
     EXPECT_TRUE(plan.bounded);
     EXPECT_GT(plan.longest_edge, longest);
     const Organ fine = refine(room).organ;
-    EXPECT_LE(fine.triangle_count(), 12u + organ::most_added);
+    EXPECT_LE(fine.triangle_count(), 12u + 300'000u);
     EXPECT_GT(fine.triangle_count(), 100'000u) << "as far as it goes";
     EXPECT_LE(longest_edge(fine), plan.longest_edge);
     EXPECT_TRUE(test::has_warning(report(room).warnings, "blood and burns can be no finer than edges of"));
@@ -299,10 +299,10 @@ TEST(Refine, WhatIsFineInTheFileStaysFineBesideALargeRoom) {
     organ = test::drawable(std::move(organ), normals);
     EXPECT_TRUE(report_refine(organ).bounded);
     Organ fine = refine(organ).organ;
-    EXPECT_EQ(report(organ).boundary_edges, report(fine).boundary_edges * 20 / 40) << "no crack but the plane's rim";
+    EXPECT_EQ(2 * report(organ).boundary_edges, report(fine).boundary_edges) << "no crack but the plane's rim";
     const auto far = std::find_if(fine.indices.begin(), fine.indices.end(),
                                   [&](std::uint32_t i) { return std::abs(fine.positions[i].x) > 31.0f; });
-    fine.indices.erase(far, fine.indices.end());
+    fine.indices.resize(static_cast<std::size_t>(far - fine.indices.begin()) / 3 * 3);
     EXPECT_GE(fine.triangle_count(), 8 * fine_ones) << "the organ, whose triangles come first";
     EXPECT_LE(longest_edge(fine), longest);
 }
