@@ -64,8 +64,10 @@ float add_blood(inout Tissue tissue, vec3 geometric) {
     tissue.normal = normalize(mix(tissue.normal, geometric, 0.9 * blood.level));
     vec3 surface = normalize(mix(tissue.film_normal, geometric, 0.6 * blood.level));
     tissue.film_normal = tilted(surface, blood.coverage * blood.slope, geometric);
-    tissue.roughness = mix(tissue.roughness, mix(0.55, 0.10, blood.gloss), blood.coverage);
-    tissue.wetness = mix(tissue.wetness, mix(0.02, 1.0, smoothstep(0.15, 0.85, blood.gloss)), blood.coverage);
+    float wetness = mix(0.02, 1.0, smoothstep(0.15, 0.85, blood.gloss));
+    LapfxFilm film = lapfx_blood_film(mix(0.55, 0.10, blood.gloss), wetness, blood.spread);
+    tissue.roughness = mix(tissue.roughness, film.roughness, blood.coverage);
+    tissue.wetness = mix(tissue.wetness, film.wetness, blood.coverage);
     // Under blood the tissue loses its sheen, which would veil the blood.
     tissue.sheen *= 1.0 - 0.85 * blood.coverage * blood.opacity.g;
     return blood.coverage;

@@ -195,7 +195,9 @@ class Effects {
 ///     albedo = mix(albedo, blood.color, blood.coverage * blood.opacity);                 // linear light
 ///     normal = normalize(normal - blood.coverage * blood.slope);
 ///
-/// and may use blood.gloss, clot, depth and level. Throws Error (runtime) when a shader folder that the editor set
+/// and may use blood.gloss, clot, depth and level. A shader with highlights keeps blood that is far away from
+/// glittering by lapfx_blood_film(roughness, strength, blood.spread), which gives the roughness (square root of GGX's
+/// alpha) and the strength to draw with. Throws Error (runtime) when a shader folder that the editor set
 /// lacks a file. Any thread. (Paper: "Simulation of bleeding", figure 6: "the bleeding code was integrated into the
 /// existing shader".)
 std::string bleeding_shader();

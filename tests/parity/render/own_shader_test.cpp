@@ -17,7 +17,8 @@ TEST_F(OwnShader, TheTextStandsAlone) {
     const std::string own =
         "\nin vec2 v_in;\nout vec4 o_color;\nvoid main() {\n"
         "    LapfxBlood b = lapfx_blood(v_in, vec3(0.0), vec3(v_in, 0.0), vec3(0.0, 0.0, 1.0));\n"
-        "    o_color = vec4(b.color * b.coverage + b.opacity + b.slope, b.depth + b.clot + b.gloss + b.level);\n}\n";
+        "    o_color = vec4(b.color * b.coverage + b.opacity + b.slope, b.depth + b.clot + b.gloss + b.level) *\n"
+        "        lapfx_blood_film(0.1, 1.0, b.spread).wetness;\n}\n";
     for (const char* const version : {"#version 420 core\n", "#version 450 core\n"}) {
         const std::string whole = version + text + own;
         const char* const source = whole.c_str();
