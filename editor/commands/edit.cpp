@@ -55,6 +55,7 @@ app::Opened open_all(const std::vector<std::string>& files, std::vector<std::str
 void set_up(app::Editor& editor, app::Opened opened, const Options& o) {
     editor.document.open(std::move(opened.content), opened.scene_file, opened.preset_file);
     editor.looking.camera = editor.document.scene().camera;
+    if (opened.unit) editor.files().propose_unit(*opened.unit);
     if (!o.theme.empty()) editor.settings().light = o.theme == "light";
     if (!o.layout.empty() && !editor.layouts().choose(o.layout)) {
         std::string names;

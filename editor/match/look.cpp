@@ -295,7 +295,7 @@ LookProposal propose_look(const Image& reference, const Image& preview, const Lo
     Look& look = made.look;
     look.vignette = disc_of(video.view) ? 1 : 0;
     made.notes.emplace_back(look.vignette > 0 ? "The view is round: vignette on."
-                                              : "The view has no round surround: vignette off.");
+                                              : "No round view is found in this frame: vignette off.");
     const auto theirs = tissue_light(video, 0, 0), own = tissue_light(ours, now.vignette, look.vignette);
     if (!theirs) return impossible(now, "This frame shows too little lit tissue.");
     if (!own) return impossible(now, "The preview shows too little lit tissue.");

@@ -17,6 +17,9 @@ using ui::Mods;
 }  // namespace
 
 void add_commands(app::Editor& editor) {
+    editor.commands.on_refused = [&editor](const ui::Command& command) {
+        if (!command.missing.empty()) editor.toasts.add({.text = command.title + ": " + command.missing});
+    };
     add_file_commands(editor);
     add_edit_commands(editor);
     add_play_commands(editor);

@@ -28,8 +28,15 @@ void draw_loupe(ui::Painter& painter, const ui::Node& node, const Loupe& loupe) 
     ui::draw_readout(painter, view, loupe.readout);
 }
 
-void put_loupe(ui::Ui& ui, const app::PreviewHost& preview, ui::Color picked, glm::ivec2 at, glm::ivec2 view) {
-    Loupe loupe{.readout = {.image = preview.picture(), .size = preview.size(), .at = at, .side = app::picked_side},
+constexpr std::string_view hint_name = "Pick a colour";
+
+void put_loupe(ui::Ui& ui, const app::PreviewHost& preview, ui::Color picked, glm::ivec2 at, glm::ivec2 view,
+               const ui::Rect& keep_off) {
+    Loupe loupe{.readout = {.image = preview.picture(),
+                            .size = preview.size(),
+                            .at = at,
+                            .side = app::picked_side,
+                            .keep_off = keep_off},
                 .size = preview.size()};
     loupe.readout.lines[0] = ui::picked_text(ui, picked, at);
     loupe.readout.line_count = 1;
@@ -44,9 +51,13 @@ void put_loupe(ui::Ui& ui, const app::PreviewHost& preview, ui::Color picked, gl
 
 }  // namespace
 
+ui::Rect pick_hint_rect(ui::Ui& ui, const ui::Eyedropper& eyedropper) {
+    return eyedropper.wanted_by == 0 ? ui::Rect{} : ui.rect_before(ui.id_of(hint_name));
+}
+
 void pick_hint(ui::Ui& ui, ui::Eyedropper& eyedropper) {
     if (eyedropper.wanted_by == 0) return;
-    const ui::Panel panel(ui, "Pick a colour", {.width = ui::fit(), .height = ui::fit(), .padding = 0.5F});
+    const ui::Panel panel(ui, hint_name, {.width = ui::fit(), .height = ui::fit(), .padding = 0.5F});
     ui.parent().placed = true;
     ui.parent().placement =
         ui.arena().make(ui::Placement{.fraction = {0.5F, 1}, .offset = {0, -ui.em(0.8F)}, .pivot = {0.5F, 1}});
@@ -67,9 +78,9 @@ void pick_in_view(ui::Ui& ui, const ui::ViewportResult& view, const Edited& edit
     const glm::ivec2 drawn = preview.size();
     const glm::dvec2 place = enter && !left ? glm::dvec2(0.5) : glm::dvec2(view.pointer) / glm::dvec2(view.size);
     const glm::ivec2 at = glm::clamp(glm::ivec2(place * glm::dvec2(drawn)), glm::ivec2(0), drawn - 1);
-    const Image image = preview.read();
+    const Image& image = preview.pixels();
     const ui::Color color = app::color_around(app::ImagePixels(image), drawn, at);
-    if (!left && !enter) return put_loupe(ui, preview, color, at, view.size);
+    if (!left && !enter) return put_loupe(ui, preview, color, at, view.size, pick_hint_rect(ui, edited.eyedropper));
     edited.seen.clicked({.shot = preview.shown(), .size = drawn, .place = place});
     edited.eyedropper.picked = color;
     ui.build_again();

@@ -85,6 +85,8 @@ class OrganDialog {
         const OrganReport& report = choice_.report();
         ui::label(ui_, text_of(ui_, "%zu vertices, %zu triangles, %zu %s", report.vertices, report.triangles,
                                report.components, report.components == 1 ? "piece" : "pieces"));
+        if (!choice_.texture().empty())
+            ui::label(ui_, ui_.join({"Its texture is ", ui_.copy(choice_.texture().filename().string())}));
         picture();
         unit();
         size();

@@ -52,6 +52,8 @@ inline std::string_view chord_of(const ui::CommandTable& commands, std::string_v
 
 /// While a field wants a colour from a picture: says what to do, over the picture. Built in the node of the panel.
 void pick_hint(ui::Ui& ui, ui::Eyedropper& eyedropper);
+/// Where that lies, if the panel that is open now shows it: loupes keep off it.
+ui::Rect pick_hint_rect(ui::Ui& ui, const ui::Eyedropper& eyedropper);
 /// Takes it from the preview in the view, with a magnifier at the pointer. Built over the view.
 void pick_in_view(ui::Ui& ui, const ui::ViewportResult& view, const Edited& edited, app::PreviewHost& preview);
 /// Esc ends that. Where no such picture is in sight the view is shown. Once a frame.

@@ -127,6 +127,15 @@ void add_reference_commands(app::Editor& editor) {
          .tip = "Sets vignette, exposure and colours by the frame of the reference that is shown, as one "
                 "undo step. Best on a clear frame of tissue",
          .missing = "there is no reference, or its plate stands in for the organ: that looks like it already"});
+    editor.commands.add(
+        {.id = "reference.take_circle",
+         .title = "Take the circle",
+         .group = "Reference",
+         .run = [&editor] { editor.reference().take_circle(); },
+         .enabled = [&editor] { return editor.reference().video() != nullptr; },
+         .tip = "Places the reference so that the round view of its endoscope lies on the preview's, and turns the "
+                "vignette on",
+         .missing = "there is no reference that can be shown"});
     add_mark_commands(editor);
     editor.commands.add({.id = "reference.remove",
                          .title = "Remove reference",

@@ -13,6 +13,7 @@
 #include "panels/compared_scopes.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
+#include "panels/placement.h"
 #include "panels/region_shapes.h"
 #include "ui/canvas/image_view.h"
 #include "ui/core/node.h"
@@ -318,7 +319,7 @@ PlaceInTime place_in_time(ui::Ui& ui, const Reference& reference) {
 void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, ui::CommandTable& commands, float room) {
     if (reference.video() == nullptr) return;
     const PlaceInTime place = place_in_time(ui, reference);
-    enum : std::size_t { before, frame, after, hold, align, offset, look, warning, text, count };
+    enum : std::size_t { before, frame, after, hold, align, offset, look, places, warning, text, count };
     std::array<ui::ToolItem, count> items;
     items[before] = items[after] = {.width = ui.row_height()};
     items[frame] = {.width = ui.em(number_width)};
@@ -326,6 +327,9 @@ void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, ui::Comman
     items[align] = {.width = ui::tool_width(ui, "Align start here"), .rank = 3};
     items[offset] = {.width = ui.em(offset_width), .rank = 2};
     items[look] = {.width = ui::tool_width(ui, "Propose look"), .rank = 3};
+    const bool two = reference.way != CompareWay::reference;
+    // Once on, it stays in sight as long as anything does: it is switched off here.
+    items[places] = {.width = two ? ui::tool_width(ui, "Place") : 0, .rank = reference.placing ? 1 : 3};
     items[warning] = {.width = place.warning.empty() ? 0 : ui.text_width(place.warning), .rank = 3, .end = true};
     items[text] = {.width = ui.text_width(place.text) + ui.em(1), .rank = 4, .end = true};
     ui::toolbar(ui, "Reference time tools", room, items, [&](std::size_t item) {
@@ -342,12 +346,17 @@ void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, ui::Comman
         if (item == align) align_button(ui, reference);
         if (item == offset) offset_field(ui, edited);
         if (item == look) ui::command_button(ui, commands, "reference.propose_look");
+        if (item == places)
+            ui::toggle(ui, "Place", reference.placing,
+                       {.tip = "Moves, scales and turns the reference until the same tissue lies at the same place in "
+                               "both pictures: by handles, by numbers, or by the endoscope's circle"});
         if (item == warning) ui::label(ui, place.warning, {.tone = ui::Tone::warning});
         if (item == text) {
             ui::label(ui, place.text, {.tone = ui::Tone::dim, .number = true});
             if (!reference.video()->info().warning.empty()) ui.last().tip = ui.copy(reference.video()->info().warning);
         }
     });
+    if (reference.placing && two) placement_row(ui, edited, commands, room);
 }
 
 /// The preview is to show it at the same place, as the scene's camera sees it.
@@ -374,7 +383,7 @@ void tell_empty(ui::Ui& ui, std::size_t slot) {
     ui::label(ui, ui.join({"Shift+", letter, " keeps the preset there as it is now."}), {.tone = ui::Tone::dim});
 }
 
-void comparison(ui::Ui& ui, Reference& reference, const Edited& edited) {
+void comparison(ui::Ui& ui, Reference& reference, const Edited& edited, const ui::Rect& keep_off) {
     ui::Eyedropper& eyedropper = edited.eyedropper;
     constexpr std::array kinds = {ui::CompareKind::side_by_side, ui::CompareKind::side_by_side, ui::CompareKind::wipe,
                                   ui::CompareKind::difference, ui::CompareKind::onion};
@@ -387,7 +396,9 @@ void comparison(ui::Ui& ui, Reference& reference, const Edited& edited) {
     const auto [one, other] = reference.sides;
     const ui::Picture first = reference.compared(one), second = reference.compared(other);
     RegionShapes regions{reference.scopes_look, edited};
-    const bool shapes = reference.scopes_look.shows_regions() && !picks;
+    PlacementHandles handles{edited};
+    const bool places = reference.placing && reference.compares_video() && !picks;
+    const bool shapes = reference.scopes_look.shows_regions() && !picks && !places;
     const ui::CompareResult result =
         ui::compare_view(ui, "Comparison", first, second, reference.compare,
                          {.first_label = app::side_titles[static_cast<std::size_t>(one)],
@@ -395,14 +406,18 @@ void comparison(ui::Ui& ui, Reference& reference, const Edited& edited) {
                           .magnifier = picks,
                           .eyedropper = picks,
                           .sample_box = picks ? app::picked_side : 1,
-                          .over = shapes ? RegionShapes::build : nullptr,
-                          .over_with = &regions,
+                          .over = places   ? PlacementHandles::build
+                                  : shapes ? RegionShapes::build
+                                           : nullptr,
+                          .over_with = places ? static_cast<void*>(&handles) : &regions,
+                          .keep_off = keep_off,
                           .tip = "Wheel: zoom. Hold F: the second alone. X: swap. M: next way of comparing"});
     if (result.picked) take_color(edited, reference, result, first, second);
     if (reference.show_at(result.zoom) || result.picked) ui.build_again();
 }
 
-void pictures(ui::Ui& ui, Reference& reference, const Edited& edited) {
+/// `keep_off`: what lies over them.
+void pictures(ui::Ui& ui, Reference& reference, const Edited& edited, const ui::Rect& keep_off) {
     ui::Eyedropper& eyedropper = edited.eyedropper;
     const bool alone = reference.way == CompareWay::reference;
     if ((alone || reference.compares_video()) && reference.picture().image == 0) {
@@ -412,7 +427,7 @@ void pictures(ui::Ui& ui, Reference& reference, const Edited& edited) {
     }
     if (const std::size_t slot = reference.empty_side(); !alone && slot < app::Snapshots::count)
         return tell_empty(ui, slot);
-    if (!alone) return comparison(ui, reference, edited);
+    if (!alone) return comparison(ui, reference, edited, keep_off);
     const bool picks = eyedropper.wanted_by != 0;
     const ui::Picture video = reference.picture();
     RegionShapes regions{reference.scopes_look, edited};
@@ -424,6 +439,7 @@ void pictures(ui::Ui& ui, Reference& reference, const Edited& edited) {
                         .sample_box = picks ? app::picked_side : 1,
                         .over = shapes ? RegionShapes::build : nullptr,
                         .over_with = &regions,
+                        .keep_off = keep_off,
                         .tip = "Wheel: zoom. 0: whole picture. 1: pixel by pixel. M: next way of comparing"});
     if (!result.picked) return;
     take_color(edited, reference, video, result.pick);
@@ -445,12 +461,13 @@ void look_notes(ui::Ui& ui, Reference& reference) {
 /// The pictures and, where they are wanted, their scopes below. `room`: px.
 void pictures_and_scopes(ui::Ui& ui, Reference& reference, const Edited& edited, glm::vec2 room) {
     app::ScopesLook& look = reference.scopes_look;
-    if (!look.on) return pictures(ui, reference, edited);
+    const ui::Rect keep_off = pick_hint_rect(ui, edited.eyedropper);
+    if (!look.on) return pictures(ui, reference, edited, keep_off);
     ui::Splitter split(ui, "Pictures and scopes", ui::Axis::y, look.pictures,
                        {.first_minimum = least_pictures, .second_minimum = 8, .standard = app::ScopesLook{}.pictures});
     {
         const ui::Column upper(ui, {.width = ui::grow(), .height = ui::grow()});
-        pictures(ui, reference, edited);
+        pictures(ui, reference, edited, keep_off);
     }
     split.next();
     compared_scopes(ui, reference, edited, {room.x, (1 - look.pictures) * room.y});
@@ -462,7 +479,7 @@ void low(ui::Ui& ui, Reference& reference, const Edited& edited, ui::CommandTabl
     {
         const float height = std::max(area.state().view.y - ui.em(0.3F), ui.em(least_pictures));
         const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(height)});
-        pictures(ui, reference, edited);
+        pictures(ui, reference, edited, pick_hint_rect(ui, edited.eyedropper));
         pick_hint(ui, edited.eyedropper);
     }
     time_row(ui, reference, edited, commands, std::max(1.0F, room - ui.em(1)));

@@ -202,6 +202,8 @@ class ScenePanel {
                    {.prefix = "Reference", .standard = &standard.marks, .maximum = 60, .minimum = -1});
         inner_rows(t, *t.find("loop"), [](Content& c) -> void* { return &c.scene.reference.loop; },
                    {.prefix = "Reference loop", .standard = &standard.loop, .maximum = 60});
+        inner_rows(t, *t.find("placement"), [](Content& c) -> void* { return &c.scene.reference.placement; },
+                   {.prefix = "Place the reference", .standard = &standard.placement});
     }
 
     void plate() {

@@ -327,7 +327,7 @@ void Bioheat::close_wounds(const Track& track, double from) {
         wounds_.find(running.tip - reach, running.tip + reach, near_);
         for (const std::uint32_t w : near_) {
             const Wound wound = wounds_.wounds()[w];
-            if (wound.stop < never || has_opened(track, stay, w)) continue;
+            if (wound.stop < never || track.has_divided(stay, wounds_.burn_of(w), parameters_.tip_radius)) continue;
             const SurfacePoint place = surface_.closest_point(wound.position);
             const double after = heat_.rise_at(place, heat_.field().now);
             if (!(after >= wanted)) continue;
@@ -338,13 +338,6 @@ void Bioheat::close_wounds(const Track& track, double from) {
             wounds_.close(w, std::max(closed, wound.start), step_);
         }
     }
-}
-
-/// Whether a contact's own heat was there when heat divided the tissue of a wound.
-bool Bioheat::has_opened(const Track& track, const Stay& stay, std::uint32_t wound) const {
-    const Burn burn = wounds_.burn_of(wound);
-    return burn.time < never && divides(stay.contact.action) &&
-           track.is_near(stay.chain, burn.time, burn.tip, parameters_.tip_radius);
 }
 
 double Bioheat::peak(std::uint32_t point) const {

@@ -79,7 +79,6 @@ class Bioheat {
     void divide(const Track& track, double from);
     void open_cold(const Stay& stay, const Track& track, double from, double to);
     void close_wounds(const Track& track, double from);
-    bool has_opened(const Track& track, const Stay& stay, std::uint32_t wound) const;
     void record_peaks();
 
     const Surface& surface_;

@@ -48,6 +48,12 @@ inline double gentle_rise(const CauteryParameters& c) noexcept {
     return std::min(highest_rise(c), 0.5 * (c.coagulation_temperature + c.char_temperature) - body_temperature);
 }
 
+/// When heat has last divided the tissue of a wound, and where the tip was. Never: cold tools have opened it.
+struct Burn {
+    double time = never;
+    glm::dvec3 tip{0.0};
+};
+
 struct Interval {
     double from, to;
 };

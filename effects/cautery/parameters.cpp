@@ -61,7 +61,7 @@ constexpr Parameter rows[] = {
     choice<&C::model>(
         "model", "Heat model", models,
         "radial: the paper's heat, a simple formula. bioheat: Pennes' bio-heat equation on the surface of the tissue, "
-        "which the paper names as closer to physics; its triangles should be no larger than the tip."),
+        "which the paper names as closer to physics."),
     number<&C::heat_rate>("heat_rate", "Heat rate", {0, 2000, 5, "°C/s"},
                           "How fast tissue heats under a tool at full power. In the paper: heat is proportional to how "
                           "long cautery lasts."),

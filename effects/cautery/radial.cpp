@@ -102,8 +102,7 @@ void Radial::heat_before(const Track& track, std::uint32_t s, std::uint32_t numb
         if (!source) continue;
         sources.push_back(*source);
         if (!(source->to > station.known_from)) continue;
-        contacts_[contact].heatings.push_back(
-            {.station = s, .from = std::max(source->from, station.known_from), .to = source->to});
+        contacts_[contact].heatings.push_back(heating_by(s, *source));
         contacts_.back().lent.push_back(contact);
     }
     heat(station, sources);
@@ -123,6 +122,11 @@ std::optional<HeatSum::Source> Radial::source_at(const Track& track, std::uint32
                            .to = near->to,
                            .rate = rate,
                            .gentle = contact.action == ToolAction::coagulate};
+}
+
+/// The part of a source's time that the station knows of.
+Radial::Heating Radial::heating_by(std::uint32_t station, const HeatSum::Source& source) const {
+    return {.station = station, .from = std::max(source.from, stations_[station].known_from), .to = source.to};
 }
 
 void Radial::heat(Station& station, std::span<const HeatSum::Source> sources) {

@@ -96,6 +96,7 @@ class Radial {
     void heat_before(const Track& track, std::uint32_t station, std::uint32_t number);
     std::optional<HeatSum::Source> source_at(const Track& track, std::uint32_t contact, const glm::dvec3& place);
     void heat(Station& station, std::span<const HeatSum::Source> sources);
+    Heating heating_by(std::uint32_t station, const HeatSum::Source& source) const;
     void stations_along(const ToolContact& contact, std::vector<std::uint32_t>& out);
     double divided(const Stay& stay, const Heating& heating, double to) const;
     void find_openings(const Track& track, std::uint32_t number, double from);
@@ -103,7 +104,6 @@ class Radial {
     void find_closing(const Track& track, std::uint32_t number, const Heating& heating, std::uint32_t wound,
                       double from);
     double closing_time(const Station& station, const Wound& wound, double from, double to) const;
-    bool has_opened(const Track& track, std::uint32_t number, std::uint32_t wound) const;
     bool opened_before(const Track& track, const Site& site, std::uint32_t number);
     bool happens_before(const Event& a, const Event& b) const;
     void push(const Event& event);

@@ -90,8 +90,7 @@ bool Radial::opened_before(const Track& track, const Site& site, std::uint32_t n
         ++work_;
         if (source.contact >= number) break;
         if (track.stays()[source.contact].chain != site.chain) continue;
-        const Heating heating{
-            .station = site.station, .from = std::max(source.from, station.known_from), .to = source.to};
+        const Heating heating = heating_by(site.station, source);
         if (heating.to > heating.from && divided(track.stays()[source.contact], heating, heating.to) < never)
             return true;
     }
@@ -116,7 +115,8 @@ void Radial::find_closing(const Track& track, std::uint32_t number, const Heatin
                           double from) {
     ++work_;
     const Wound& w = wounds_.wounds()[wound];
-    if (w.stop < never || has_opened(track, number, wound)) return;
+    if (w.stop < never || track.has_divided(track.stays()[number], wounds_.burn_of(wound), parameters_.tip_radius))
+        return;
     const double time =
         closing_time(stations_[heating.station], w, std::max({heating.from, from, w.start}), heating.to);
     if (time < never) push({.time = time, .opens = false, .contact = number, .number = wound});
@@ -153,19 +153,13 @@ double Radial::closing_time(const Station& station, const Wound& wound, double f
     return never;
 }
 
-/// Whether a contact's own heat was there when heat divided the tissue of a wound.
-bool Radial::has_opened(const Track& track, std::uint32_t number, std::uint32_t wound) const {
-    const Stay& stay = track.stays()[number];
-    const Burn burn = wounds_.burn_of(wound);
-    return burn.time < never && divides(stay.contact.action) &&
-           track.is_near(stay.chain, burn.time, burn.tip, parameters_.tip_radius);
-}
-
 void Radial::happen(const Track& track, const Event& event) {
     const auto key = static_cast<std::int64_t>(happened_.size());
     std::uint32_t wound = none;
     if (!event.opens) {
-        if (has_opened(track, event.contact, event.number) || !wounds_.close(event.number, event.time, key)) return;
+        if (track.has_divided(track.stays()[event.contact], wounds_.burn_of(event.number), parameters_.tip_radius) ||
+            !wounds_.close(event.number, event.time, key))
+            return;
     } else if (wounds_.add(openings_[event.number], key)) {
         wound = static_cast<std::uint32_t>(wounds_.wounds().size() - 1);
     } else {
@@ -183,8 +177,7 @@ void Radial::happen(const Track& track, const Event& event) {
         for (const HeatSum::Source& source : station.heat.sources()) {
             ++work_;
             if (source.to < event.time || source.to <= station.known_from) continue;
-            const Heating heating{.station = s, .from = std::max(source.from, station.known_from), .to = source.to};
-            find_closing(track, source.contact, heating, wound, event.time);
+            find_closing(track, source.contact, heating_by(s, source), wound, event.time);
         }
     }
 }

@@ -51,6 +51,11 @@ class Track {
     }
     /// Whether the tip of this stroke is within `radius` mm of `tip` at a time at which the stroke runs.
     bool is_near(std::uint32_t chain, double time, const glm::dvec3& tip, double radius) const;
+    /// Whether a contact's own heat was there when heat divided the tissue of a wound.
+    bool has_divided(const Stay& stay, const Burn& burn, double tip_radius) const {
+        return burn.time < never && divides(stay.contact.action) &&
+               is_near(stay.chain, burn.time, burn.tip, tip_radius);
+    }
     /// mm between places: a whole fraction of the spacing of wounds.
     double spacing() const { return spacing_; }
     /// The time up to which the last set() has not changed what the tips did.

@@ -29,11 +29,6 @@ struct Division {
 bool opens_before(const Division& a, const Division& b);
 /// The time, s, from which a clip holds a place of the surface; never: none does.
 using SealedAt = std::function<double(const glm::dvec3& place)>;
-/// When heat has last divided the tissue of a wound, and where the tip was. Never: cold tools have opened it.
-struct Burn {
-    double time = never;
-    glm::dvec3 tip{0.0};
-};
 
 class WoundList {
   public:

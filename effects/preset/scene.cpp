@@ -220,6 +220,15 @@ constexpr Rule loop_rules[] = {{"to", [](const void* owner) -> std::string {
                                                                       number_text(loop.from) + " s, where it begins";
                                 }}};
 
+using RP = ReferencePlacement;
+constexpr Parameter placement_rows[] = {
+    number<&RP::right>("right", "Right", {-2, 2, 0.005, "of the height"}, "How far it is moved to the right."),
+    number<&RP::up>("up", "Up", {-2, 2, 0.005, "of the height"}, "How far it is moved up."),
+    number<&RP::scale>("scale", "Scale", {0.1, 10, 0.01}, "How many times as large it is shown."),
+    number<&RP::rotation>("rotation", "Rotation", {-180, 180, 0.5, "deg"},
+                          "How far it is turned about its middle, counter-clockwise."),
+};
+
 constexpr double least_aspect = 0.1;
 constexpr Rule reference_rules[] = {{"aspect", [](const void* owner) -> std::string {
                                          const double aspect = static_cast<const SceneReference*>(owner)->aspect;
@@ -329,6 +338,9 @@ constexpr Table reference_tables[] = {
                                   {mark_rows, {}, mark_rules}),
     table<&SceneReference::loop>("loop", "Loop", "The part of the reference that is played again and again.",
                                  {loop_rows, {}, loop_rules}),
+    table<&SceneReference::placement>("placement", "Placement",
+                                      "Where the reference lies under the preview when both are compared.",
+                                      {placement_rows}),
     table<&SceneReference::measure>("measure", "Measure", "How the reference's blood and smoke are measured.",
                                     {measure_rows, measure_tables, measure_rules}),
     list<&SceneReference::regions, most_compared_regions>(

@@ -52,6 +52,7 @@ class KeyingSurvey {
     /// A picture of `size` pixels, the same for all of a clip, R'G'B' code values, rows tightly packed.
     void add(glm::ivec2 size, std::span<const std::uint8_t> rgb);
 
+    bool empty() const { return pictures_.empty(); }  ///< no picture
     /// Without pictures: defaults and confidence 0.
     KeyingSuggestion suggest() const;
     /// What the pictures are of, smoke before a plain background or something else. Without pictures: all is 0.
@@ -72,7 +73,7 @@ class KeyingSurvey {
     std::vector<std::vector<glm::u8vec3>> pictures_;  ///< pixels of the blocks, block after block
 };
 
-/// What a video without opacity of its own is for.
+/// What a video without opacity of its own is for. `look` is of at least one picture.
 UseSuggestion use_of(const ClipLook& look);
 
 }  // namespace lapfx::smoke

@@ -62,6 +62,9 @@ UseSuggestion suggest_use(const std::filesystem::path& video, const std::atomic<
     smoke::KeyingSurvey survey;
     const media::ClipInfo info = look_through(video, looked_at_for_use, any_frames, survey, stop);
     if (info.alpha) return {.use = VideoUse::smoke, .sure = true, .reason = "it has its own opacity"};
+    if (survey.empty())
+        throw Error(Failure::bad_input,
+                    Fault{.file = video.string(), .place = "", .reason = "not one of its pictures can be read"});
     return smoke::use_of(survey.look());
 }
 

@@ -270,6 +270,6 @@ def run(test, cases, window, **display_options):
                 display.close()
         except Skip as reason:
             print(f"skipped: {reason}")
-            return SKIP
+            return 1 if failed else SKIP  # what failed before that stays failed
     print(f"{len(cases)} cases, {failed} failed")
     return 1 if failed or not cases else 0

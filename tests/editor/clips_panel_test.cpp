@@ -115,6 +115,28 @@ TEST_F(ClipsPanel, DroppedVideosAreAddedInOneStep) {
     EXPECT_EQ(names(), sample);
 }
 
+TEST_F(ClipsPanel, LotsThatComeInQuickSuccessionAreAllAdded) {
+    const fs::path one = write_clip(folder() / "one.avi", 5), two = write_clip(folder() / "two.avi", 5),
+                   three = write_clip(folder() / "three.avi", 5), text = folder() / "notes.mp4";
+    std::ofstream(text) << "no video at all";
+    app::ClipShelf& shelf = editor().clips();
+    shelf.add({one.string(), text.string()});
+    shelf.add({two.string()});
+    shelf.add({three.string()});
+    shelf.give_up(three.string());
+    for (int i = 0; i < 4; ++i) ui().frame();
+    ASSERT_EQ(clips().size(), 5U);
+    EXPECT_EQ(clips()[3].file, "one.avi") << "in the order in which they came";
+    EXPECT_EQ(clips()[4].file, "two.avi");
+    EXPECT_EQ(shelf.refused().size(), 1U) << "of the first lot, while the second was looked at";
+    EXPECT_EQ(shelf.work(), nullptr);
+    shelf.add({three.string()});
+    shelf.add({three.string()});
+    shelf.cancel_work();
+    for (int i = 0; i < 4; ++i) ui().frame();
+    EXPECT_EQ(clips().size(), 5U) << "cancelled with all that waits";
+}
+
 TEST_F(ClipsPanel, WhatIsNoVideoIsToldInPlace) {
     const fs::path text = folder() / "notes.mp4";
     std::ofstream(text) << "no video at all";

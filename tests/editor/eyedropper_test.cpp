@@ -1,4 +1,7 @@
 // The eyedropper takes a colour of the preset or the scene from the view or from the reference.
+#include <glm/gtc/color_space.hpp>
+#include <set>
+
 #include "app/base/layouts.h"
 #include "app/preview/pick_color.h"
 #include "app/preview/seen_colors.h"
@@ -35,22 +38,25 @@ class EyedropperTest : public EditorTest {
         ui().frame().frame();
     }
     /// Picks `color`, as if it had been clicked at `place` of the reference, for the field with that caption.
-    void pick(const std::string& field, glm::dvec3 color, glm::dvec2 place = {0.5, 0.5}) {
+    /// In a picture of the size of what is compared, divided by `smaller`, which takes less time.
+    void pick(const std::string& field, glm::dvec3 color, glm::dvec2 place = {0.5, 0.5}, int smaller = 1) {
         ui().click("**/" + field + "/Colour").frame();
         ui().click("**/Pick from a picture").frame();
         const glm::vec3 code(glm::round(255.0 * color));
         editor().seen_colors().clicked({.shot = editor().reference().compared_shot(),
-                                        .size = editor().reference().compared_size(),
+                                        .size = editor().reference().compared_size() / smaller,
                                         .place = place});
         editor().eyedropper.picked = ui::color_of(glm::vec4(code, 255));
         ui().frame().frame();
     }
     /// What the comparison shows now where the last colour was solved for, sRGB.
-    glm::dvec3 seen() {
+    glm::dvec3 seen(bool haze = true) {
         const glm::ivec2 size = editor().reference().compared_size();
         app::PreviewCopy copy;
         copy.target.resize(size);
-        editor().preview.draw_into(copy, editor().reference().compared_shot());
+        app::Shot shot = editor().reference().compared_shot();
+        shot.haze = haze;
+        editor().preview.draw_into(copy, shot);
         const Image image = copy.target.read();
         const glm::ivec2 at(editor().seen_colors().last().place * glm::dvec2(size));
         return glm::dvec3(codes(app::color_around(app::ImagePixels(image), size, at))) / 255.0;
@@ -130,6 +136,67 @@ TEST_F(EyedropperTest, WhatCannotBeSeenIsToldAndTheNearestIsTaken) {
     EXPECT_EQ(deep(), glm::ivec3(95, 28, 32));
 }
 
+TEST_F(EyedropperTest, APlumeThatPassesChangesNoColourOfBlood) {
+    layout("Compare");
+    plain_look(0);
+    editor().timeline.seek(5.5);  // the second stroke
+    const glm::dvec3 red = glm::dvec3(122, 50, 54) / 255.0;
+    pick("Thin colour", red, {0.5, 0.5}, 4);
+    const glm::dvec3 under_plume = editor().seen_colors().last().color;
+    const std::string veil = editor().seen_colors().veil();
+    EXPECT_TRUE(veil.empty() || veil == "a plume") << veil;
+    editor().document.undo();
+    editor().toasts.clear();
+    editor().document.change("No plume", [](document::Content& c) { c.preset.smoke.plume.density = 0; });
+    ui().frame().frame();
+    pick("Thin colour", red, {0.5, 0.5}, 4);
+    EXPECT_EQ(editor().seen_colors().last().color, under_plume);
+    EXPECT_EQ(editor().seen_colors().veil(), "");
+}
+
+/// A picture whose light is `base` and `gain` of the field's.
+std::function<Image(const glm::dvec3&)> film(const glm::dvec3& base, double gain) {
+    return [=](const glm::dvec3& color) {
+        Image image{.width = 20, .height = 20, .pixels = {}, .name = {}};
+        const glm::dvec3 light = base + gain * glm::convertSRGBToLinear(color);
+        const glm::dvec3 code = glm::round(255.0 * glm::convertLinearToSRGB(glm::clamp(light, 0.0, 1.0)));
+        for (int i = 0; i < 400; ++i)
+            for (const double c : {code.r, code.g, code.b, 255.0}) image.pixels.push_back(static_cast<std::uint8_t>(c));
+        return image;
+    };
+}
+
+TEST(SolveColor, WhereAColourIsOutOfReachItStaysNearWhatWasPicked) {
+    const glm::dvec3 picked = glm::dvec3(104, 5, 4) / 255.0, now = glm::dvec3(150, 30, 30) / 255.0;
+    const auto hardly = app::solve_color(picked, now, {}, film({0.2, 0.03, 0.03}, 0.05));
+    EXPECT_GT(hardly.off, app::reached_color);
+    EXPECT_EQ(hardly.color, picked) << "black would be no nearer to the eye";
+    const auto well = app::solve_color(picked, now, {}, film({0.0, 0.0, 0.0}, 0.5));
+    EXPECT_LE(well.off, app::reached_color);
+    EXPECT_GT(well.color.r, picked.r);
+    const auto too_light = app::solve_color(picked, now, {}, film({0.17, 0.002, 0.002}, 2.0));
+    EXPECT_GT(too_light.off, app::reached_color);
+    EXPECT_LT(too_light.color.r, 0.6 * picked.r) << "here black is much nearer: " << too_light.off;
+}
+
+TEST_F(EyedropperTest, UnderHazeItIsSolvedForWithoutHaze) {
+    layout("Compare");
+    plain_look(0.2);
+    editor().timeline.seek(9);
+    const glm::dvec3 dark = glm::dvec3(100, 4, 2) / 255.0;
+    pick("Deep colour", dark);
+    EXPECT_EQ(editor().seen_colors().veil(), "haze");
+    EXPECT_LE(apart(seen(false), dark), 3.0) << "without haze: " << notice();
+    EXPECT_GT(apart(seen(true), dark), 10.0) << "no colour of the blood comes through";
+    EXPECT_EQ(notice().find("Under haze #640402 cannot be seen"), 0U) << notice();
+    EXPECT_NE(notice().find("is seen there without haze (Delta E "), std::string::npos) << notice();
+    EXPECT_EQ(editor().toasts.log().back().kind, ui::ToastKind::warning);
+    plain_look(0);
+    pick("Deep colour", dark);
+    EXPECT_EQ(editor().seen_colors().veil(), "") << "what has been left out is told once";
+    EXPECT_LE(apart(seen(), dark), 3.0) << notice();
+}
+
 TEST_F(EyedropperTest, KeysThatAreTypedInThePickerChooseNoTool) {
     layout("Tune");
     ui().click("**/Deep colour/Colour").frame();
@@ -150,16 +217,99 @@ TEST_F(EyedropperTest, ALoupeShowsPixelsAndTheColourUnderThePointer) {
     ui().click("**/Deep colour/Colour").frame();
     ui().click("**/Pick from a picture").frame();
     ui().move(ui().node("Workspace/View/Preview").rect().center()).frame();
-    const app::ImagePixels pixels(editor().preview.read());
+    const Image image = editor().preview.read();
+    const app::ImagePixels pixels(image);
     ASSERT_TRUE(ui().exists("**/Loupe"));
+    const glm::ivec2 size(image.width, image.height);
+    const auto text_of = [&](glm::vec2 at) {
+        const glm::ivec2 pixel(at * glm::vec2(size));
+        const ui::Color there = app::color_around(pixels, size, pixel);
+        char text[64];
+        std::snprintf(text, sizeof text, "#%02x%02x%02x   %d, %d", there.r, there.g, there.b, pixel.x, pixel.y);
+        return std::string(text);
+    };
+    const ui::Rect view = ui().node("Workspace/View/Preview").rect();
+    std::set<std::string> texts;
+    for (const glm::vec2 at : {glm::vec2(0.5F), glm::vec2(0.35F, 0.45F), glm::vec2(0.6F, 0.3F)}) {
+        ui().move(glm::round(view.at() + at * view.size())).frame();
+        const glm::vec2 rounded = (glm::round(view.at() + at * view.size()) - view.at()) / view.size();
+        EXPECT_EQ(ui().node("**/Loupe").text, text_of(rounded));
+        texts.insert(std::string(ui().node("**/Loupe").text.substr(0, 7)));
+    }
+    EXPECT_EQ(texts.size(), 3U) << "places of different colours";
+    EXPECT_EQ(editor().preview.read_back(), 1U) << "all of one picture";
+    ui().frame().frame();
+    EXPECT_EQ(editor().preview.read_back(), 1U);
+    editor().timeline.seek(7);
+    ui().frame().frame();
+    EXPECT_EQ(editor().preview.read_back(), 2U) << "another picture";
     EXPECT_EQ(ui().node("**/Loupe").text.substr(0, 1), "#");
-    EXPECT_EQ(ui().node("**/Loupe").text.find("   "), 7U) << ui().node("**/Loupe").text;
     ui().key(ui::Key::escape).frame();
     EXPECT_FALSE(ui().exists("**/Loupe"));
     editor().reference().way = app::CompareWay::reference;
     begin();
     ui().move(ui().node("Workspace/Reference/Video").rect().center()).frame();
     EXPECT_EQ(editor().eyedropper.wanted_by != 0, true);
+}
+
+/// The box with a magnifier, px of the window; empty: none.
+ui::Rect loupe_of(const ui::FrameOutput& output, const ui::Ui& ui) {
+    const ui::DrawList& list = *output.list;
+    const float side = ui.em(0.55F);  // of a magnified pixel; there are 11
+    ui::Rect found;
+    ui::Instance box{};  // is drawn just before its glass
+    for (const ui::Instance& i : list.instances) {
+        if (i.kind != ui::InstanceKind::fill) continue;
+        if (std::abs(i.w - 11 * side) < 1 && std::abs(i.h - 11 * side) < 1) found = {box.x, box.y, box.w, box.h};
+        box = i;
+    }
+    return found;
+}
+
+TEST_F(EyedropperTest, TheLoupeAndTheBoxThatSaysWhatToDoNeverOverlap) {
+    for (const glm::ivec2 window : {glm::ivec2(1440, 900), glm::ivec2(800, 600)})
+        for (const std::string panel : {"View/Preview", "Reference/Comparison", "Reference/Video"}) {
+            const bool alone = panel == "Reference/Video";
+            editor().reference().way = alone ? app::CompareWay::reference : app::CompareWay::beside;
+            ui().size = window;
+            layout("Compare");
+            ui().frame().frame();
+            editor().eyedropper = {.wanted_by = 1, .picked = {}};
+            editor().layouts().shown.show(panel.substr(0, panel.find('/')));
+            ui().frame().frame();
+            const std::string path = "Workspace/" + panel;
+            const ui::Rect picture = ui().node(path).rect();
+            const ui::Rect hint = ui().rect("Workspace/" + panel.substr(0, panel.find('/')) + "/Pick a colour");
+            int looked = 0;
+            for (const glm::vec2 at : {glm::vec2(0.02F, 0.02F),
+                                       {0.98F, 0.02F},
+                                       {0.02F, 0.98F},
+                                       {0.98F, 0.98F},
+                                       {0.5F, 0.5F},
+                                       {0.3F, 0.7F},
+                                       {0.5F, 0.75F},
+                                       {0.5F, 0.05F},
+                                       {0.4F, 0.5F},
+                                       {0.1F, 0.6F},
+                                       {0.9F, 0.4F},
+                                       {0.7F, 0.6F},
+                                       {0.25F, 0.65F}}) {
+                ui().move(picture.at() + at * picture.size()).frame().frame();
+                editor().eyedropper = {.wanted_by = 1, .picked = {}};
+                ui().frame();
+                const std::string where = panel + " at " + std::to_string(at.x) + ", " + std::to_string(at.y) + " of " +
+                                          std::to_string(window.x);
+                if (hint.contains(picture.at() + at * picture.size())) continue;
+                const bool on_picture = panel == "View/Preview" || !ui().node(path).text.empty();
+                if (!on_picture) continue;  // beside a picture that is narrower than its panel
+                ++looked;
+                const ui::Rect loupe = loupe_of(ui().output(), ui().ui());
+                EXPECT_GT(loupe.w * loupe.h, 5000.0F) << where;
+                EXPECT_FALSE(loupe.overlaps(hint)) << where;
+                EXPECT_EQ(intersect(loupe, picture), loupe) << where << ": it is seen whole";
+            }
+            EXPECT_GE(looked, 4) << panel;
+        }
 }
 
 TEST_F(EyedropperTest, AlsoOfThinBloodOfHazeAndOfTheOrgan) {

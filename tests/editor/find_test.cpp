@@ -82,7 +82,7 @@ TEST_F(FindTest, WhatThePaletteListsOfTheSceneHasItsRow) {
         EXPECT_EQ(panels::wanted_row(ui().ui()), nullptr) << title;
     }
     EXPECT_EQ(measured, 10) << "times, blood and region, in the Measure panel";
-    EXPECT_EQ(found, 45) << "rows of the scene, but files that commands load, and what is no row: events and curves";
+    EXPECT_EQ(found, 49) << "rows of the scene, but files that commands load, and what is no row: events and curves";
 }
 
 TEST_F(FindTest, TheReferencesAspectIsARow) {

@@ -99,8 +99,10 @@ TEST_F(NarrowTest, PlotsKeepRoomForTheirCurves) {
 }
 
 TEST_F(NarrowTest, SnapshotsWorkWhenTheyAreIcons) {
-    shape(1, {600, 800});
+    shape(1, {830, 800});  // a smaller one has all panels in one group, as wide as the window
+    ASSERT_FALSE(editor().layouts().stacked());
     show("Snapshots");
+    ASSERT_LT(ui().rect("**/Show A").w, ui().ui().em(2.5F)) << "an icon";
     ui().click("**/Show A").frame();
     EXPECT_TRUE(editor().snapshots().shown(0));
     ui().click("**/Keep C").frame();

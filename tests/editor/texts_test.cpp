@@ -60,6 +60,26 @@ TEST_F(TextsTest, NoneLiesOverAnotherOrIsCut) {
     }
 }
 
+TEST_F(TextsTest, ToolsThatPlaceTheReferenceAreReadable) {
+    shape(shapes[0]);
+    layout("Compare");
+    editor().reference().choose_sample();
+    ui().frame().frame();
+    editor().document.change("Place", [](document::Content& c) {
+        c.scene.reference.placement = {.right = -1.8125, .up = -1.9375, .scale = 0.125, .rotation = -179.5};
+    });
+    editor().reference().placing = true;
+    for (const Shape& to : shapes) {
+        char text[64];
+        std::snprintf(text, sizeof text, "Place at %.1f, %d x %d", static_cast<double>(to.scale), to.size.x, to.size.y);
+        shape(to);
+        editor().layouts().shown.show("Reference");
+        ui().frame().frame();
+        EXPECT_TRUE(ui().exists("**/Reference/Right")) << text;
+        expect_readable(text);
+    }
+}
+
 TEST_F(TextsTest, DialogsAreReadableAndTheirButtonsSideBySide) {
     editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 9; });
     const auto check = [&](const std::string& name) {

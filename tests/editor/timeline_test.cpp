@@ -3,6 +3,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "app/base/layouts.h"
+#include "app/files/open.h"
 #include "app/files/organ_choice.h"
 #include "editor/support/editor_test.h"
 #include "lapfx/prepared_organ.h"
@@ -42,6 +43,21 @@ TEST_F(TimelinePanelTest, AnEventIsDraggedAndItsTimeTyped) {
     EXPECT_EQ(last_step(), "Move event");
     EXPECT_EQ(editor().document.steps().size(), 1U);
     EXPECT_EQ(editor().selected, std::vector<std::size_t>{1});
+}
+
+TEST_F(TimelinePanelTest, AfterAClickOnTheTimelineKeysGoOnAsTheProgramsKeys) {
+    for (const char* const place : {"Workspace/Timeline/Events/Time", "**/Cauterise 2"}) {
+        ui().click(place).move_to("**/View/Preview");
+        editor().tool.action.reset();
+        ui().key('2');
+        EXPECT_EQ(editor().tool.action, ToolAction::cut) << place;
+        const bool underlay = editor().looking.underlay;
+        ui().key(ui::key_of('U'));
+        EXPECT_NE(editor().looking.underlay, underlay) << place;
+        ui().key(ui::key_of('L'));
+        EXPECT_TRUE(editor().timeline.playing()) << "its own key, " << place;
+        ui().key(ui::key_of('K'));
+    }
 }
 
 TEST_F(TimelinePanelTest, ASelectedEventIsTyped) {
@@ -162,13 +178,69 @@ TEST_F(TimelinePanelTest, AnOrganInMetresIsPutRightInTheDialog) {
     EXPECT_EQ(events().size(), 3U);
 }
 
+TEST_F(TimelinePanelTest, AnOrganThatIsOpenedWithoutTheDialogIsOfferedInAnotherUnit) {
+    const std::string file = box("named.obj", 9.6, 6, 6.6);
+    app::Opened opened;
+    app::open_files(opened, {file});
+    ASSERT_TRUE(opened.unit.has_value());
+    EXPECT_EQ(opened.unit->scale, 10);
+    EXPECT_NEAR(opened.unit->organ.maximum.x, 96, 1e-4);
+    // With another file there is no dialog, and neither is there one for the command line.
+    open({file, (shipped() / "presets/brisk_bleed.json").string()});
+    ui().frame().frame();
+    EXPECT_FALSE(editor().organ_choice().ready());
+    EXPECT_EQ(editor().document.scene().organ.scale, 0) << "as the file says";
+    EXPECT_NEAR(editor().looking.camera.target.x, 4.8, 1e-3);
+    EXPECT_NE(ui().dump().find("named.obj: 9.6 mm is small for an organ"), std::string::npos) << ui().dump();
+    ui().click("**/Use cm").frame().frame();
+    EXPECT_EQ(editor().document.scene().organ.scale, 10);
+    EXPECT_NEAR(editor().looking.camera.target.x, 48, 1e-3) << "it is seen whole";
+    EXPECT_NEAR(editor().document.scene().camera.target.x, 48, 1e-3);
+    EXPECT_EQ(last_step(), "Organ in another unit");
+    editor().document.undo();
+    EXPECT_EQ(editor().document.scene().organ.scale, 0);
+    app::Opened usual;
+    app::open_files(usual, {box("usual.obj", 96, 60, 66)});
+    EXPECT_FALSE(usual.unit.has_value());
+}
+
+TEST_F(TimelinePanelTest, TheDialogOfTheScenesOrganKnowsItsTexture) {
+    const std::string file = box("textured.obj", 96, 60, 66);
+    std::ofstream(file, std::ios::app) << "mtllib textured.mtl\n";
+    std::ofstream(folder() / "textured.mtl") << "newmtl skin\nmap_Kd missing.png\n";
+    const cv::Mat skin(8, 8, CV_8UC3, cv::Scalar(40, 40, 160));
+    ASSERT_TRUE(cv::imwrite((folder() / "skin.png").string(), skin));
+    const auto texture_warnings = [&] {
+        std::size_t count = 0;
+        for (const std::string& warning : editor().organ_choice().warnings())
+            count += warning.find("missing.png") != std::string::npos ? 1 : 0;
+        return count;
+    };
+    open({file});
+    ui().frame().frame();
+    EXPECT_EQ(texture_warnings(), 1U);
+    ui().click("**/Load").frame();
+    editor().document.change("Texture",
+                             [&](document::Content& c) { c.scene.organ.texture = (folder() / "skin.png").string(); });
+    open({file});
+    ui().frame().frame();
+    ASSERT_TRUE(editor().organ_choice().ready());
+    EXPECT_EQ(texture_warnings(), 0U) << "another picture stands for it";
+    EXPECT_NE(ui().dump().find("Its texture is skin.png"), std::string::npos);
+    ui().click("**/Load").frame();
+    EXPECT_NE(editor().document.scene().organ.texture.find("skin.png"), std::string::npos) << "and stays";
+    open({box("other.obj", 96, 60, 66)});
+    ui().frame().frame();
+    EXPECT_EQ(ui().dump().find("Its texture is"), std::string::npos);
+}
+
 TEST_F(TimelinePanelTest, ASmallOrganIsOfferedInTheUnitThatMakesItUsual) {
     open({box("centimetres.obj", 9.6, 6, 6.6)});
     ui().frame().frame().frame();
     ASSERT_TRUE(ui().exists("**/Use cm"));
     EXPECT_EQ(ui().ui().focus(), ui().node("**/Use cm").id) << "not Cancel";
     EXPECT_EQ(editor().organ_choice().reason(),
-              "9.6 mm is small for an organ (5 to 600 mm are usual). If the unit is cm, its longest side is 96 mm, "
+              "9.6 mm is small for an organ (5 to 600 mm are possible). If the unit is cm, its longest side is 96 mm, "
               "nearest to a liver's 200 mm.");
     ui().key(ui::Key::enter).frame();
     EXPECT_EQ(editor().organ_choice().scale(), 10);

@@ -197,7 +197,7 @@ void ClipShelf::update(double now) {
     const std::size_t count = document_.preset().smoke.clips.size();
     if (count > 0 && selected >= count) selected = count - 1;  // one that is gone gives way to the last
     follow_alone();
-    if (work_ && work_->cancelled()) work_.reset();
+    if (work_ && work_->cancelled()) end_work();
     if (const bool changed = stale(); changed || now - asked_ > between_asking) {
         asked_ = changed ? now - between_asking : now;  // what a change does is seen once the preview has drawn it
         const auto playing = preview_.ready() ? preview_.preview()->clips() : std::span<const ClipStatus>{};
@@ -276,10 +276,25 @@ bool ClipShelf::is_outside(const ClipFacts& facts) const {
 
 void ClipShelf::add(const std::vector<std::string>& files, std::optional<std::size_t> replace) {
     if (files.empty()) return;
-    cancel_work();
-    refused_.clear();
+    if (!work_) refused_.clear();
+    waiting_.push_back({files, replace});
+    if (!work_) end_work();
+}
+
+/// Goes on with what waits.
+void ClipShelf::end_work() {
+    work_.reset();
+    work_files_.clear();
+    if (waiting_.empty()) return;
+    const Lot next = std::move(waiting_.front());
+    waiting_.pop_front();
+    look_through(next);
+}
+
+void ClipShelf::look_through(const Lot& lot) {
+    const auto& [files, replace] = lot;
     const auto faults = std::make_shared<std::vector<Fault>>();
-    const auto work = [=, this](Job& job) -> Jobs::Apply {
+    const auto work = [this, files = lot.files, replace = lot.replace, faults](Job& job) -> Jobs::Apply {
         std::vector<std::string> good, bad;
         std::vector<SourceSuggestion> sources;
         for (std::size_t i = 0; i < files.size() && !job.cancelled(); ++i) {
@@ -294,17 +309,18 @@ void ClipShelf::add(const std::vector<std::string>& files, std::optional<std::si
             }
         }
         return [=, this] {
-            work_.reset();
-            refused_ = *faults;
+            refused_.insert(refused_.end(), faults->begin(), faults->end());
             settings_.forget_missing(bad);
             take_found(good, sources, replace);
+            end_work();
         };
     };
     const std::string name =
         files.size() == 1 ? fs::path(files[0]).filename().string() : std::to_string(files.size()) + " clips";
+    work_files_ = files;
     work_ = jobs_.start("Reading " + name, work, [this](const std::vector<Fault>& told) {
-        work_.reset();
-        refused_ = told;
+        refused_.insert(refused_.end(), told.begin(), told.end());
+        end_work();
     });
 }
 
@@ -394,19 +410,30 @@ void ClipShelf::copy(const std::map<std::string, fs::path>& from, const fs::path
             names[name] = free.string();
         }
         return [=, this] {
-            work_.reset();
             taken(names);
+            end_work();
         };
     };
     work_ = jobs_.start("Copying clips", work, [this](const std::vector<Fault>& told) {
-        work_.reset();
         refused_ = told;
+        end_work();
     });
 }
 
 void ClipShelf::cancel_work() {
+    waiting_.clear();
     if (work_) work_->cancel();
-    work_.reset();
+    end_work();
+}
+
+void ClipShelf::give_up(const std::string& file) {
+    const auto has = [&](const std::vector<std::string>& files) {
+        return std::find(files.begin(), files.end(), file) != files.end();
+    };
+    std::erase_if(waiting_, [&](const Lot& lot) { return has(lot.files); });
+    if (!work_ || !has(work_files_)) return;
+    work_->cancel();
+    end_work();
 }
 
 void take_source(SmokeClip& clip, const SourceSuggestion& found) {

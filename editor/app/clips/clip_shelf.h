@@ -8,6 +8,7 @@
 // UI thread.
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -83,7 +84,7 @@ class ClipShelf {
 
     // --- changing ----------------------------------------------------------------------------------------------------
     /// Examines files in a job and adds those that are clips, or replaces clip `replace` by the first one. refused()
-    /// says what is wrong with the others.
+    /// says what is wrong with the others. What is asked for while other work runs waits for its end.
     void add(const std::vector<std::string>& files, std::optional<std::size_t> replace = {});
     /// Copies every clip that is outside into home(), in a job, and names the copy in the preset.
     void copy_beside();
@@ -92,7 +93,9 @@ class ClipShelf {
     void copy_to(const std::filesystem::path& folder, std::function<void()> then);
     /// A job of add() or copy_beside(); null: none runs.
     const std::shared_ptr<Job>& work() const { return work_; }
-    void cancel_work();
+    void cancel_work();  ///< also what waits for it
+    /// Adds nothing of add() that has this file.
+    void give_up(const std::string& file);
     const std::vector<Fault>& refused() const { return refused_; }
     void forget_refused() { refused_.clear(); }
 
@@ -103,6 +106,12 @@ class ClipShelf {
         std::vector<std::vector<std::string>> faults;
         std::vector<bool> outside;
     };
+    struct Lot {
+        std::vector<std::string> files;
+        std::optional<std::size_t> replace;
+    };
+    void look_through(const Lot& lot);
+    void end_work();
     ClipFacts& find(const std::string& file);
     void look(const std::string& key, const std::string& file);
     void take_found(const std::vector<std::string>& files, const std::vector<SourceSuggestion>& sources,
@@ -128,6 +137,8 @@ class ClipShelf {
     std::uint64_t followed_grown_ = 0;  ///< grown_ then
     std::string followed_file_;         ///< of the preset then
     std::shared_ptr<Job> work_;
+    std::vector<std::string> work_files_;  ///< that it looks through
+    std::deque<Lot> waiting_;
     std::vector<Fault> refused_;
     std::vector<ClipStatus> playing_;
     double asked_ = -1;  ///< s, when the preview was asked for it

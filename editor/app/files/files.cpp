@@ -89,7 +89,7 @@ void Files::answer(std::size_t index) {
     }
 }
 
-std::vector<std::string> Files::unsaved_words() const {
+std::vector<std::string> Files::unsaved_words(bool scene_too) const {
     std::vector<std::string> words;
     const document::Document& d = parts_.document;
     const auto add = [&](Kind kind, const std::string& name, const char* what) {
@@ -98,6 +98,7 @@ std::vector<std::string> Files::unsaved_words() const {
         words.push_back(std::string(what) + ' ' + called);
     };
     if (d.preset_unsaved()) add(Kind::preset, d.preset().name, "Preset");
+    if (!scene_too) return words;  // steps do not say which of both they belong to
     if (d.scene_unsaved()) add(Kind::scene, d.scene().name, "Scene");
     // The last things that were done, in words.
     constexpr std::size_t most = 4;
@@ -130,9 +131,11 @@ void Files::ask_unsaved(std::string title, Then then, Then otherwise, bool scene
         else
             save_preset(then);
     };
+    const bool stays = !scene_too && d.scene_unsaved();
     ask({.title = std::move(title),
-         .text = "These changes are not saved." + shipped_words(scene_too),
-         .lines = unsaved_words(),
+         .text = "These changes are not saved." + shipped_words(scene_too) +
+                 (stays ? " The scene keeps its changes, whichever you choose." : ""),
+         .lines = unsaved_words(scene_too),
          .answers = {
              {.label = std::string(both ? "Save all" : "Save") + (names ? " as..." : ""),
               .tip = names ? "Asks for names and saves, then continues. If that fails, everything stays as it is."

@@ -93,6 +93,8 @@ class Files {
     /// The program itself has put something into the document, at its start or recovered: asks the same question
     /// afterwards.
     void note_opened();
+    /// A notice that offers that unit for an organ which was opened without the dialog.
+    void propose_unit(const UnitProposal& unit);
 
     // --- videos (files_videos.cpp)
     // ------------------------------------------------------------------------------------
@@ -163,7 +165,7 @@ class Files {
     /// False: another editor has locked it. A file that cannot be locked at all counts as ours; that is told once.
     bool lock(Kind kind, const std::filesystem::path& file);
     std::string holder(const std::filesystem::path& file) const;
-    std::vector<std::string> unsaved_words() const;
+    std::vector<std::string> unsaved_words(bool scene_too) const;
     std::string shipped_words(bool scene_too) const;
 
     Parts parts_;

@@ -11,10 +11,17 @@
 #include "app/files/files.h"
 #include "app/files/organ_choice.h"
 #include "app/preview/looking.h"
+#include "app/preview/orbit.h"
 
 namespace lapfx::app {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double unit_told_for = 60;  // s: all that is done with the organ afterwards depends on it
+
+}  // namespace
 
 void Files::make_new() {
     const auto begin = [this] {
@@ -197,6 +204,25 @@ void Files::become(Opened opened, const std::vector<std::string>& files, Kinds k
     for (const std::string& name : files) parts_.settings.note_recent(name);
     for (const std::string& warning : opened.warnings)
         parts_.notices.add({.kind = ui::ToastKind::warning, .text = warning});
+    if (opened.unit) propose_unit(*opened.unit);
+}
+
+void Files::propose_unit(const UnitProposal& unit) {
+    const std::string name(length_units[static_cast<std::size_t>(unit_of(unit.scale))].name);
+    const auto take = [this, unit] {
+        document::Document& d = parts_.document;
+        if (d.scene().organ.file != unit.file) return;  // another one since
+        d.change("Organ in another unit", [&](document::Content& c) {
+            c.scene.organ.scale = unit.scale;
+            see_whole(c.scene, unit.organ);
+        });
+        parts_.looking.camera = d.scene().camera;
+    };
+    parts_.notices.add({.kind = ui::ToastKind::warning,
+                        .text = fs::path(unit.file).filename().string() + ": " + unit.reason,
+                        .action = "Use " + name,
+                        .act = take,
+                        .seconds = unit_told_for});
 }
 
 }  // namespace lapfx::app

@@ -149,7 +149,7 @@ void Files::tell_use(const std::vector<std::string>& videos, VideoUse as, const 
     if (as == VideoUse::smoke) {
         const std::ptrdiff_t before = count_of(parts_.document.preset(), file);
         const auto make_reference = [this, file, before] {
-            parts_.clips.cancel_work();
+            parts_.clips.give_up(file);
             if (count_of(parts_.document.preset(), file) > before)
                 parts_.document.change("Remove clip", [&](document::Content& c) {
                     std::vector<SmokeClip>& clips = c.preset.smoke.clips;

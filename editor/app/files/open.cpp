@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "app/files/organ_choice.h"
 #include "app/preview/orbit.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/formats.h"
-#include "lapfx/authoring/organ_report.h"
 
 namespace lapfx::app {
 
@@ -40,14 +40,17 @@ void open_organ(Opened& opened, const fs::path& file) {
     scene.organ = {.file = fs::absolute(file).string()};
     scene.name = file.stem().string();
     scene.events.clear();
-    const OrganReport organ = report(load_organ(file));
+    const Organ loaded = load_organ(file);
+    const OrganReport organ = report(loaded);
     for (const std::string& warning : organ.warnings) opened.warnings.push_back(file.string() + ": " + warning);
-    const SceneCamera former = scene.camera;
-    scene.camera = frame(organ);
-    scene.camera.exposure = former.exposure;
-    scene.camera.vignette = former.vignette;
-    scene.tool.port = port_for(scene.camera);
-    scene.light.focus_distance = glm::distance(scene.camera.eye, scene.camera.target);
+    see_whole(scene, organ);
+    const glm::dvec3 size = (organ.maximum - organ.minimum) / loaded.scale;
+    const double longest = std::max({size.x, size.y, size.z});
+    if (const auto likely = likely_scale(longest, loaded.scale)) {
+        OrganReport then = organ;
+        then.minimum *= *likely / loaded.scale, then.maximum *= *likely / loaded.scale;
+        opened.unit = {scene.organ.file, *likely, reason_for(longest, loaded.scale, *likely), then};
+    }
     opened.scene_file.clear();
 }
 

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "document/document.h"
+#include "lapfx/authoring/organ_report.h"
 
 namespace lapfx::app {
 
@@ -19,11 +21,20 @@ bool is_organ_name(const std::filesystem::path& file);
 /// Whether this is the name of a preset or a scene.
 bool is_document_name(const std::filesystem::path& file);
 
+/// Another unit of an opened organ's file, with which the organ has a usual size.
+struct UnitProposal {
+    std::string file;  ///< SceneOrgan::file
+    double scale = 1;
+    std::string reason;
+    OrganReport organ;  ///< with that unit
+};
+
 /// The files that have been read and will become the document.
 struct Opened {
     document::Content content;
     std::filesystem::path scene_file, preset_file;  ///< empty: none of its own
     std::vector<std::string> warnings;
+    std::optional<UnitProposal> unit = {};  ///< none: the unit of the organ's file may well be right
 };
 
 /// The sample scene with its preset. Throws Error.

@@ -70,6 +70,22 @@ std::optional<double> likely_scale(double longest, double scale) {
     return best;
 }
 
+std::string reason_for(double longest, double scale, double better) {
+    const auto mm = [](double length) {
+        char text[32];
+        std::snprintf(text, sizeof text, length < 1000 ? "%.4g mm" : "%.0f mm", length);
+        return std::string(text);
+    };
+    const double now = longest * scale;
+    const std::string off = now > longest_organ    ? " is larger than any organ"
+                            : now < shortest_organ ? " is smaller than any organ"
+                                                   : " is small for an organ";
+    return mm(now) + off + " (" + std::to_string(static_cast<int>(shortest_organ)) + " to " + mm(longest_organ) +
+           " are possible). If the unit is " +
+           std::string(length_units[static_cast<std::size_t>(unit_of(better))].name) + ", its longest side is " +
+           mm(longest * better) + ", nearest to a liver's " + mm(size_of_liver) + ".";
+}
+
 int up_axis_of(const glm::dvec3& rotation) {
     for (std::size_t i = 0; i < up_axes.size(); ++i)
         if (glm::distance(up_axes[i].rotation, rotation) < 1e-9) return static_cast<int>(i);
@@ -85,6 +101,7 @@ void OrganChoice::open(const std::filesystem::path& file) {
     const bool again = same_file(file, path_from(document_.scene().folder, now.file));
     scale_ = again ? now.scale : 0;  // 0: the format's
     rotation_ = again ? now.rotation : glm::dvec3(0);
+    texture_ = again ? path_from(document_.scene().folder, now.texture) : std::filesystem::path();
     job_ = jobs_.start(
         "Reading " + file.filename().string(),
         [this, file](Job& job) -> Jobs::Apply {
@@ -145,7 +162,11 @@ void OrganChoice::take(const std::shared_ptr<const Organ>& organ, OrganReport re
 }
 
 std::vector<std::string> OrganChoice::warnings() const {
-    return organ_ ? organ_->warnings : std::vector<std::string>{};
+    if (!organ_) return {};
+    std::vector<std::string> all = organ_->warnings;
+    // Its own pictures are not wanted where the scene gives it another one.
+    if (!texture_.empty()) std::erase_if(all, [](const std::string& one) { return one.starts_with("texture "); });
+    return all;
 }
 
 OrganReport OrganChoice::turned() const {
@@ -179,20 +200,7 @@ std::optional<double> OrganChoice::likely() const {
 
 std::string OrganChoice::reason() const {
     const std::optional<double> better = likely();
-    if (!better) return {};
-    const double longest = longest_side(report_);
-    const auto mm = [](double length) {
-        char text[32];
-        std::snprintf(text, sizeof text, length < 1000 ? "%.4g mm" : "%.0f mm", length);
-        return std::string(text);
-    };
-    const double now = longest * scale_;
-    const std::string off = now > longest_organ    ? " is larger than any organ"
-                            : now < shortest_organ ? " is smaller than any organ"
-                                                   : " is small for an organ";
-    return mm(now) + off + " (" + std::to_string(static_cast<int>(shortest_organ)) + " to " + mm(longest_organ) +
-           " are usual). If the unit is " + std::string(length_units[static_cast<std::size_t>(unit_of(*better))].name) +
-           ", its longest side is " + mm(longest * *better) + ", nearest to a liver's " + mm(size_of_liver) + ".";
+    return better ? reason_for(longest_side(report_), scale_, *better) : std::string{};
 }
 
 bool OrganChoice::replaces() const {
@@ -202,7 +210,7 @@ bool OrganChoice::replaces() const {
 
 void OrganChoice::load() {
     if (!organ_) return;
-    SceneCamera seen = frame(turned());
+    const OrganReport organ = turned();
     document_.change("Load organ", [&](document::Content& c) {
         Scene& scene = c.scene;
         if (replaces()) {
@@ -213,15 +221,11 @@ void OrganChoice::load() {
         scene.organ.file = path_for(file_, scene.folder);
         scene.organ.scale = scale_;
         scene.organ.rotation = rotation_;
-        seen.exposure = scene.camera.exposure;
-        seen.vignette = scene.camera.vignette;
-        scene.camera = seen;
-        scene.tool.port = port_for(seen);
-        scene.light.focus_distance = std::clamp(glm::distance(seen.eye, seen.target), 1.0, 2000.0);
+        see_whole(scene, organ);
     });
     settings_.note_recent(file_.string());
     selected_.clear();
-    looking_.camera = seen;
+    looking_.camera = document_.scene().camera;
     give_up();
 }
 

@@ -40,6 +40,9 @@ int unit_of(double scale);
 /// mm per unit with which a mesh that is `longest` units long has the usual size of an organ, nearest to that of a
 /// liver; nothing where no unit gives that, or `scale` already does.
 std::optional<double> likely_scale(double longest, double scale);
+/// Why `better` is, of likely_scale(): "9.6 mm is small for an organ (5 to 600 mm are possible). If the unit is cm,
+/// ...".
+std::string reason_for(double longest, double scale, double better);
 
 /// The ways up, and the rotations (degrees about x, then y, then z) that bring each to y.
 struct UpAxis {
@@ -85,6 +88,8 @@ class OrganChoice {
     bool ready() const { return organ_ != nullptr; }
     const OrganReport& report() const { return report_; }  ///< in units of the file, unturned
     std::vector<std::string> warnings() const;             ///< of the mesh, without those on its size
+    /// The picture that the scene gives this organ in place of its own; empty: none.
+    const std::filesystem::path& texture() const { return texture_; }
 
     double scale() const { return scale_; }  ///< mm per unit of the file
     void set_scale(double scale) { scale_ = scale; }
@@ -96,8 +101,7 @@ class OrganChoice {
     static constexpr glm::ivec2 picture_size{320, 160};
     double picture_pixel() const { return scale_ * units_per_pixel_; }  ///< mm of one px of it
     std::optional<double> likely() const;
-    /// Why likely() is: "9.6 mm is small for an organ (5 to 600 mm are usual). If the unit is cm, ...".
-    std::string reason() const;
+    std::string reason() const;  ///< why likely() is
     /// Whether an organ can be as large as this one is with scale().
     bool possible() const;
 
@@ -121,7 +125,7 @@ class OrganChoice {
     ui::ImageHandle image_ = 0;     ///< of the images
     glm::dvec3 pictured_for_{1e9};  ///< rotation of that
     double units_per_pixel_ = 0;
-    std::filesystem::path file_;
+    std::filesystem::path file_, texture_;
     std::shared_ptr<Job> job_;
     std::shared_ptr<const Organ> organ_;  ///< in units of the file
     OrganReport report_;

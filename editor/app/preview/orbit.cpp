@@ -75,6 +75,15 @@ SceneCamera frame(const OrganReport& organ) {
     return camera;
 }
 
+void see_whole(Scene& scene, const OrganReport& organ) {
+    SceneCamera seen = frame(organ);
+    seen.exposure = scene.camera.exposure;
+    seen.vignette = scene.camera.vignette;
+    scene.camera = seen;
+    scene.tool.port = port_for(seen);
+    scene.light.focus_distance = std::clamp(glm::distance(seen.eye, seen.target), 1.0, 2000.0);
+}
+
 SceneCamera fit(std::span<const glm::vec3> points, double aspect) {
     SceneCamera camera;
     if (points.empty()) return camera;

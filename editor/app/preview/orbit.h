@@ -34,6 +34,10 @@ glm::dvec3 port_for(const SceneCamera& camera);
 /// A camera that sees the whole organ from the front, from whichever side it is turned to later.
 SceneCamera frame(const OrganReport& organ);
 
+/// That camera for a scene, whose exposure and vignette stay, with the instrument and the light's focus that go with
+/// it.
+void see_whole(Scene& scene, const OrganReport& organ);
+
 /// The same for this side alone: the points fill a picture of this aspect (width over height) but for a narrow rim.
 SceneCamera fit(std::span<const glm::vec3> points, double aspect);
 

@@ -377,10 +377,21 @@ void PreviewHost::resize(glm::ivec2 size) {
     if (size == target_.size() || size.x < 1 || size.y < 1) return;
     target_.resize(size);
     changed_ = true;
+    pixels_known_ = false;
 }
 
 bool PreviewHost::draw(const Shot& shot) {
-    return draw_into(target_, shot, last_, drawn_);
+    const bool drawn = draw_into(target_, shot, last_, drawn_);
+    if (drawn) pixels_known_ = false;
+    return drawn;
+}
+
+const Image& PreviewHost::pixels() {
+    if (!std::exchange(pixels_known_, true)) {
+        target_.read(pixels_);
+        ++read_back_;
+    }
+    return pixels_;
 }
 
 bool PreviewHost::draw_into(PreviewCopy& copy, const Shot& shot) {
@@ -478,6 +489,7 @@ std::vector<ToolContact> PreviewHost::take_tool_off(double time) {
     push_sample(std::max(time, tool_.time + 1e-3), tool_.position, false);
     // The queue is emptied by seeking.
     if (target_.texture() != 0) preview_->draw(time, target_.size(), target_.framebuffer());
+    pixels_known_ = false;
     const std::span<const ToolContact> all = preview_->contacts();
     const std::size_t first = std::min(contacts_before_, all.size());
     shown_scene_.reset();  // the document decides what stays, also where it has not changed

@@ -107,6 +107,10 @@ class PreviewHost {
     glm::ivec2 size() const;
     /// Read back: what the texture holds.
     Image read() const { return target_.read(); }
+    /// The same for those that ask in each frame: read back, which waits for the GPU, once for each picture. Valid
+    /// until the next draw() or resize().
+    const Image& pixels();
+    std::uint64_t read_back() const { return read_back_; }  ///< how many pictures pixels() has read
 
     // --- loading -----------------------------------------------------------------------------------------------------
     /// What is on its way: an organ, else clips; none when all is there.
@@ -194,6 +198,9 @@ class PreviewHost {
     bool scene_fault_ = false;  ///< of organ_faults_: the scene as it is, not its file
     bool changed_ = true;
     std::uint64_t revision_ = 1, drawn_ = 0;  ///< of what it shows beside the shot; the one in the target
+    Image pixels_;                            ///< of the target, where pixels_known_
+    bool pixels_known_ = false;
+    std::uint64_t read_back_ = 0;
     Shot last_;
     Overlay overlay_ = Overlay::none;  ///< that the preview has
 

@@ -1,5 +1,6 @@
 // Colours that were picked become those of fields: the picture is to show what was picked, so each is solved for
-// (solve_color.h) in the picture that was clicked, and a notice says where and how near it comes.
+// (solve_color.h) in the picture that was clicked, and a notice says where and how near it comes. Where smoke over that
+// place keeps the colour from being seen, it is solved for without smoke.
 //
 //     seen.clicked({.shot = shot, .size = size, .place = place});   // a panel with a picture
 //     color = seen.solve("Deep colour", picked, color, put);        // the field, a frame later
@@ -8,6 +9,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "app/base/notices.h"
@@ -35,12 +37,18 @@ class SeenColors {
 
     /// What the last solve() found.
     const SolvedColor& last() const { return last_; }
+    /// The smoke that it left out because it lies over that place: "haze", "a plume", "haze and a plume"; else empty.
+    const std::string& veil() const { return veil_; }
 
   private:
+    using Put = std::function<void(document::Content&, const glm::dvec3&)>;
+    bool plume_over(const SolvedColor& solved, const Shot& shot, glm::ivec2 size, const Put& put);
+
     PreviewHost& preview_;
     Notices& notices_;
     std::optional<Picture> picture_;
     SolvedColor last_;
+    std::string veil_;
 };
 
 }  // namespace lapfx::app

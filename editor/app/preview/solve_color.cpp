@@ -20,6 +20,7 @@ constexpr double least_gain = 0.004;   // light that a field of full light adds:
 constexpr double lit_share = 0.25;     // of the strongest gain, from which a place is lit well
 constexpr double pure_share = 0.93;    // of the largest share of the light, from which a place is typical of the field
 constexpr double pointed_share = 0.2;  // of the strongest gain, from which the place that was pointed at will do
+constexpr double as_near = 2;          // Delta E, less than an eye tells apart (2.3: Mahy and others, 1994)
 constexpr double clipped = 0.96;       // light from which a channel says nothing
 constexpr double knee = 0.7;           // of shaders/color.glsl
 
@@ -170,6 +171,20 @@ double next_of(const std::vector<Tried>& tried, int c, double wanted) {
     return best.field[c];
 }
 
+/// Where a colour cannot be reached, the nearest may be an extreme one, such as black, that helps little. One nearer to
+/// what was picked is taken if it comes as near to the eye.
+SolvedColor nearer_to_picked(const SolvedColor& best, const glm::dvec3& picked,
+                             const std::function<glm::dvec3(const glm::dvec3&)>& seen_with) {
+    for (const double share : {0.0, 0.25, 0.5, 0.75}) {
+        SolvedColor tried = best;
+        tried.color = in_codes(glm::mix(picked, best.color, share));
+        tried.seen = seen_with(tried.color);
+        tried.off = apart(tried.seen, picked);
+        if (tried.off <= best.off + as_near) return tried;
+    }
+    return best;
+}
+
 }  // namespace
 
 SolvedColor solve_color(const glm::dvec3& picked, const glm::dvec3& now, const std::optional<glm::dvec2>& place,
@@ -187,6 +202,9 @@ SolvedColor solve_color(const glm::dvec3& picked, const glm::dvec3& now, const s
 
     const glm::dvec3 wanted = glm::dvec3(before_shoulder(to_light(picked).x), before_shoulder(to_light(picked).y),
                                          before_shoulder(to_light(picked).z));
+    const auto seen_at = [&](glm::ivec2 at) {
+        return [&draw, at](const glm::dvec3& color) { return glm::convertLinearToSRGB(Lights(draw(color)).mean(at)); };
+    };
     const auto solve_at = [&](glm::ivec2 at) {
         SolvedColor best{.color = first_color, .acts = true, .picked = picked, .off = 1e9};
         best.place = (glm::dvec2(at) + 0.5) / glm::dvec2(first.size());
@@ -209,7 +227,7 @@ SolvedColor solve_color(const glm::dvec3& picked, const glm::dvec3& now, const s
             drawn.push_back(color);
             take(color, Lights(draw(color)));
         }
-        return best;
+        return best.off > reached_color ? nearer_to_picked(best, picked, seen_at(at)) : best;
     };
 
     std::optional<SolvedColor> pointed;

@@ -12,6 +12,7 @@
 #include "app/base/settings.h"
 #include "app/preview/pick_color.h"
 #include "app/preview/timeline.h"
+#include "app/reference/placed_picture.h"
 #include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/formats.h"
 #include "match/look.h"
@@ -26,6 +27,7 @@ constexpr double look_height = 256;  // px of the pictures that a look is propos
 constexpr const char* sample = "samples/reference/operation.mp4";
 /// s: a sum of time and offset may fall just short of a frame's own time.
 constexpr double frame_slack = 5e-4;
+constexpr std::uint64_t placed_bit = std::uint64_t{1} << 63U;  // of the number of a picture
 constexpr std::string_view decoding_note = "The frame is still being decoded: the look follows when it is there.";
 
 /// The name of a file in a scene in `folder`: relative if it is in that folder or below.
@@ -39,17 +41,21 @@ std::string named_in(const fs::path& folder, const fs::path& file) {
     return below ? relative.generic_string() : whole.string();
 }
 
-/// The picture as wide for its height as `shape` is; the side that is squeezed gets shorter.
-Image in_shape(const Image& image, glm::dvec2 shape) {
-    const double scale = std::min(image.width / shape.x, image.height / shape.y);
-    const glm::ivec2 size = glm::max(glm::ivec2(glm::round(shape * scale)), glm::ivec2(1));
+Image in_size(const Image& image, glm::ivec2 size) {
     if (glm::ivec2(image.width, image.height) == size) return image;
     Image made{.width = size.x, .height = size.y, .pixels = {}, .name = image.name};
     made.pixels.resize(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
     const cv::Mat from(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.pixels.data()));
     cv::Mat to(size.y, size.x, CV_8UC4, made.pixels.data());
-    cv::resize(from, to, to.size(), 0, 0, cv::INTER_AREA);
+    cv::resize(from, to, to.size(), 0, 0,
+               size.x > image.width || size.y > image.height ? cv::INTER_LINEAR : cv::INTER_AREA);
     return made;
+}
+
+/// The picture as wide for its height as `shape` is; the side that is squeezed gets shorter.
+Image in_shape(const Image& image, glm::dvec2 shape) {
+    const double scale = std::min(image.width / shape.x, image.height / shape.y);
+    return in_size(image, glm::max(glm::ivec2(glm::round(shape * scale)), glm::ivec2(1)));
 }
 
 }  // namespace
@@ -103,12 +109,14 @@ Reference::Reference(document::Document& document, const Timeline& timeline, Pre
       feed_(options.exact),
       pixels_(std::make_unique<ReferencePixels>(feed_.image())),
       compared_pixels_(std::make_unique<ReferencePixels>(feed_.image())),
+      placed_pixels_(std::make_unique<ReferencePixels>(placed_)),
       scopes_{PictureScopes(images), PictureScopes(images)} {
     compare.kind = ui::CompareKind::side_by_side;
 }
 
 Reference::~Reference() {
     if (image_ != 0) images_.remove(image_);
+    if (placed_image_ != 0) images_.remove(placed_image_);
 }
 
 void Reference::give_up_choosing() {
@@ -246,6 +254,32 @@ void Reference::show_newest() {
     else
         images_.update(image_, size, image.pixels);
     ++shown_;
+    place_newest();
+}
+
+bool Reference::is_placed() const {
+    return document_.scene().reference.placement.moved() && placed_image_ != 0;
+}
+
+bool Reference::shows_placed() const {
+    return is_placed() && way != CompareWay::reference;
+}
+
+/// Made anew when the frame, the scene's placement or the shape has changed.
+void Reference::place_newest() {
+    const Image& image = feed_.image();
+    const ReferencePlacement& now = document_.scene().reference.placement;
+    const glm::dvec2 shape(shown_size());
+    const PlacedBy by{feed_.frame() < 0 ? 0 : shown_, now.right, now.up, now.scale, now.rotation, shape.x / shape.y};
+    if (by == placed_by_) return;
+    const bool same_frame = std::get<0>(by) == std::get<0>(placed_by_);
+    placed_by_ = by;
+    if (same_frame) std::get<0>(placed_by_) = ++shown_;  // scopes count it again
+    if (!now.moved() || feed_.frame() < 0 || image.pixels.empty()) return;
+    placed_ = placed(image, now, shape.x / shape.y);
+    const glm::ivec2 size(placed_.width, placed_.height);
+    placed_image_ != 0 ? images_.update(placed_image_, size, placed_.pixels)
+                       : void(placed_image_ = images_.add(size, placed_.pixels));
 }
 
 void Reference::update(double) {
@@ -264,6 +298,7 @@ void Reference::follow() {
     const int before = feed_.frame();
     feed_.want(wanted);
     if (feed_.frame() != before) show_newest();  // with `exact` the frame is there at once
+    place_newest();
     follow_video();
 }
 
@@ -346,8 +381,38 @@ ui::Picture Reference::compared_preview() {
 }
 
 ui::Picture Reference::compared_reference() const {
-    compared_pixels_->size = compared_size();
-    return {.image = image_, .size = compared_size(), .pixels = compared_pixels_.get()};
+    ReferencePixels& pixels = is_placed() ? *placed_pixels_ : *compared_pixels_;
+    pixels.size = compared_size();
+    return {.image = is_placed() ? placed_image_ : image_, .size = compared_size(), .pixels = &pixels};
+}
+
+ui::Picture Reference::placed_picture() const {
+    ui::Picture shown = picture();
+    if (shown.image != 0 && is_placed()) shown.image = placed_image_;
+    return shown;
+}
+
+void Reference::take_circle() {
+    follow();  // the panel may be hidden
+    if (feed_.frame() < 0 || feed_.image().pixels.empty()) {
+        look_notes_ = {"The frame is still being decoded: take the circle when it is there."};
+        return;
+    }
+    const SceneReference& reference = document_.scene().reference;
+    const auto found = on_the_vignette(in_size(feed_.image(), shown_size()), reference.placement);
+    if (!found) {
+        look_notes_ = {"This frame of the reference shows no round view of an endoscope."};
+        if (!(reference.aspect > 0))
+            look_notes_.emplace_back(
+                "If its picture looks squeezed, choose its aspect first (As stored, above): only then is the view "
+                "round.");
+        return;
+    }
+    look_notes_ = {"The round view of the reference lies on the preview's vignette now."};
+    document_.change("Take the circle", [&](document::Content& c) {
+        c.scene.reference.placement = *found;
+        c.scene.camera.vignette = 1;
+    });
 }
 
 const std::array<PictureScopes, 2>& Reference::scopes() {
@@ -365,7 +430,11 @@ int Reference::frame_of(CompareSide side) const {
 
 /// What a side of the comparison shows, as far as its curves hold for it.
 Reference::Subject Reference::subject_of(CompareSide side) const {
-    if (side == CompareSide::reference) return {.side = side};
+    if (side == CompareSide::reference) {
+        Subject of{.side = side};
+        if (shows_placed()) of.placed = placed_by_, std::get<0>(of.placed) = 0;  // of whatever frame
+        return of;
+    }
     Subject of{.side = side, .document = document_.version()};
     if (side == CompareSide::preview)
         of.alone = preview_.alone();
@@ -470,7 +539,10 @@ std::size_t Reference::memory() const {
 const Image* Reference::newest(CompareSide side, std::uint64_t& number) const {
     if (side == CompareSide::reference) {
         number = shown_;
-        return feed_.frame() >= 0 ? &feed_.image() : nullptr;
+        if (feed_.frame() < 0) return nullptr;
+        if (!shows_placed()) return &feed_.image();
+        number |= placed_bit;
+        return &placed_;
     }
     const bool now = side == CompareSide::preview;
     const DrawnPicture& picture = now ? drawn_ : drawn_snapshots_[slot_of(side)];

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "app/base/editor_options.h"
@@ -135,6 +136,15 @@ class Reference {
     /// the reference, counted in the same pixels. Those are the video's, in its aspect.
     ui::Picture compared_preview();
     ui::Picture compared_reference() const;
+    /// picture() where the scene places it (SceneReference::placement). What is read of a picture is read of the one
+    /// that is seen: scopes, regions and the eyedropper take the placed one where both are compared, and black where it
+    /// has nothing; the reference alone, what is measured of it, its plate and a proposal of
+    /// the look are of the video as it is stored: they are about all of its tissue, wherever that lies.
+    ui::Picture placed_picture() const;
+    /// An undo step: placed so that its round view lies on the preview's vignette, which is turned on. look_notes() say
+    /// what was found.
+    void take_circle();
+    bool placing = false;  ///< handles to place it lie over the comparison
     /// As large as compare_view shows them (CompareResult::zoom): the preview is drawn with as many pixels, but pixel
     /// for pixel with the video where both are subtracted or single pixels are looked at. Gives whether that is another
     /// size than before.
@@ -174,10 +184,15 @@ class Reference {
 
   private:
     class ReferencePixels;
+    /// Number of the frame, the placement and the aspect.
+    using PlacedBy = std::tuple<std::uint64_t, double, double, double, double, double>;
 
     void take(const std::filesystem::path& file, std::shared_ptr<VideoReader> reader);
     void follow_scene(std::shared_ptr<VideoReader> reader = nullptr);
     void show_newest();
+    void place_newest();
+    bool is_placed() const;
+    bool shows_placed() const;  ///< in the panel
     glm::ivec2 shown_size() const;
     ui::Picture drawn(DrawnPicture& picture, const PreviewHost* preview);
     bool draw_compared(double scale);
@@ -215,7 +230,10 @@ class Reference {
     std::array<DrawnPicture, Snapshots::count> drawn_snapshots_;
     std::array<bool, Snapshots::count> compares_snapshot_{};  ///< the last build asked for them
     std::array<std::uint64_t, Snapshots::count> drawn_by_{};  ///< numbers of the previews that drew them
-    std::unique_ptr<ReferencePixels> pixels_, compared_pixels_;
+    std::unique_ptr<ReferencePixels> pixels_, compared_pixels_, placed_pixels_;
+    PlacedBy placed_by_{};
+    Image placed_;
+    ui::ImageHandle placed_image_ = 0;
     bool proposes_ = false;
     DrawnPicture clean_;  ///< the preview at 0 s, for a proposal
     std::vector<std::string> look_notes_;
@@ -231,6 +249,7 @@ class Reference {
         std::uint64_t document = 0;          ///< version of what is drawn
         std::uint64_t snapshot = 0;          ///< SnapshotPreviews::id
         std::optional<std::size_t> alone{};  ///< the clip that the preview plays alone
+        PlacedBy placed{};                   ///< of the reference: where another part of it lies under a region
         friend bool operator==(const Subject&, const Subject&) = default;
     };
     Subject subject_of(CompareSide side) const;

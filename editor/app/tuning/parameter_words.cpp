@@ -142,6 +142,7 @@ constexpr std::pair<std::string_view, std::string_view> all[] = {
     {"scene.plate.distance", "depth far near"},
     {"scene.reference.marks", "moment event annotation begin end phase"},
     {"scene.reference.loop", "range part in out repeat section"},
+    {"scene.reference.placement", "align register overlay move shift zoom turn rotate underlay"},
     {"scene.reference.aspect", "ratio squeezed stretched anamorphic widescreen 4:3 16:9 pixel shape"},
     {"scene.reference.measure", "amount quantify estimate analyse analyze"},
     {"scene.reference.measure.baseline", "clear clean frame before start compare"},

@@ -262,7 +262,8 @@ bool edit_line(Ui& ui, Id id, const View& view, const Response& r, CompareState&
 /// Whether the widget with the keyboard takes letters as text or as the beginning of a search.
 bool types(Ui& ui, Id focus) {
     const Node* node = ui.before(focus);
-    return node != nullptr && has(node->sense, Sense::typing | Sense::editing | Sense::keys | Sense::every_key);
+    return node != nullptr && node->typed == TypedKeys::all &&
+           has(node->sense, Sense::typing | Sense::editing | Sense::keys | Sense::every_key);
 }
 
 Edit edit_by_key(Ui& ui, Id id, CompareState& state) {
@@ -285,7 +286,7 @@ Edit edit_by_key(Ui& ui, Id id, CompareState& state) {
 
 Readout readout_of(Ui& ui, const std::string_view (&labels)[2], const CompareResult& result,
                    const CompareOptions& options, const Picture& magnified) {
-    Readout readout{.at = result.pick, .side = options.sample_box};
+    Readout readout{.at = result.pick, .side = options.sample_box, .keep_off = options.keep_off};
     const glm::vec4 way = result.second - result.first;
     readout.lines[0] = ui.join({labels[0], "   ", pixel_text(ui, result.first, options.decimals)});
     readout.lines[1] = ui.join({labels[1], "   ", pixel_text(ui, result.second, options.decimals)});
@@ -322,6 +323,7 @@ CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first,
                            CompareState& state, const CompareOptions& options) {
     CompareResult result;
     Node& node = ui.open(Role::image, label, Axis::y, view_sense | Sense::typing | Sense::pages | Sense::hover_keys);
+    node.typed = TypedKeys::comparison;
     node.size[0] = options.width, node.size[1] = options.height;
     node.clips = true;
     node.tip = ui.copy(options.tip);

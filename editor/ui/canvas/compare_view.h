@@ -31,6 +31,7 @@ struct CompareOptions {
     /// side by side once over each, in nodes "First" and "Second"; else once, in "First". `with` is `over_with`.
     void (*over)(Ui& ui, const View& view, void* with) = nullptr;
     void* over_with = nullptr;
+    Rect keep_off = {};  ///< that the readout never covers, px of the window
     std::string_view tip = {};
     Size width = grow(), height = grow();
 };

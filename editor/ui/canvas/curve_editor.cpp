@@ -14,7 +14,6 @@ using namespace curve_drawing;
 namespace {
 
 constexpr double least_distance = 1e-4;  // between two points, as a share of the range of x
-constexpr double explained_for = 6;      // s: why an entry was not taken
 constexpr std::size_t no_point = static_cast<std::size_t>(-1);
 
 /// The state that is kept from frame to frame.
@@ -294,7 +293,7 @@ class Editing {
                     ui_.explain(
                         m_.ids[i],
                         '"' + m_.entry + "\" was not taken: " + error->reason + "; allowed are a value, or time; value",
-                        explained_for);
+                        Ui::explained_for);
                 return false;
             }
         const double dx = std::get<double>(x) - p.x, dy = std::get<double>(y) - p.y;
@@ -332,6 +331,7 @@ void put_point(Ui& ui, Memory& m, const Curve& curve, const CurveEditorOptions& 
         Sense::hover | Sense::press | Sense::focus | Sense::arrows_x | Sense::arrows_y | Sense::erase | Sense::typing;
     if (m.entering == i) sense = sense | Sense::escape;
     Node& node = ui.leaf(Role::handle, name.view(), sense);
+    if (m.entering != i) node.typed = TypedKeys::curve_point;
     m.ids.push_back(node.id);
     const CurvePoint& p = curve.point(i);
     put_at(ui, node, f, p);

@@ -34,7 +34,7 @@ std::string_view value_text(Ui& ui, const ImageViewOptions& options, const glm::
 }
 
 Readout readout_of(Ui& ui, const Picture& picture, const ImageViewOptions& options, const ImageViewResult& result) {
-    Readout readout{.at = result.pick, .side = options.sample_box};
+    Readout readout{.at = result.pick, .side = options.sample_box, .keep_off = options.keep_off};
     readout.lines[0] = value_text(ui, options, result.value);
     readout.lines[1] = ui.join({"pixel ", place_text(ui, result.pick)});
     if (options.sample_box == 3) readout.lines[1] = ui.join({readout.lines[1], "   mean of 3 x 3"});

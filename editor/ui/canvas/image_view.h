@@ -18,6 +18,7 @@ struct ImageViewOptions {
     /// Builds what lies over the picture, handles for one, as children of the view; `with` is `over_with`.
     void (*over)(Ui& ui, const View& view, void* with) = nullptr;
     void* over_with = nullptr;
+    Rect keep_off = {};  ///< that the box beside the pointer never covers, px of the window
     std::string_view tip = {};
     Size width = grow(), height = grow();
 };

@@ -183,6 +183,18 @@ glm::vec2 beside(const Rect& area, const Rect& measured, glm::vec2 size) {
     return best;
 }
 
+Rect room_beside(const Rect& area, const Rect& keep_off, glm::vec2 size) {
+    const Rect off = intersect(area, keep_off);
+    if (off.empty()) return area;
+    Rect above = area, below = area, left = area, right = area;
+    above.h = off.y - area.y, left.w = off.x - area.x;
+    below.cut_top(off.bottom() - area.y), right.cut_left(off.right() - area.x);
+    Rect best;
+    for (const Rect& room : {above, below, left, right})
+        if (room.w >= size.x && room.h >= size.y && room.w * room.h > best.w * best.h) best = room;
+    return best;
+}
+
 void draw_readout(Painter& painter, const View& view, const Readout& readout) {
     const Theme& t = painter.theme();
     const TextStyle style = painter.number_style();
@@ -197,9 +209,10 @@ void draw_readout(Painter& painter, const View& view, const Readout& readout) {
     const float glass = readout.image != 0 ? painter.em(magnified_pixel) * static_cast<float>(magnified) : 0;
     const glm::vec2 size(std::max(width, glass) + 2 * pad,
                          static_cast<float>(readout.line_count) * row + (glass > 0 ? glass + pad : 0) + 2 * pad);
+    const Rect room = room_beside(view.area, readout.keep_off, size);
+    if (room.empty()) return;
     const glm::vec2 middle(view.to_screen(glm::dvec2(readout.at) + 0.5));
-    const glm::vec2 corner =
-        glm::floor(beside(view.area, {middle.x - away, middle.y - away, 2 * away, 2 * away}, size));
+    const glm::vec2 corner = glm::floor(beside(room, {middle.x - away, middle.y - away, 2 * away, 2 * away}, size));
     Rect box{corner.x, corner.y, size.x, size.y};
     painter.shadow(box, t.shadow, painter.em(0.4F), painter.em(t.radius));
     painter.fill(box, t.raised, painter.em(t.radius));

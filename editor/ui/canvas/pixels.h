@@ -55,10 +55,15 @@ struct Readout {
     glm::ivec2 at{0};
     int side = 1;                 ///< of the sample box
     Color swatch = {0, 0, 0, 0};  ///< alpha 0: none
+    Rect keep_off = {};           ///< that it never covers, px of the window; empty: nothing
 };
+/// The part of `area` where a box of `size` covers nothing of `keep_off`: beside it, where there is most room. Empty
+/// where there is none for it.
+Rect room_beside(const Rect& area, const Rect& keep_off, glm::vec2 size);
 /// Where such a box lies: in `area`, beside what is measured, right of and below it if there is room. It covers the
 /// least of it where there is none.
 glm::vec2 beside(const Rect& area, const Rect& measured, glm::vec2 size);
+/// Not drawn where it would cover what it keeps off.
 void draw_readout(Painter& painter, const View& view, const Readout& readout);
 /// The colour that code values are shown as.
 Color color_of(const glm::vec4& code_value);

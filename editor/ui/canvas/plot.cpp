@@ -488,6 +488,7 @@ PlotResult plot(Ui& ui, std::string_view label, std::span<const PlotSeries> seri
     Node& node = ui.open(Role::plot, label, Axis::x,
                          Sense::hover | Sense::press | Sense::middle | Sense::focus | Sense::wheel | Sense::arrows_x |
                              Sense::arrows_y | Sense::extremes | Sense::typing | Sense::copying);
+    node.typed = TypedKeys::plot;
     const Id id = node.id;
     auto& memory = ui.memory<Gestures::Memory>(id);
     PlotState& state = options.state != nullptr ? *options.state : memory.own;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/canvas/timeline_drawing.h"
+#include "ui/canvas/timeline_rows.h"
 #include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 
@@ -36,6 +37,7 @@ struct Memory {
     TimelineState before;
     std::vector<Times> times;  ///< times of all items when the drag began
     std::vector<Built> built;  ///< nodes of the last build
+    TimelineRows rows;         ///< of the track that is being built
     Id range_ids[2] = {};
 };
 
@@ -380,16 +382,20 @@ void put_item(Ui& ui, Memory& m, Editing& editing, const TimelineState& state, c
     Node& node = ui.leaf(
         Role::list_item, item.name.empty() ? unnamed.view() : item.name,
         Sense::hover | Sense::press | Sense::focus | Sense::arrows_x | Sense::extremes | Sense::erase | Sense::typing);
+    node.typed = TypedKeys::timeline;
     m.built.push_back({node.id, track, index});
     const double low = std::max(item.start, view.low - view.length());
     const double high = std::min(item.end, view.high + view.length());
     const float least = mark ? ui.row_height() : ui.em(0.5F);
     const float width = static_cast<float>((high - low) * f.x.scale());
     node.placed = true;
-    node.placement = ui.arena().make(Placement{.fraction = {static_cast<float>((low - view.low) / view.length()), 0},
-                                               .pivot = {mark ? 0.5F : 0.0F, 0}});
+    const auto [row, rows] = m.rows.of(index);
+    const float height = 1.0F / static_cast<float>(rows);
+    node.placement = ui.arena().make(
+        Placement{.fraction = {static_cast<float>((low - view.low) / view.length()), height * static_cast<float>(row)},
+                  .pivot = {mark ? 0.5F : 0.0F, 0}});
     node.size[0] = mark || width < least ? px(least) : fraction(static_cast<float>((high - low) / view.length()));
-    node.size[1] = fraction(1);
+    node.size[1] = fraction(height);
     char from[32], to[32];
     const std::string_view start = format_position(from, item.start, o.rate, o.unit);
     node.text = mark ? ui.copy(start) : ui.join({start, " - ", format_position(to, item.end, o.rate, o.unit)});
@@ -421,6 +427,7 @@ void put_tracks(Ui& ui, Memory& m, Editing& editing, const TimelineState& state,
         lane.placed = lane.clips = true;
         lane.placement = ui.arena().make(Placement{.offset = {left, top}});
         lane.size[0] = grow(), lane.size[1] = px(f.lane - 1);
+        m.rows.place(tracks[t].items);
         for (std::size_t i = 0; i < tracks[t].items.size(); ++i) {
             const TimelineItem& item = tracks[t].items[i];
             const double margin = ui.row_height() / std::max(1e-9, f.x.scale());
@@ -491,6 +498,7 @@ TimelineEdit timeline(Ui& ui, std::string_view label, TimelineState& state, std:
     Node& node = ui.open(Role::timeline, label, Axis::x,
                          Sense::hover | Sense::press | Sense::middle | Sense::focus | Sense::wheel | Sense::arrows_x |
                              Sense::extremes | Sense::erase | Sense::typing);
+    node.typed = TypedKeys::timeline;
     const Id id = node.id;
     const float lanes = ui.em(1.9F) * static_cast<float>(std::max<std::size_t>(1, tracks.size()));
     node.size[0] = options.width;

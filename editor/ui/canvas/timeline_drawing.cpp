@@ -131,12 +131,13 @@ void draw_item(Painter& p, const Node& node, const ItemLook& look) {
         p.line(at, at, p.em(selected || hovered ? 0.85F : 0.7F), selected ? on_well(t, point_ink) : look.color);
         return;
     }
-    rect = rect.inset(0, p.em(0.12F));
+    rect = rect.inset(0, p.em(rect.h < p.em(1.2F) ? 0.03F : 0.12F));  // a low row needs its height for the name
     p.fill(rect, mix(t.well, look.color, selected ? 0.6F : hovered ? 0.48F : 0.38F), p.em(t.radius));
     p.frame(rect, selected ? on_well(t, 1) : look.color, p.hairline() * (selected ? 2.0F : 1.0F), p.em(t.radius));
     // The name is put into the visible part, so that the name of a long clip stays visible.
     const Rect seen = intersect(rect, node.clip).inset(p.em(0.5F), 0);
-    if (seen.w > p.em(1)) p.text(seen, node.shown, p.text_style(), on_well(t, 1));
+    const bool room = rect.h >= p.em(0.7F);  // the lowest have their name in the tooltip
+    if (seen.w > p.em(1) && room) p.text(seen, node.shown, p.text_style(), on_well(t, 1));
 }
 
 void draw_range_end(Painter& p, const Node& node, const bool& in) {

@@ -36,6 +36,7 @@ class Input : public Building {
     /// Shows a text below the node at once, without the pointer's resting there, in place of any tooltip: why what was
     /// done has no effect, or another one. For `seconds`, or 0 for as long as each build says it again.
     void explain(Id of, std::string_view text, double seconds = 0);
+    static constexpr double explained_for = 6;  ///< s: what became of an entry that has been left
 
   protected:
     using Building::Building;

@@ -77,6 +77,31 @@ bool takes(Sense sense, Key key, Mods mods) {
                                                                        c == ',' || c == '=' || c == '+'));
 }
 
+std::string_view keys_of(TypedKeys keys) {
+    switch (keys) {
+        case TypedKeys::timeline:
+            return "FIJKLOX";
+        case TypedKeys::plot:
+            return "FL=-+";
+        case TypedKeys::curve_point:
+            return "I0123456789.,-";
+        case TypedKeys::comparison:
+            return "FX01=-+";
+        case TypedKeys::all:
+            break;
+    }
+    return {};
+}
+
+bool takes(const Node& node, Key key, Mods mods) {
+    const bool plain = !has(mods, Mods::command) && !has(mods, Mods::alt);
+    if (plain && printable(key) && key != Key::space && has(node.sense, Sense::typing) &&
+        !has(node.sense, Sense::editing) && node.typed != TypedKeys::all &&
+        keys_of(node.typed).find(static_cast<char>(key)) == std::string_view::npos)
+        return false;
+    return takes(node.sense, key, mods);
+}
+
 /// A button that was clicked has the keyboard, but shows no ring. Space then runs the program's shortcut, if there is
 /// one; with the ring it presses the button.
 bool only_activates(Sense sense) {
@@ -126,7 +151,7 @@ void Ui::route_key(const Event& event) {
         return;
     }
     const bool unseen = node != nullptr && !ringed_ && begins_entry(node->sense, event.key);
-    if (node != nullptr && !unseen && takes(node->sense, event.key, event.mods)) {
+    if (node != nullptr && !unseen && !is_for_picture(*node, event) && takes(*node, event.key, event.mods)) {
         const bool pressed = has(node->sense, Sense::activate) && (event.key == Key::enter || event.key == Key::space);
         if (pressed && event.repeat && !has(node->sense, Sense::editing)) return;  // a button held down is one click
         ringed_ |= !has(node->sense, Sense::editing);  // an entry that was opened by pointer leaves none
@@ -136,11 +161,24 @@ void Ui::route_key(const Event& event) {
     if (!key_ran_shortcut_ && is_chord(event.key, event.mods) && send_to_around(event, Sense::chords)) return;
     if (key_ran_shortcut_ || navigate(event) || !printable(event.key)) return;
     // A letter that nothing took goes to the picture under the pointer, if it takes letters.
+    if (const Id picture = picture_for(event); picture != 0) send(picture, event);
+}
+
+/// The picture under the pointer that takes this letter; 0: none.
+Id Ui::picture_for(const Event& event) const {
     for (std::uint32_t i = index_before(hot_); i != no_node; i = nodes_before()[i].parent) {
-        const Sense sense = nodes_before()[i].sense;
-        if (has(sense, Sense::hover_keys) && has(sense, Sense::typing) && takes(sense, event.key, event.mods))
-            return send(nodes_before()[i].id, event);
+        const Node& node = nodes_before()[i];
+        if (has(node.sense, Sense::hover_keys) && has(node.sense, Sense::typing) && takes(node, event.key, event.mods))
+            return node.id;
     }
+    return 0;
+}
+
+/// Whether a letter that the node with the keyboard has as a key is meant for the picture under the pointer: a timeline
+/// that was clicked keeps the keyboard, without a ring, while the person goes on in the picture.
+bool Ui::is_for_picture(const Node& focused, const Event& event) const {
+    return !ringed_ && focused.typed != TypedKeys::all && printable(event.key) && event.key != Key::space &&
+           picture_for(event) != 0;
 }
 
 bool Ui::navigate(const Event& event) {

@@ -48,6 +48,7 @@ struct alignas(64) Node {
 
     // meaning, for tests and screen readers
     Role role = Role::none;
+    TypedKeys typed = TypedKeys::all;
     Is is = Is::nothing;
     Sense sense = Sense::none;
     std::string_view label, shown, text, tip;

@@ -81,7 +81,7 @@ enum class Sense : std::uint32_t {
     pages = 1 << 11,
     extremes = 1 << 12,  ///< Home and End, with Ctrl or without
     erase = 1 << 13,     ///< Backspace and Delete
-    typing = 1 << 14,    ///< what is typed, Enter
+    typing = 1 << 14,    ///< what is typed, Enter; of letters and digits only Node::typed, if it is set
     editing = 1 << 15,   ///< a text is being edited: all keys of a text field, also Esc and Ctrl+Z
     escape = 1 << 16,
     digits = 1 << 17,       ///< typed characters that can begin a number; Enter
@@ -106,6 +106,10 @@ constexpr Sense operator&(Sense a, Sense b) {
 constexpr bool has(Sense all, Sense one) {
     return (all & one) != Sense::none;
 }
+
+/// The characters that are keys of a node with Sense::typing: all of them where a text is typed; a canvas has a few,
+/// and the others stay shortcuts of the program. keys_of() lists them.
+enum class TypedKeys : std::uint8_t { all, timeline, plot, curve_point, comparison };
 
 /// The states of a node. Bits.
 enum class Is : std::uint16_t {

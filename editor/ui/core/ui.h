@@ -81,6 +81,8 @@ class Ui : public Inspection {
     // navigation.cpp: keys
     void route_key(const Event& event);
     bool takes_under_pointer(const Event& event);
+    Id picture_for(const Event& event) const;
+    bool is_for_picture(const Node& focused, const Event& event) const;
     bool navigate(const Event& event);
     void move_focus(int step);
     void move_panel(int step);

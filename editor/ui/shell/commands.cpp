@@ -176,10 +176,12 @@ bool CommandTable::run(std::size_t index) {
 
 bool CommandTable::press(Key key, Mods mods) {
     const Chord chord{key, mods};
-    if (const auto index = bound_to(chord)) return run(*index);
-    const auto entry = std::find_if(entries_.begin(), entries_.end(),
-                                    [&](const Entry& e) { return e.command.other && e.command.other == chord; });
-    return entry != entries_.end() && run(static_cast<std::size_t>(entry - entries_.begin()));
+    auto index = bound_to(chord);
+    for (std::size_t i = 0; i < entries_.size() && !index; ++i)
+        if (const Chord& other = entries_[i].command.other; other && other == chord) index = i;
+    if (!index || run(*index)) return index.has_value();
+    if (on_refused) on_refused(entries_[*index].command);
+    return false;
 }
 
 std::optional<std::size_t> CommandTable::bound_to(const Chord& chord) const {

@@ -70,7 +70,9 @@ class CommandTable : public Shortcuts {
     /// Returns whether it ran: not when it is disabled.
     bool run(std::size_t index);
     bool run(std::string_view id) { return run(index_of(id)); }
+    /// As run(). A chord of a command that is not enabled is told to `on_refused`, since nothing else says so.
     bool press(Key key, Mods mods) override;
+    std::function<void(const Command&)> on_refused{};
 
     const Chord& chord(std::size_t index) const { return entries_[index].chord; }
     const std::string& chord_text(std::size_t index) const { return entries_[index].chord_text; }

@@ -30,7 +30,6 @@ struct Picking {
 struct Unfinished {
     Id owner = 0;
 };
-constexpr double explained_for = 6;  // s: why a text was not taken
 constexpr Id unfinished_key = 0x636f6c6f7572ULL;
 
 struct ColorLook {
@@ -255,7 +254,7 @@ void put_hex(Session& s, const ColorOptions& options) {
         ui.explain(s.p.hex_field,
                    '"' + s.p.hex + (left ? "\" was not taken: " : "\" is no colour: ") +
                        "allowed are 3 or 6 digits of 0 to 9 and a to f, as #8a4a3c",
-                   left ? explained_for : 0);
+                   left ? Ui::explained_for : 0);
     }
     if (typed.began) s.begin("Hex");
     if (typed.changed && color) {

@@ -11,8 +11,6 @@ constexpr Id state_id = 0x706172616d2e7374ULL;
 constexpr float drag_after = 3;  // px at scale 1
 constexpr double page = 10;      // steps
 
-constexpr double explained_for = 6;  // s: what became of an entry that has been left
-
 /// The number of steps that a key makes; 0: it is not a key for stepping.
 double steps_of(Key key) {
     switch (key) {
@@ -112,7 +110,7 @@ void NumberGesture::once(NumberState& s, double next) {
 
 /// What a person has typed or pasted: says what becomes of it where it is not allowed.
 void NumberGesture::enter(NumberState& s, double next) {
-    if (const std::string told = beyond_limits(o_, next); !told.empty()) ui_.explain(id_, told, explained_for);
+    if (const std::string told = beyond_limits(o_, next); !told.empty()) ui_.explain(id_, told, Ui::explained_for);
     once(s, next);
 }
 
@@ -128,8 +126,10 @@ void NumberGesture::open(NumberState& s) {
 }
 
 void NumberGesture::type(NumberState& s, const Response& r) {
-    if (!r.focused) return close(s, r.focus_out);  // if it was disabled meanwhile, the entry is dropped
+    if (!r.focused && !r.focus_out) return close(s, false);  // if it was disabled meanwhile, the entry is dropped
+    // What was typed just before the keyboard went elsewhere may come in the same build as that.
     const NumberEntry::Outcome outcome = s.entry.take(ui_, id_, field_, context_of(o_, shown()));
+    if (!r.focused) return close(s, outcome != NumberEntry::Outcome::given_up);
     if (outcome != NumberEntry::Outcome::goes_on) close(s, outcome == NumberEntry::Outcome::taken);
 }
 
@@ -138,7 +138,7 @@ void NumberGesture::close(NumberState& s, bool keep) {
     if (keep && !s.entry.valid()) {
         const std::string& text = s.entry.text();
         ui_.explain(id_, (text.empty() ? "Nothing" : '"' + text + '"') + " was not taken: " + s.entry.reason(),
-                    explained_for);
+                    Ui::explained_for);
     }
     s.typing = 0;
     s.tabbed_at = static_cast<std::uint32_t>(ui_.builds());
@@ -230,7 +230,7 @@ void NumberGesture::keys(NumberState& s, const Response& r) {
         if (const auto pasted = number_to_paste(ui_, o_, shown()))
             enter(s, *pasted);
         else
-            ui_.explain(id_, "The clipboard has no number that can stand here", explained_for);
+            ui_.explain(id_, "The clipboard has no number that can stand here", Ui::explained_for);
     });
     if (!ui_.key_down(s.step_key) || !r.focused) end_steps(s);
 }

@@ -165,6 +165,20 @@ Edit edit_field(Ui& ui, Node& node, const Response& r, Field& field, std::string
     return result;
 }
 
+/// The field has lost the keyboard. What was typed just before belongs to it: a click may come in the same build.
+Edit leave_field(Ui& ui, Id id, std::string& text, bool focus_out) {
+    Editing& editing = ui.memory<Field>(id).editing;
+    Edit result;
+    if (focus_out) {
+        editing.follow(ui, text);
+        ui.events_of(id, [&](const Event& event) {
+            if (event.kind == EventKind::text) editing.take(ui, event, text, result);
+        });
+    }
+    result |= editing.close();
+    return result;
+}
+
 void draw_clear(Painter& painter, const Node& node, const bool& hovered) {
     const Theme& t = painter.theme();
     const Color ink = has(node.is, Is::disabled) ? t.text_disabled : hovered ? t.text : t.text_dim;
@@ -222,7 +236,7 @@ Edit put_field(Ui& ui, std::string_view label, std::string& text, const TextFiel
         }
         result = edit_field(ui, node, r, field, text, look);
     } else {
-        if (was_focused) result = ui.memory<Field>(node.id).editing.close();
+        if (was_focused) result = leave_field(ui, node.id, text, r.focus_out);
         look.text = ui.copy(std::string_view(text).substr(0, whole(text, window_bytes)));
     }
     node.text = text.size() == look.text.size() ? look.text : ui.copy({text.data(), whole(text, spoken_bytes)});

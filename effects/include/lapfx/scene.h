@@ -73,6 +73,14 @@ struct ReferenceLoop {
     bool set() const { return to > from; }
 };
 
+/// Where the reference lies under the preview when both are compared: moved, then scaled and turned about its middle.
+struct ReferencePlacement {
+    double right = 0.0, up = 0.0;  ///< heights of the picture
+    double scale = 1.0;
+    double rotation = 0.0;  ///< degrees, counter-clockwise
+    bool moved() const { return right != 0 || up != 0 || scale != 1 || rotation != 0; }
+};
+
 /// A place in the reference's picture: fractions of it from its upper left corner.
 struct PartCorner {
     double x = 0.0, y = 0.0;
@@ -109,6 +117,7 @@ struct SceneReference {
     double aspect = 0.0;  ///< width over height when shown; 0 = as stored
     ReferenceMarks marks{};
     ReferenceLoop loop{};
+    ReferencePlacement placement{};
     ReferenceMeasure measure = {};
     std::vector<ComparedRegion> regions = {};
 };

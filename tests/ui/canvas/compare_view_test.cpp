@@ -4,6 +4,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "ui/canvas/timeline.h"
 #include "ui/core/tree.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
@@ -294,6 +295,27 @@ TEST(CompareView, FHeldFlickersToTheSecond) {
     c.ui.send({.kind = EventKind::key_up, .key = key_of('F')});
     EXPECT_FALSE(c.last.flicker);
     EXPECT_NE(c.batch_of(InstanceKind::compare), nullptr);
+}
+
+TEST(CompareView, FFlickersThoughATimelineHasTheKeyboard) {
+    CompareState state;
+    TimelineState times;
+    TimelineTrack track{"Events", {{"Cut", 2, 4}}};
+    CompareResult last;
+    Harness ui([&](Ui& u) {
+        last = compare_view(u, "Takes", {.image = 7, .size = {200, 100}, .pixels = &one},
+                            {.image = 8, .size = {200, 100}, .pixels = &two}, state,
+                            {.width = px(400), .height = px(300)});
+        timeline(u, "Time", times, {&track, 1}, {.length = 10, .rate = 25});
+    });
+    times.view = {0, 5};
+    times.fitted = false;
+    ui.frame().click("Time/Events/Cut").move_to("Takes").send({.kind = EventKind::key, .key = key_of('F')});
+    EXPECT_TRUE(last.flicker);
+    EXPECT_FALSE(times.fitted) << "the timeline's F is for when the pointer is elsewhere";
+    ui.send({.kind = EventKind::key_up, .key = key_of('F')}).move_to("Time").key(key_of('F'));
+    EXPECT_FALSE(last.flicker);
+    EXPECT_TRUE(times.fitted);
 }
 
 TEST(CompareView, FFlickersOverTheHandlesOfTheLineAsWell) {

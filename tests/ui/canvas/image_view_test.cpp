@@ -63,6 +63,17 @@ struct Viewed {
     }
 };
 
+TEST(Readout, TheRoomBesideWhatIsKeptOffHasNothingOfIt) {
+    const Rect area{0, 0, 400, 300};
+    EXPECT_EQ(room_beside(area, {}, {100, 100}), area) << "nothing is kept off";
+    EXPECT_EQ(room_beside(area, {500, 0, 50, 50}, {100, 100}), area) << "it lies elsewhere";
+    EXPECT_EQ(room_beside(area, {100, 260, 200, 30}, {100, 100}), (Rect{0, 0, 400, 260})) << "above";
+    EXPECT_EQ(room_beside(area, {100, 10, 200, 30}, {100, 100}), (Rect{0, 40, 400, 260})) << "below";
+    EXPECT_EQ(room_beside(area, {150, 150, 240, 30}, {100, 200}), (Rect{0, 0, 150, 300})) << "left: too low elsewhere";
+    EXPECT_EQ(room_beside(area, {10, 100, 240, 100}, {100, 200}), (Rect{250, 0, 150, 300})) << "right";
+    EXPECT_TRUE(room_beside(area, {50, 100, 300, 100}, {100, 200}).empty());
+}
+
 TEST(ImageView, ShowsAllOfThePictureAndSaysItsZoom) {
     Viewed v;
     EXPECT_EQ(v.ui.value("Clip"), 2);

@@ -54,6 +54,25 @@ class TimelineTest : public testing::Test {
     const TimelineItem& bleed() const { return tracks[0].items[1]; }
 };
 
+TEST_F(TimelineTest, ItemsThatOverlapShareTheLaneAndNoneIsHidden) {
+    tracks[0].items = {{"Long", 1, 5}, {"Inside", 2, 3}, {"Over its end", 4.5, 6}, {"Alone", 6, 7}, {"Same", 6.5, 6.5}};
+    ui.frame().frame();
+    const float lane = ui.rect("Time/Events/Alone").h;
+    EXPECT_EQ(lane, 26);
+    const Rect all = ui.rect("Time/Events/Long"), inside = ui.rect("Time/Events/Inside"),
+               over = ui.rect("Time/Events/Over its end");
+    EXPECT_EQ(all.h, lane / 2);
+    EXPECT_EQ(inside.y, all.bottom());
+    EXPECT_EQ(over.y, inside.y) << "a row is used again";
+    EXPECT_EQ(ui.rect("Time/Events/Same").h, lane) << "marks have all of it";
+    ui.click("Time/Events/Inside");
+    EXPECT_TRUE(tracks[0].items[1].selected);
+    EXPECT_FALSE(tracks[0].items[0].selected);
+    tracks[0].items = {{"a", 0, 9}, {"b", 0, 9}, {"c", 0, 9}, {"d", 1, 2}};
+    ui.frame().frame();
+    EXPECT_NEAR(ui.rect("Time/Events/d").h, lane / 3, 1) << "three rows at most";
+}
+
 TEST_F(TimelineTest, ItemsAreNodesWhereTheyLie) {
     const Rect rect = ui.rect("Time/Events/Cut");
     EXPECT_EQ(rect.x, at(2).x);

@@ -91,8 +91,12 @@ TEST_F(CommandsTest, AChordRunsItsCommand) {
 
 TEST_F(CommandsTest, WhatIsDisabledDoesNotRun) {
     can_save = false;
+    std::string refused;
+    table.on_refused = [&](const Command& command) { refused += command.id + ';'; };
     EXPECT_FALSE(table.press(key_of('S'), Mods::command));
+    EXPECT_EQ(refused, "file.save;") << "a key says nothing by itself, so that it is told";
     EXPECT_FALSE(table.run("file.save"));
+    EXPECT_EQ(refused, "file.save;");
     EXPECT_EQ(ran, "");
     EXPECT_TRUE(table.run("file.open"));
 }

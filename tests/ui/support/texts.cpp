@@ -154,8 +154,8 @@ std::vector<TextSeen> texts_seen(const DrawList& list, Fonts& letters, float em)
                             i.y < last->y + last->h + em && i.y + i.h > last->y - em;
             if (!on) texts.push_back({.rect = {}, .glyphs = {}, .clip = clip});
             texts.back().glyphs.push_back(rect);
-            // A path may begin with it.
-            if (texts.back().glyphs.size() > 1) texts.back().elided |= ellipses.has(i);
+            // A path may begin with it: then it does not count, unless it is all that there is.
+            texts.back().elided = (texts.back().elided && texts.back().glyphs.size() > 2) || ellipses.has(i);
             last = &i;
         }
     }

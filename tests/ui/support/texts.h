@@ -19,7 +19,8 @@ struct TextSeen {
     Rect rect;                 ///< px, around the visible parts of its glyphs
     std::vector<Rect> glyphs;  ///< px, not clipped
     Rect clip;
-    bool elided = false;  ///< an ellipsis stands for its end; one at its beginning, as of a path, does not count
+    bool elided = false;  ///< an ellipsis stands for its end; one at its beginning, as of a path, counts
+                          ///< only where nothing follows
 };
 /// `em`, px, is used to recognise the ellipses of all sizes of text. `letters` are the fonts that the frame was drawn
 /// with.

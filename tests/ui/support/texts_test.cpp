@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "ui/support/harness.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/param.h"
@@ -67,6 +69,22 @@ TEST(Texts, NumbersPathsAndNamesWithoutTheirEndAreFound) {
     keeps_end = true, width = 160;
     ui.frame();
     EXPECT_THAT(cut(ui), IsEmpty()) << "the end of a path is seen: its beginning has given way";
+}
+
+TEST(Texts, AnEllipsisAloneIsFound) {
+    float width = 200;
+    Harness ui([&](Ui& u) {
+        label(u, "Wwwwwww", {.width = px(width)});
+        label(u, "/a/path/of/wwwwwww", {.path = true, .width = px(width)});
+        button(u, "Wwwwwww", {.width = px(width + std::ceil(1.4F * u.em(1)))});
+    });
+    EXPECT_THAT(cut(ui), IsEmpty());
+    width = ui.ui().text_width("\u2026") + 2;
+    ui.frame();
+    const auto texts = seen(ui);
+    ASSERT_EQ(texts.size(), 3U);
+    for (const TextSeen& text : texts) EXPECT_EQ(text.glyphs.size(), 1U);
+    EXPECT_THAT(cut(ui), testing::Contains(HasSubstr("nothing of it is left")).Times(3));
 }
 
 TEST(Texts, APathBeginsWithAWholeFolderWhereThereIsRoom) {

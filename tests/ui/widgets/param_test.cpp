@@ -286,6 +286,18 @@ TEST_F(Param, LeavingTheFieldTakesWhatIsTyped) {
     EXPECT_EQ(edits.committed, 1);
 }
 
+// As in a slow frame: the window hands over the last character and the click elsewhere together.
+TEST_F(Param, ACharacterAndAClickElsewhereInOneFrameLoseNothing) {
+    ui.focus("Speed").type("12.2");
+    const glm::vec2 elsewhere = ui.rect("Else").center();
+    ui.ui().push({.kind = EventKind::text, .codepoint = U'5'});
+    ui.ui().push({.kind = EventKind::pointer, .at = elsewhere});
+    ui.ui().push({.kind = EventKind::press, .at = elsewhere});
+    ui.frame();
+    EXPECT_EQ(speed, 12.25);
+    EXPECT_EQ(edits.committed, 1);
+}
+
 TEST_F(Param, TextIsEditedWithSelectionClipboardAndUndo) {
     ui.focus("Speed").key(Key::enter).key('C', Mods::command);
     EXPECT_EQ(ui.clipboard().text, "100");

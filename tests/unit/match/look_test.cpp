@@ -130,7 +130,7 @@ TEST(Look, TheRoundViewIsFoundAndBarsAreNone) {
             if (y < 30 || y >= height - 30) std::fill_n(bars.pixels.begin() + 4 * (y * width + x), 3, std::uint8_t{0});
     const LookProposal found = propose_look(bars, Tissue{.vignette = 1}.image(), look_of(Tissue{.vignette = 1}));
     EXPECT_EQ(found.look.vignette, 0);
-    EXPECT_TRUE(notes_contain(found, "no round surround"));
+    EXPECT_TRUE(notes_contain(found, "No round view"));
 }
 
 TEST(Look, ADiscIsFoundWhereverItLies) {

@@ -48,6 +48,7 @@ inline Scene full_scene() {
     scene.events = {{}, {.action = ToolAction::tear, .time = 2.0}};
     scene.curves = {.cautery_power = {{1.0, 0.5}}, .bleeding_strength = {{0.5, 2.0}}, .emission = {{3.0, 1.5}}};
     scene.reference.regions = {{.x = 0.1, .y = 0.2, .width = 0.3, .height = 0.4}};
+    scene.reference.placement = {.right = 0.25, .up = -0.125, .scale = 1.5, .rotation = -30};
     scene.reference.measure.parts = {{.corners = {{0.1, 0.1}, {0.2, 0.1}, {0.1, 0.3}}}};
     return scene;
 }

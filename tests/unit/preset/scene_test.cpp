@@ -93,6 +93,17 @@ TEST(Scene, NamesFaults) {
         {R"(, "reference": {"marks": {"smoke": 2}})",
          "/reference/marks/smoke: unknown key; nearest is \"smoke_peaks\""},
         {R"(, "reference": {"loop": {"from": 3, "to": 2}})", "/reference/loop/to: 2 s is before 3 s, where it begins"},
+        {R"(, "reference": {"placement": {"right": 2.5}})",
+         "/reference/placement/right: 2.5 is above the maximum 2 of the height (allowed: -2 to 2 of the height)"},
+        {R"(, "reference": {"placement": {"up": -3}})",
+         "/reference/placement/up: -3 is below the minimum -2 of the height (allowed: -2 to 2 of the height)"},
+        {R"(, "reference": {"placement": {"scale": 0}})",
+         "/reference/placement/scale: 0 is below the minimum 0.1 (allowed: 0.1 to 10)"},
+        {R"(, "reference": {"placement": {"rotation": "left"}})",
+         "/reference/placement/rotation: \"left\" is not a number from -180 to 180 deg"},
+        {R"(, "reference": {"placement": [0, 0]})", "/reference/placement: an array of 2 is not an object"},
+        {R"(, "reference": {"placement": {"rotate": 2}})",
+         "/reference/placement/rotate: unknown key; nearest is \"rotation\""},
         {R"(, "reference": {"measure": {"from": 4, "to": 3}})",
          "/reference/measure/to: 3 s is neither 0 nor after from, 4 s"},
         {R"(, "reference": {"measure": {"blood": {"redness": 0}}})",
@@ -115,6 +126,23 @@ TEST(Scene, NamesFaults) {
     };
     for (const Bad& bad : cases)
         EXPECT_THAT(scene_faults(scene_text(organ + bad.members)), ElementsAre("s.json: " + std::string(bad.fault)));
+}
+
+TEST(Scene, KeepsThePlacementOfTheReference) {
+    const Scene scene = parse_scene(
+        scene_text(organ + R"(, "reference": {"placement": {"right": 0.25, "scale": 1.5, "rotation": -30}})"),
+        "s.json");
+    const ReferencePlacement& placement = scene.reference.placement;
+    EXPECT_EQ(placement.right, 0.25);
+    EXPECT_EQ(placement.up, 0.0) << "what the file leaves out";
+    EXPECT_EQ(placement.scale, 1.5);
+    EXPECT_EQ(placement.rotation, -30.0);
+    EXPECT_TRUE(placement.moved());
+    const Scene again = parse_scene(write_scene(scene), "s.json");
+    EXPECT_EQ(again.reference.placement.rotation, -30.0);
+    EXPECT_EQ(again.reference.placement.scale, 1.5);
+    EXPECT_EQ(write_scene(again), write_scene(scene));
+    EXPECT_FALSE(ReferencePlacement{}.moved());
 }
 
 TEST(Scene, PathsMayLeaveTheFolder) {

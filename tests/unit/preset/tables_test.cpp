@@ -73,6 +73,7 @@ TEST(Tables, EveryMemberOfASceneHasItsRow) {
     expect_complete<ReferenceMarks>(*scene.find("reference")->find("marks"));
     expect_complete<ReferenceLoop>(*scene.find("reference")->find("loop"));
     const Table& reference = *scene.find("reference");
+    expect_complete<ReferencePlacement>(*reference.find("placement"));
     expect_complete<SceneReference>(reference);
     expect_complete<ComparedRegion>(*reference.find("regions"));
     const Table& measure = *reference.find("measure");

@@ -4,8 +4,10 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <opencv2/imgcodecs.hpp>
 
 #include "lapfx/preset.h"
@@ -470,6 +472,40 @@ TEST_F(SuggestUse, WhatIsNeitherIsNotSureAndTheLikelierIsSaid) {
     }));
     EXPECT_EQ(flame.use, VideoUse::smoke) << flame.reason;
     EXPECT_FALSE(flame.sure) << flame.reason;
+}
+
+TEST_F(SuggestUse, AVideoWithoutAFrameThatCanBeReadIsAFault) {
+    const std::filesystem::path file = folder / "blank.avi";
+    {
+        // More than are looked at, so that the first is not.
+        cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 20,
+                               {96, 72});
+        ASSERT_TRUE(writer.isOpened());
+        for (int i = 0; i < 40; ++i) writer.write(cv::Mat(72, 96, CV_8UC3, cv::Scalar(60, 70, 150 + i)));
+    }
+    std::string bytes;
+    {
+        std::ifstream in(file, std::ios::binary);
+        bytes.assign(std::istreambuf_iterator<char>(in), {});
+    }
+    // Each frame is a chunk with its length; what is in it goes, but for that of the first, with which it opens.
+    std::size_t frames = 0;
+    for (std::size_t at = bytes.find("movi"); (at = bytes.find("00dc", at)) != std::string::npos; ++frames) {
+        std::uint32_t length = 0;
+        std::memcpy(&length, bytes.data() + at + 4, sizeof length);
+        if (at + 8 + length > bytes.size()) break;
+        if (frames > 0) std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(at) + 8, length, '\0');
+        at += 8 + length;
+    }
+    ASSERT_GT(frames, 3U);
+    std::ofstream(file, std::ios::binary) << bytes;
+    try {
+        const UseSuggestion found = suggest_use(file);
+        FAIL() << "it says " << (found.use == VideoUse::smoke ? "smoke: " : "reference: ") << found.reason;
+    } catch (const Error& error) {
+        ASSERT_EQ(error.faults().size(), 1U);
+        EXPECT_EQ(error.faults()[0].text(), file.string() + ": not one of its pictures can be read");
+    }
 }
 
 TEST_F(SuggestUse, WhatIsNoVideoIsAFault) {
