@@ -32,9 +32,10 @@ class Editor(real_window.Window):
         self.drop_files = drop_files
         self.samples = os.path.join(shipped, "samples")
         self.clip = os.path.join(self.samples, "clips", "wisps_thin.mp4")
-        self.home = os.path.join(folder, "home")
-        homes = {key: os.path.join(self.home, key.lower()) for key in
-                 ("XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME")}
+        # A home for each: an editor that a case ends with unsaved work would be offered for recovery in the next.
+        self.home = tempfile.mkdtemp(prefix="home ", dir=folder)
+        homes = {key: os.path.join(self.home, key.lower()) for key in ("XDG_CONFIG_HOME", "XDG_STATE_HOME")}
+        homes["XDG_CACHE_HOME"] = os.path.join(folder, "cache")  # of compiled shaders: the same for all
         for path in homes.values():
             os.makedirs(path, exist_ok=True)
         # The first steps are not in what --dump tells, as in pictures of the editor.
