@@ -3,7 +3,7 @@
 // Method: 200 stills, each another view, and 20 clips of 30 frames, drawn at random from a seed: organ, its colour,
 // camera, light, preset, wounds and burns, noise of the camera, compression (bench_measure_renders.cpp). The true
 // amounts come from the layers of the renders (Preview::layers), before noise and compression: blood is each pixel
-// whose light blood changes by more than a tenth, smoke the mean of 1 - transmission. Each picture is measured by the
+// whose light blood changes by more than a tenth, veil the mean of 1 - transmission. Each picture is measured by the
 // estimator with a clear picture of the same view as baseline, as `lapfx measure` does. Printed: mean absolute error,
 // bias (measured minus true), correlation, and the share of intervals that hold the true amount (nine of ten should).
 // Speed: the whole of `lapfx measure` (baseline, survey, each frame, all decoding) on one core, for the shipped
@@ -45,7 +45,7 @@ constexpr double least_measurable = 0.9;
 struct Pair {
     int view;
     bool of_clip;
-    double true_blood, true_smoke;
+    double true_blood, true_veil;
     match::FrameAmounts measured;
 };
 
@@ -82,7 +82,7 @@ void measure_view(const KnownView& view, int index, bool of_clip, std::vector<Pa
     estimator.forget();
     double time = 0.0;
     for (const KnownFrame& frame : view.frames) {
-        pairs.push_back({index, of_clip, frame.blood, frame.smoke, estimator.measure(frame.picture, time)});
+        pairs.push_back({index, of_clip, frame.blood, frame.veil, estimator.measure(frame.picture, time)});
         time += 0.1;
     }
 }
@@ -105,28 +105,28 @@ void add_rows(BenchReport& report, const std::vector<Pair>& pairs, const std::st
         report.table += line;
     };
     add("blood", &Pair::true_blood, &match::FrameAmounts::blood, pairs, of);
-    add("smoke", &Pair::true_smoke, &match::FrameAmounts::smoke, pairs, of);
+    add("veil", &Pair::true_veil, &match::FrameAmounts::veil, pairs, of);
     if (of != "all") return;
     for (const auto& [low, high, name] :
-         {std::tuple{0.0, 0.2, "smoke below 0.2"}, {0.2, 0.5, "smoke 0.2 to 0.5"}, {0.5, 1.01, "smoke above 0.5"}}) {
+         {std::tuple{0.0, 0.2, "veil below 0.2"}, {0.2, 0.5, "veil 0.2 to 0.5"}, {0.5, 1.01, "veil above 0.5"}}) {
         std::vector<Pair> some;
         std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(some),
-                     [low, high](const Pair& p) { return p.true_smoke >= low && p.true_smoke < high; });
+                     [low, high](const Pair& p) { return p.true_veil >= low && p.true_veil < high; });
         add("blood", &Pair::true_blood, &match::FrameAmounts::blood, some, name);
-        add("smoke", &Pair::true_smoke, &match::FrameAmounts::smoke, some, name);
+        add("veil", &Pair::true_veil, &match::FrameAmounts::veil, some, name);
     }
 }
 
 void write_frames(const std::string& file, const std::vector<Pair>& pairs) {
     std::string text =
-        "view,clip,true_blood,blood,blood_low,blood_high,true_smoke,smoke,smoke_low,smoke_high,valid,likeness,rest,"
-        "hidden,told\n";
+        "view,clip,true_blood,blood,blood_low,blood_high,true_veil,veil,veil_low,veil_high,valid,likeness,rest,"
+        "hidden,flags\n";
     for (const Pair& p : pairs) {
         const match::FrameAmounts& m = p.measured;
         char line[320];
         std::snprintf(line, sizeof line, "%d,%d,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,%.4f,%.4f,%.4f,%.4f,%u\n",
-                      p.view, p.of_clip ? 1 : 0, p.true_blood, m.blood.value, m.blood.low, m.blood.high, p.true_smoke,
-                      m.smoke.value, m.smoke.low, m.smoke.high, m.valid, m.likeness, m.rest, m.hidden, m.flags);
+                      p.view, p.of_clip ? 1 : 0, p.true_blood, m.blood.value, m.blood.low, m.blood.high, p.true_veil,
+                      m.veil.value, m.veil.low, m.veil.high, m.valid, m.likeness, m.rest, m.hidden, m.flags);
         text += line;
     }
     write_file(file, text);

@@ -15,7 +15,7 @@ BenchReport bench_measure_pairs(const BenchOptions& options) {
         return true;
     });
     BenchReport report{.bench = "measure", .renderer = "nothing is drawn", .rows = {}, .ratios = {}, .table = {}};
-    report.table = "smoke of each with the other as its baseline; every fourth frame of videos\n\n";
+    report.table = "veil of each with the other as its baseline; every fourth frame of videos\n\n";
     double right = 0.0;
     for (const match::RankedPair& pair : pairs) {
         right += pair.right() ? 1.0 : 0.0;
@@ -23,8 +23,8 @@ BenchReport bench_measure_pairs(const BenchOptions& options) {
                                .measured = {{"frames", static_cast<double>(pair.frames)},
                                             {"frames_missing", static_cast<double>(pair.missing)},
                                             {"frames_not_measurable", static_cast<double>(pair.not_measurable)},
-                                            {"smoke_of_smoky", pair.of_smoky},
-                                            {"smoke_of_clear", pair.of_clear}}});
+                                            {"veil_of_smoky", pair.of_smoky},
+                                            {"veil_of_clear", pair.of_clear}}});
         char line[400];
         std::snprintf(line, sizeof line, "%-28.100s %6.3f   %-28.100s %6.3f   %s\n", pair.smoky.c_str(), pair.of_smoky,
                       pair.clear.c_str(), pair.of_clear, pair.right() ? "right" : "WRONG");

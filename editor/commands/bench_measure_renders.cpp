@@ -158,10 +158,10 @@ struct KnownRenders::State {
             if (!seen[i]) continue;
             all += 1.0;
             known.blood += layers.blood[i] != 0 ? 1.0 : 0.0;
-            known.smoke += static_cast<double>(layers.veil[i]);
+            known.veil += static_cast<double>(layers.veil[i]);
         }
         known.blood /= std::max(all, 1.0);
-        known.smoke /= std::max(all, 1.0);
+        known.veil /= std::max(all, 1.0);
         add_noise(random, drawn.noise, known.picture);
         return known;
     }

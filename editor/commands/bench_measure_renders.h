@@ -14,7 +14,7 @@ namespace lapfx::commands {
 struct KnownFrame {
     Image picture;       ///< with noise and compression
     double blood = 0.0;  ///< share of the view, 0..1
-    double smoke = 0.0;  ///< mean veil density of the view, 0..1
+    double veil = 0.0;   ///< mean over the view, 0..1
 };
 
 struct KnownView {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <opencv2/imgproc.hpp>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "commands/progress.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/video.h"
+#include "match/counted.h"
 #include "match/measure.h"
 #include "output/files.h"
 
@@ -25,7 +27,7 @@ namespace {
 constexpr int progress_steps = 100;
 
 struct Options {
-    std::string video, output, plot, region;
+    std::string video, output, plot, overlay, region;
     std::vector<std::string> masks;
     std::optional<double> baseline, to;
     double from = 0.0;
@@ -93,7 +95,7 @@ void print(const match::Measurement& found) {
     std::cout.precision(3);
     std::cout << "baseline: " << match::seconds_text(found.baseline) << (found.suggested ? ", suggested" : "") << '\n';
     print("blood", found.blood);
-    print("smoke", found.smoke);
+    print("veil", found.veil);
 }
 
 /// What library faults call by the name of a member is an option here.
@@ -101,10 +103,48 @@ Error at_option(const Error& error, const std::string& file) {
     std::vector<Fault> faults = error.faults();
     for (Fault& fault : faults) {
         if (fault.file.empty()) fault.file = file;
-        if (!fault.place.empty()) fault.place = "--" + fault.place;
+        if (!fault.place.empty() && error.failure() == Failure::bad_input) fault.place = "--" + fault.place;
     }
     return {error.failure(), std::move(faults)};
 }
+
+/// The frames that are measured with what was counted drawn over them; nothing without the option.
+class OverlayFile {
+  public:
+    OverlayFile(const std::string& path, const VideoInfo& info) {
+        if (!path.empty()) file_.emplace(path, info.frames_per_second, even(info.size));
+    }
+    explicit operator bool() const { return file_.has_value(); }
+    void add(Image& frame, const match::Estimator& estimator, const match::FrameAmounts& amounts) {
+        match::draw_counted(frame, estimator, amounts);
+        file_->add(even_of(frame));
+        ++frames_;
+    }
+    void finish() {
+        if (!file_) return;
+        Progress progress("checking the video", frames_);
+        while (file_->check()) progress.step();
+        file_->publish();
+    }
+
+  private:
+    /// A video has even sides.
+    static cv::Size even(glm::ivec2 size) { return {size.x + size.x % 2, size.y + size.y % 2}; }
+    /// Its last column and row once more, where a side is odd.
+    const Image& even_of(const Image& frame) {
+        const cv::Size size = even({frame.width, frame.height});
+        if (size.width == frame.width && size.height == frame.height) return frame;
+        even_.width = size.width, even_.height = size.height;
+        even_.pixels.resize(4 * static_cast<std::size_t>(size.area()));
+        const cv::Mat from(frame.height, frame.width, CV_8UC4, const_cast<std::uint8_t*>(frame.pixels.data()));
+        cv::Mat to(size, CV_8UC4, even_.pixels.data());
+        cv::copyMakeBorder(from, to, 0, size.height - frame.height, 0, size.width - frame.width, cv::BORDER_REPLICATE);
+        return even_;
+    }
+    std::optional<output::VideoFile> file_;
+    Image even_;
+    int frames_ = 0;
+};
 
 match::Measurement measure(VideoReader& video, const Options& o) {
     match::MeasureOptions options{.baseline = o.baseline, .from = o.from, .to = o.to};
@@ -112,12 +152,18 @@ match::Measurement measure(VideoReader& video, const Options& o) {
     if (!o.region.empty()) options.estimator.region = region_of(o.region, video.info().size);
     for (const std::string& mask : o.masks) options.estimator.masks.push_back(mask_of(mask, video.info().size));
     Progress progress("measuring", progress_steps);
+    OverlayFile overlay(o.overlay, video.info());  // after Progress: Ctrl-C leaves nothing of it
+    if (overlay)
+        options.measured = [&overlay](Image& frame, const match::Estimator& estimator,
+                                      const match::FrameAmounts& amounts) { overlay.add(frame, estimator, amounts); };
     int done = 0;
     try {
-        return match::measure(video, options, [&](double share) {
+        match::Measurement found = match::measure(video, options, [&](double share) {
             for (; done < static_cast<int>(share * progress_steps); ++done) progress.step();
             return true;
         });
+        overlay.finish();  // before anything else is written: only here a full disk is found
+        return found;
     } catch (const Error& error) {
         throw at_option(error, o.video);
     }
@@ -132,6 +178,11 @@ void check_outputs(const Options& o) {
     std::error_code none;
     if (!o.plot.empty() && fs::equivalent(o.plot, o.video, none))
         throw wrong_option("--plot", "\"" + o.plot + "\" is the picture that is measured");
+    if (o.overlay.empty()) return;
+    if (!output::is_video_name(o.overlay))
+        throw wrong_option("--overlay", "\"" + o.overlay + "\" is not the name of a video, such as out.mp4");
+    if (fs::equivalent(o.overlay, o.video, none))
+        throw wrong_option("--overlay", "\"" + o.overlay + "\" is the video that is measured");
 }
 
 void run(const Options& o) {
@@ -162,6 +213,13 @@ void add_blood(CLI::App& verb, const char* key, double& value) {
         ->capture_default_str();
 }
 
+/// The words of the column `flags`.
+std::string flag_words() {
+    std::string words;
+    for (const match::ToldRow& row : match::told_rows) words += (words.empty() ? "" : " ") + std::string(row.key);
+    return words;
+}
+
 }  // namespace
 
 void add_measure(CLI::App& app) {
@@ -185,13 +243,22 @@ void add_measure(CLI::App& app) {
     add_blood(*verb, "brightness", o->blood.brightness);
     verb->add_option("--plot", o->plot, "Draw both amounts over time, with their intervals, into this PNG")
         ->option_text("FILE");
+    verb->add_option("--overlay", o->overlay,
+                     "Write the measured frames as a video (.mp4) with what was counted drawn over them: blood "
+                     "yellow, veil blue, what is left out dark and hatched")
+        ->option_text("FILE");
     verb->add_option("-o,--output", o->output, "The amounts of each frame: .csv, or .json with all that was found")
         ->option_text("FILE")
         ->required();
     verb->footer(
-        "Blood is an area, smoke a veil density, both as shares of the view, 0 to 1, with an interval that holds the\n"
-        "true one in nine of ten frames of our renders (lapfx bench measure); real videos can be farther off. The\n"
-        "black surround, instruments and burnt-in text are left out.\n\n"
+        "Blood is the share of the view that is blood, veil how much of the light smoke takes: 1 - transmission,\n"
+        "mean over the view. Both are 0 to 1, with an interval that holds the true one in nine of ten frames of our\n"
+        "renders (lapfx bench measure); real videos can be farther off. The black surround, instruments and\n"
+        "burnt-in text are left out.\n\n"
+        "The columns of the CSV are time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags. What is not\n"
+        "measurable is empty, and the flags say why, words with one space between them:\n  " +
+        flag_words() +
+        "\n\n"
         "Example:\n  lapfx measure samples/reference/operation.mp4 --to 2 -o amounts.csv --plot amounts.png");
     verb->callback([o] { run(*o); });
 }

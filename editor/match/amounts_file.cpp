@@ -12,14 +12,21 @@ namespace lapfx::match {
 
 namespace {
 
-constexpr std::string_view columns = "time,blood,blood_low,blood_high,smoke,smoke_low,smoke_high,valid,likeness,told";
-constexpr std::size_t numbers = 9;  // columns before the last
+constexpr std::string_view columns = "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags";
+constexpr std::size_t numbers = 7;  // columns before the last
 
-std::string told_text(unsigned flags) {
+std::string flags_text(unsigned flags) {
     std::string text;
     for (const ToldRow& row : told_rows)
-        if ((flags & row.bit) != 0) text += (text.empty() ? "" : "|") + std::string(row.key);
+        if ((flags & row.bit) != 0) text += (text.empty() ? "" : " ") + std::string(row.key);
     return text;
+}
+
+std::string cells_of(const Amount& amount, bool measurable) {
+    if (!measurable) return ",,,";
+    char cells[64];
+    std::snprintf(cells, sizeof cells, ",%.5f,%.5f,%.5f", amount.value, amount.low, amount.high);
+    return cells;
 }
 
 Error refused(const std::string& name, std::size_t line, const std::string& reason) {
@@ -41,7 +48,7 @@ std::string quoted(std::string_view text) {
     return '"' + std::string(text.substr(0, most)) + (text.size() > most ? "...\"" : "\"");
 }
 
-/// One line of numbers and told words.
+/// One line of numbers and flags.
 class Row {
   public:
     Row(const std::string& name, std::size_t line, std::string_view text)
@@ -63,7 +70,12 @@ class Row {
                               (most == 1.0 ? "1" : "86400 s"));
         return value;
     }
-    Amount amount(std::size_t column) const {
+    /// Empty where the flags say that it is not measurable.
+    Amount amount(std::size_t column, bool measurable) const {
+        if (cells_[column].empty() && cells_[column + 1].empty() && cells_[column + 2].empty()) {
+            if (!measurable) return {};
+            throw refused(name_, line_, title(column) + ": is empty, and no flag says why");
+        }
         const Amount a{number(column, 1.0), number(column + 1, 1.0), number(column + 2, 1.0)};
         if (a.low <= a.value && a.value <= a.high) return a;
         throw refused(name_, line_, title(column) + ": its interval does not hold it");
@@ -71,7 +83,7 @@ class Row {
     unsigned flags() const {
         unsigned all = 0;
         if (cells_.back().empty()) return all;
-        for (const std::string_view word : split(cells_.back(), '|')) all |= bit_of(word);
+        for (const std::string_view word : split(cells_.back(), ' ')) all |= bit_of(word);
         return all;
     }
 
@@ -83,7 +95,7 @@ class Row {
             if (row.key == word) return row.bit;
             known += (known.empty() ? "" : ", ") + std::string(row.key);
         }
-        throw refused(name_, line_, "told: " + quoted(word) + " is not known (allowed: " + known + ")");
+        throw refused(name_, line_, "flags: " + quoted(word) + " is not known (allowed: " + known + ")");
     }
 
     const std::string& name_;
@@ -100,7 +112,8 @@ nlohmann::json json_of(const Episode& episode) {
     return made;
 }
 
-nlohmann::json json_of(const Amount& amount) {
+nlohmann::json json_of(const Amount& amount, bool measurable) {
+    if (!measurable) return nullptr;
     return {{"value", amount.value}, {"low", amount.low}, {"high", amount.high}};
 }
 
@@ -109,10 +122,10 @@ nlohmann::json json_of(const Amount& amount) {
 std::string csv_of(const Measurement& measurement) {
     std::string text = std::string(columns) + "\n";
     for (const FrameAmounts& f : measurement.frames) {
-        char line[200];
-        std::snprintf(line, sizeof line, "%.4f,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,%.4f,%.4f,", f.time, f.blood.value,
-                      f.blood.low, f.blood.high, f.smoke.value, f.smoke.low, f.smoke.high, f.valid, f.likeness);
-        text += line + told_text(f.flags) + "\n";
+        char time[32];
+        std::snprintf(time, sizeof time, "%.4f", f.time);
+        text += time + cells_of(f.blood, f.blood_measurable()) + cells_of(f.veil, f.measurable()) + "," +
+                flags_text(f.flags) + "\n";
     }
     return text;
 }
@@ -121,12 +134,11 @@ std::string json_of(const Measurement& measurement) {
     nlohmann::json frames = nlohmann::json::array();
     for (const FrameAmounts& f : measurement.frames)
         frames.push_back({{"time", f.time},
-                          {"blood", json_of(f.blood)},
-                          {"smoke", json_of(f.smoke)},
+                          {"blood", json_of(f.blood, f.blood_measurable())},
+                          {"veil", json_of(f.veil, f.measurable())},
                           {"valid", f.valid},
                           {"likeness", f.likeness},
-                          {"measurable", f.measurable()},
-                          {"told", told_text(f.flags)}});
+                          {"flags", flags_text(f.flags)}});
     const nlohmann::json whole{
         {"format", "lapfx.amounts"},
         {"version", 1},
@@ -136,7 +148,7 @@ std::string json_of(const Measurement& measurement) {
            {measurement.survey->light.color.r, measurement.survey->light.color.g, measurement.survey->light.color.b}},
           {"fall_off", measurement.survey->light.fall_off}}},
         {"blood", json_of(measurement.blood)},
-        {"smoke", json_of(measurement.smoke)},
+        {"veil", json_of(measurement.veil)},
         {"notes", measurement.notes},
         {"frames", std::move(frames)}};
     return whole.dump(2) + "\n";
@@ -156,10 +168,11 @@ std::vector<FrameAmounts> read_amounts(std::string_view csv, const std::string& 
         if (text.empty()) continue;
         const Row row(name, line, text);
         constexpr double day = 86'400.0;
-        FrameAmounts f{.time = row.number(0, day), .blood = row.amount(1), .smoke = row.amount(4)};
-        f.valid = row.number(7, 1.0);
-        f.likeness = row.number(8, 1.0);
+        FrameAmounts f;
+        f.time = row.number(0, day);
         f.flags = row.flags();
+        f.blood = row.amount(1, f.blood_measurable());
+        f.veil = row.amount(4, f.measurable());
         if (!frames.empty() && f.time <= frames.back().time)
             throw refused(name, line, "time: " + seconds_text(f.time) + " is not after that of the line before");
         frames.push_back(f);

@@ -20,7 +20,7 @@ struct Point {
 };
 
 const Amount& amount_of(const FrameAmounts& frame, Curve curve) {
-    return curve == Curve::blood ? frame.blood : frame.smoke;
+    return curve == Curve::blood ? frame.blood : frame.veil;
 }
 
 /// Running mean over `smoothing`, and over three frames at least.
@@ -59,11 +59,15 @@ std::optional<double> falls_past(const std::vector<Point>& points, std::size_t p
 
 }  // namespace
 
+bool measurable(const FrameAmounts& frame, Curve curve) {
+    return curve == Curve::blood ? frame.blood_measurable() : frame.measurable();
+}
+
 Episode episode_of(std::span<const FrameAmounts> frames, Curve curve) {
     std::vector<Point> raw;
     std::vector<double> halves;  // of the intervals
     for (const FrameAmounts& frame : frames) {
-        if (!frame.measurable()) continue;
+        if (!measurable(frame, curve)) continue;
         const Amount& amount = amount_of(frame, curve);
         raw.push_back({frame.time, amount.value, static_cast<std::size_t>(&frame - frames.data())});
         halves.push_back(0.5 * (amount.high - amount.low));

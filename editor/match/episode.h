@@ -19,9 +19,11 @@ struct Episode {
     std::optional<double> decay;    ///< from the peak until half of the way is gone
 };
 
-enum class Curve { blood, smoke };
+enum class Curve { blood, veil };
 
-/// Frames that are not measurable are left out.
+/// Whether a frame has that amount: blood behind dense smoke has none.
+bool measurable(const FrameAmounts& frame, Curve curve);
+/// Frames whose amount is not measurable are left out.
 Episode episode_of(std::span<const FrameAmounts> frames, Curve curve);
 
 }  // namespace lapfx::match

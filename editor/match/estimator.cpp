@@ -317,7 +317,7 @@ double Estimator::State::tint() const {
 }
 
 void Estimator::State::judge(FrameAmounts& amounts, bool moved) const {
-    if (moved) amounts.flags |= told::moved;
+    if (moved) amounts.flags |= told::motion;
     if (cut_from_last()) amounts.flags |= told::cut;
     if (tint() > other_tint) amounts.flags |= told::tinted;
     if (bleached()) amounts.flags |= told::bleached;
@@ -328,6 +328,7 @@ void Estimator::State::judge(FrameAmounts& amounts, bool moved) const {
     const bool covered = share_of(valid, placed_counted) < least_valid || share_of(counted, view) < least_valid;
     const bool strange = pale() || (amounts.likeness < unlike && share_of(foreign, placed_counted) > most_foreign);
     if (strange || covered || amounts.rest > most_rest || amounts.valid < 0.05) amounts.flags |= told::not_measurable;
+    if (amounts.measurable() && amounts.veil.value > dense_veil) amounts.flags |= told::dense;
 }
 
 FrameAmounts Estimator::State::amounts_of(double time, bool moved) {
@@ -340,7 +341,7 @@ FrameAmounts Estimator::State::amounts_of(double time, bool moved) {
     amounts.hidden = share_of(blood.hidden(), valid);
     if (area > 0.0) {
         amounts.blood.value = share_of(blood.blood(), valid);
-        amounts.smoke.value = cv::mean(veil.veil(), valid)[0];
+        amounts.veil.value = cv::mean(veil.veil(), valid)[0];
     }
     judge(amounts, moved);
     set_intervals(amounts);

@@ -6,7 +6,7 @@
 //     draw(estimator.blood(), estimator.veil());  // the layers of the frame measured last
 //
 // Blood: share of the valid view whose colour became redder than the qualifier asks, with the veil removed.
-// Smoke: mean veil density of the valid view, 1 - transmission. The model is that of scattering: a frame is
+// Veil: 1 - transmission of the smoke, mean over the valid view. The model is that of scattering: a frame is
 // baseline * (1 - veil) + light * veil, where `light` is the colour of dense smoke at each place (haze_light.h).
 // The valid view has no black surround, no instruments, no masked parts and no burnt-in text.
 // One thread at a time, any thread; no OpenGL. Pictures are measured at working_size(), whatever their own size.
@@ -37,24 +37,28 @@ struct Amount {
 namespace told {
 enum : unsigned {
     cut = 1U << 0,             ///< another view than in the frame before, which showed one
-    moved = 1U << 1,           ///< the camera moved strongly since the frame before
+    motion = 1U << 1,          ///< the camera moved strongly since the frame before
     not_measurable = 1U << 2,  ///< the tissue of the baseline is not in view: amounts mean nothing
     dark = 1U << 3,            ///< the picture is black: amounts mean nothing
     missing = 1U << 4,         ///< the file could not give this frame: the one before it was measured
     bleached = 1U << 5,        ///< large parts are at full white: nothing can be read there
     tinted = 1U << 6,          ///< the white balance differs from the baseline's
+    dense = 1U << 7,           ///< the veil is denser than dense_veil: blood behind it means nothing
 };
 }
+
+/// Mean veil beyond which blood is hidden: of a veil of one half nine tenths of the blood were missed.
+inline constexpr double dense_veil = 0.4;
 
 /// One row for each bit, in their order.
 struct ToldRow {
     unsigned bit;
-    std::string_view key;   ///< in CSV and JSON: "not_measurable"
+    std::string_view key;   ///< in the flags of CSV and JSON: "not_measurable"
     std::string_view help;  ///< for people, as the end of "12 frames: ..."
 };
 inline constexpr ToldRow told_rows[] = {
     {told::cut, "cut", "another view than in the frame before"},
-    {told::moved, "moved", "the camera moves strongly; the baseline is laid over the new place"},
+    {told::motion, "motion", "the camera moves strongly; the baseline is laid over the new place"},
     {told::not_measurable, "not_measurable",
      "not measurable, because the tissue of the baseline is not in view: another view, something before it, or liquid "
      "on the lens"},
@@ -63,18 +67,20 @@ inline constexpr ToldRow told_rows[] = {
     {told::bleached, "bleached", "a quarter or more of the view is at full white, where nothing can be read"},
     {told::tinted, "tinted",
      "the white balance differs from that of the baseline, which a measure of colour takes for smoke or blood"},
+    {told::dense, "dense", "blood is not measurable, because the veil before it is denser than 40 %"},
 };
 
 struct FrameAmounts {
     double time = 0.0;      ///< s of the video
     Amount blood;           ///< area fraction of the valid view
-    Amount smoke;           ///< mean veil density of the valid view
+    Amount veil;            ///< mean over the valid view of 1 - transmission of the smoke
     double valid = 0.0;     ///< share of the picture that is the valid view, 0..1
     double likeness = 0.0;  ///< how much of the baseline's texture is there, 0 none .. 1 all
     double rest = 0.0;      ///< share of the frame's light that neither tissue, smoke nor blood explain
     double hidden = 0.0;    ///< share of the valid view where smoke or the dark hides the colour
     unsigned flags = 0;     ///< bits of told::
     bool measurable() const { return (flags & (told::not_measurable | told::dark)) == 0; }
+    bool blood_measurable() const { return measurable() && (flags & told::dense) == 0; }
 };
 
 /// A part of the picture that is not measured: corners as fractions of the picture, from its upper left corner.

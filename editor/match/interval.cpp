@@ -11,8 +11,8 @@ namespace {
 // Half of an interval grows with the amount, with the smoke before the tissue, with what the model leaves unexplained
 // and with what cannot be read. The factors were fitted to the 200 stills and 20 clips of `lapfx bench measure --seed
 // 1` so that nine of ten intervals hold the true amount; other seeds show whether they do.
-constexpr double smoke_least = 0.0115, smoke_of_smoke = 0.17, smoke_of_rest = 0.17;
-constexpr double blood_least = 0.018, blood_of_blood = 0.18, blood_of_smoke = 0.18, blood_of_rest = 0.18,
+constexpr double veil_least = 0.0115, veil_of_veil = 0.17, veil_of_rest = 0.17;
+constexpr double blood_least = 0.018, blood_of_blood = 0.18, blood_of_veil = 0.18, blood_of_rest = 0.18,
                  blood_of_hidden = 0.36;
 // Renders leave little unexplained. Where tissue moves or is turned in a real video, more is left, and what came into
 // sight is taken for blood: two clear clips without new blood gave this factor.
@@ -26,7 +26,7 @@ struct Wider {
     unsigned bit;
     double factor;
 };
-constexpr Wider wider[] = {{told::tinted, 1.5}, {told::bleached, 1.25}, {told::moved, 1.25}};
+constexpr Wider wider[] = {{told::tinted, 1.5}, {told::bleached, 1.25}, {told::motion, 1.25}};
 
 void set(Amount& amount, double half) {
     amount.low = std::max(amount.value - half, 0.0);
@@ -42,17 +42,17 @@ void hold(Amount& amount, const Amount& other) {
 
 void set_intervals(FrameAmounts& a) {
     if (!a.measurable()) {  // nothing is known
-        set(a.smoke, 1.0);
+        set(a.veil, 1.0);
         set(a.blood, 1.0);
         return;
     }
     double factor = 1.0;
     for (const Wider& row : wider)
         if ((a.flags & row.bit) != 0) factor *= row.factor;
-    set(a.smoke, factor * (smoke_least + smoke_of_smoke * a.smoke.value + smoke_of_rest * a.rest));
-    set(a.blood, factor * (blood_least + blood_of_blood * a.blood.value + blood_of_smoke * a.smoke.value +
-                           blood_of_rest * a.rest + blood_of_more_rest * std::max(a.rest - usual_rest, 0.0) +
-                           blood_of_hidden * a.hidden));
+    set(a.veil, factor * (veil_least + veil_of_veil * a.veil.value + veil_of_rest * a.rest));
+    set(a.blood,
+        factor * (blood_least + blood_of_blood * a.blood.value + blood_of_veil * a.veil.value + blood_of_rest * a.rest +
+                  blood_of_more_rest * std::max(a.rest - usual_rest, 0.0) + blood_of_hidden * a.hidden));
 }
 
 void widen_missing(std::span<FrameAmounts> frames) {
@@ -66,10 +66,10 @@ void widen_missing(std::span<FrameAmounts> frames) {
             if (from > 0 && to < frames.size())
                 for (const std::size_t beside : {from - 1, to}) {
                     hold(frames[i].blood, frames[beside].blood);
-                    hold(frames[i].smoke, frames[beside].smoke);
+                    hold(frames[i].veil, frames[beside].veil);
                 }
             else
-                set(frames[i].blood, 1.0), set(frames[i].smoke, 1.0);
+                set(frames[i].blood, 1.0), set(frames[i].veil, 1.0);
         }
         from = to;
     }

@@ -79,10 +79,13 @@ void sum_up(Measurement& found) {
                                ": no peak, mean, onset or decay is given. Choose a baseline or a part of one view.");
         return;
     }
-    found.blood = episode_of(found.frames, Curve::blood);
-    found.smoke = episode_of(found.frames, Curve::smoke);
-    if (!found.blood.peak_at) found.notes.emplace_back("Blood: no change beyond the error of measuring.");
-    if (!found.smoke.peak_at) found.notes.emplace_back("Smoke: no change beyond the error of measuring.");
+    const auto with_blood = std::count_if(found.frames.begin(), found.frames.end(),
+                                          [](const FrameAmounts& f) { return f.blood_measurable(); });
+    if (static_cast<double>(with_blood) >= mostly * all) found.blood = episode_of(found.frames, Curve::blood);
+    found.veil = episode_of(found.frames, Curve::veil);
+    if (found.blood.peak && !found.blood.peak_at)
+        found.notes.emplace_back("Blood: no change beyond the error of measuring.");
+    if (!found.veil.peak_at) found.notes.emplace_back("Veil: no change beyond the error of measuring.");
 }
 
 }  // namespace
@@ -134,12 +137,14 @@ Measurement measure(VideoReader& video, const MeasureOptions& options, const Pro
     found.survey = estimator.surveyed();
 
     found.frames.reserve(static_cast<std::size_t>(count));
+    Image drawn;  // a copy: a frame that the file cannot give is the one before
     for (int frame = first; frame <= last; frame += step) {
         reach(progress, survey_share + (1.0 - survey_share) * (frame - first) / std::max(last - first, 1));
         const bool good = video.read(frame, image);
         FrameAmounts amounts = estimator.measure(image, video.time_of(frame));
         if (!good) amounts.flags |= told::missing;
         found.frames.push_back(amounts);
+        if (options.measured) options.measured(drawn = image, estimator, amounts);
     }
     widen_missing(found.frames);
     sum_up(found);

@@ -8,6 +8,7 @@
 // frame.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,9 @@ struct MeasureOptions {
     double from = 0.0;                    ///< s, the first that is measured
     std::optional<double> to = {};        ///< s, the last; none: to the end
     int every = 1;                        ///< measures every n-th frame
+    /// Given each frame once it was measured, with the layers of the estimator; it may draw on the frame. Its amounts
+    /// are those that are found of it alone. What it throws ends measuring.
+    std::function<void(Image& frame, const Estimator& estimator, const FrameAmounts& amounts)> measured = {};
 };
 
 struct Measurement {
@@ -34,7 +38,7 @@ struct Measurement {
     double baseline = 0.0;                                                    ///< s of the frame that was taken
     bool suggested = false;                                                   ///< the baseline was found, not given
     std::shared_ptr<const Survey> survey = std::make_shared<const Survey>();  ///< never null
-    Episode blood, smoke;            ///< without figures where most frames are not measurable
+    Episode blood, veil;             ///< without figures where most frames do not have the amount
     std::vector<std::string> notes;  ///< what a reader of the figures should know, one line each
 };
 
@@ -57,14 +61,15 @@ std::string seconds_text(double time);
 /// when `progress` stopped it.
 Measurement measure(VideoReader& video, const MeasureOptions& options, const Progress& progress = {});
 
-/// One row a frame: "time,blood,blood_low,blood_high,smoke,smoke_low,smoke_high,valid,likeness,told".
+/// One row a frame: "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags". What is not measurable is empty,
+/// and the flags, words with one space between them, say why.
 std::string csv_of(const Measurement& measurement);
-/// The same with baseline, light, episodes and notes.
+/// The same with baseline, light, episodes, notes, and how well each frame is seen.
 std::string json_of(const Measurement& measurement);
-/// Blood and smoke over time with their intervals and episodes, 1280x720.
+/// Blood and veil over time with their intervals and episodes, 1280x720.
 Image plot_of(const Measurement& measurement);
-/// Reads what csv_of wrote. `name` stands in messages. Throws Error (bad_input) for missing or foreign columns and
-/// values, naming the line.
+/// Reads what csv_of wrote. `name` stands in messages. Amounts that are not measurable are 0. Throws Error (bad_input)
+/// for missing or foreign columns and values, naming the line.
 std::vector<FrameAmounts> read_amounts(std::string_view csv, const std::string& name);
 
 }  // namespace lapfx::match

@@ -101,8 +101,8 @@ RankedPair ranked(const fs::path& smoky, const fs::path& clear, int every) {
             ++pair.not_measurable;
             continue;
         }
-        pair.of_smoky += of_smoky->smoke.value;
-        pair.of_clear += of_clear->smoke.value;
+        pair.of_smoky += of_smoky->veil.value;
+        pair.of_clear += of_clear->veil.value;
         ++pair.frames;
     }
     if (pair.frames == 0)

@@ -1,4 +1,4 @@
-// The plot of a measurement: blood above, smoke below, each with its interval and the times of its episode. Drawn with
+// The plot of a measurement: blood above, veil below, each with its interval and the times of its episode. Drawn with
 // OpenCV, so that it needs neither a window nor OpenGL.
 #include <algorithm>
 #include <cmath>
@@ -28,12 +28,7 @@ const Panel panels[] = {
      &Measurement::blood,
      {40, 40, 190},
      {205, 205, 242}},
-    {"Smoke, mean veil density",
-     Curve::smoke,
-     &FrameAmounts::smoke,
-     &Measurement::smoke,
-     {150, 105, 60},
-     {232, 220, 205}},
+    {"Veil, mean over the view", Curve::veil, &FrameAmounts::veil, &Measurement::veil, {150, 105, 60}, {232, 220, 205}},
 };
 
 /// A round number of at least `value`.
@@ -84,13 +79,13 @@ void draw_grid(cv::Mat& on, const Axes& axes) {
     }
 }
 
-/// Runs of measurable frames: lines and bands are not drawn across what was not measured.
+/// Runs of frames that have the amount or not: lines and bands are not drawn across what was not measured.
 template <typename Take>
-void each_run(const std::vector<FrameAmounts>& frames, Take take) {
+void each_run(const std::vector<FrameAmounts>& frames, Curve curve, Take take) {
     for (std::size_t from = 0; from < frames.size();) {
         std::size_t to = from;
-        while (to < frames.size() && frames[to].measurable() == frames[from].measurable()) ++to;
-        take(std::span(frames).subspan(from, to - from), frames[from].measurable());
+        while (to < frames.size() && measurable(frames[to], curve) == measurable(frames[from], curve)) ++to;
+        take(std::span(frames).subspan(from, to - from), measurable(frames[from], curve));
         from = to;
     }
 }
@@ -128,20 +123,20 @@ cv::Mat draw(const Panel& panel, const Measurement& found) {
     cv::Mat on(panel_height, width, CV_8UC3, cv::Scalar::all(255));
     double most = 0.02;
     for (const FrameAmounts& f : found.frames)
-        if (f.measurable()) most = std::max(most, (f.*panel.amount).high);
+        if (measurable(f, panel.curve)) most = std::max(most, (f.*panel.amount).high);
     const Axes axes(found.frames.front().time, found.frames.back().time, round_up(most));
     const double half_frame =
         0.5 * axes.length() / std::max<double>(static_cast<double>(found.frames.size()) - 1.0, 1.0);
-    each_run(found.frames, [&](std::span<const FrameAmounts> run, bool measurable) {
-        if (measurable) return;
+    each_run(found.frames, panel.curve, [&](std::span<const FrameAmounts> run, bool has_any) {
+        if (has_any) return;
         const int from = std::max(axes.x(run.front().time - half_frame), left);
         const int to = std::min(axes.x(run.back().time + half_frame), width - right);
         cv::rectangle(on, {from, top}, {to, panel_height - bottom}, unmeasured, cv::FILLED);
         if (to - from > 110) write(on, "not measurable", {from + 6, panel_height - bottom - 8}, 0.42, ink);
     });
     draw_grid(on, axes);
-    each_run(found.frames, [&](std::span<const FrameAmounts> run, bool measurable) {
-        if (measurable) draw_curve(on, axes, panel, run);
+    each_run(found.frames, panel.curve, [&](std::span<const FrameAmounts> run, bool has_any) {
+        if (has_any) draw_curve(on, axes, panel, run);
     });
     write(on, panel.title, {left, 24}, 0.6, ink);
     draw_episode(on, axes, panel, found.*panel.episode);

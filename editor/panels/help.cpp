@@ -34,13 +34,10 @@ constexpr SheetLine on_pictures[] = {
     {"The other picture, while held", "F"},
 };
 constexpr SheetLine on_times[] = {
-    {"Go to a time", "drag ruler"},
-    {"Zoom", "wheel"},
-    {"Pan", "Shift+wheel, middle drag"},
-    {"Move, stretch an event", "drag it or its end"},
-    {"Select one more event", "Shift+click"},
-    {"Move without snapping", "Ctrl+drag"},
-    {"All of it", "F"},
+    {"Go to a time", "drag ruler"},         {"Zoom", "wheel"},
+    {"Pan", "Shift+wheel, middle drag"},    {"Move an event", "drag it"},
+    {"Stretch an event", "drag its end"},   {"Select one more event", "Shift+click"},
+    {"Move without snapping", "Ctrl+drag"}, {"All of it", "F"},
 };
 constexpr SheetLine on_plots[] = {
     {"Pan", "drag"},

@@ -127,8 +127,12 @@ void caption(ui::Ui& ui, const MeasureParts& on) {
         return ui::label(ui, ui.join({"This frame: ", not_measurable_text(found)}),
                          {.tone = ui::Tone::warning, .width = ui::grow()});
     char text[96];
-    std::snprintf(text, sizeof text, "%.2f s: blood %.1f %%, smoke %.1f %%", found.time, 100 * found.blood.value,
-                  100 * found.smoke.value);
+    if (found.blood_measurable())
+        std::snprintf(text, sizeof text, "%.2f s: blood %.1f %%, veil %.1f %%", found.time, 100 * found.blood.value,
+                      100 * found.veil.value);
+    else
+        std::snprintf(text, sizeof text, "%.2f s: veil %.1f %%, too dense to see blood", found.time,
+                      100 * found.veil.value);
     ui::label(ui, ui.copy(text), {.number = true});
 }
 

@@ -60,24 +60,24 @@ std::string_view percent(ui::Ui& ui, const std::optional<double>& share) {
     return share ? formatted(ui, "%.1f %%", 100 * *share) : "-";
 }
 
-void episodes(ui::Ui& ui, const match::Episode& blood, const match::Episode& smoke) {
-    line(ui, "", "Blood", "Smoke", "", true);
-    line(ui, "Peak", percent(ui, blood.peak), percent(ui, smoke.peak), "The largest amount, smoothed over 0.2 s");
-    line(ui, "Peak at", seconds(ui, blood.peak_at), seconds(ui, smoke.peak_at),
+void episodes(ui::Ui& ui, const match::Episode& blood, const match::Episode& veil) {
+    line(ui, "", "Blood", "Veil", "", true);
+    line(ui, "Peak", percent(ui, blood.peak), percent(ui, veil.peak), "The largest amount, smoothed over 0.2 s");
+    line(ui, "Peak at", seconds(ui, blood.peak_at), seconds(ui, veil.peak_at),
          "Nothing where the amount stays within its own uncertainty");
-    line(ui, "Onset", seconds(ui, blood.onset), seconds(ui, smoke.onset),
+    line(ui, "Onset", seconds(ui, blood.onset), seconds(ui, veil.onset),
          "When a tenth of the way from the least to the largest amount is passed for the last time before the peak");
-    line(ui, "Rise", seconds(ui, blood.rise), seconds(ui, smoke.rise), "From a tenth to nine tenths of that way");
-    line(ui, "Decay", seconds(ui, blood.decay), seconds(ui, smoke.decay),
+    line(ui, "Rise", seconds(ui, blood.rise), seconds(ui, veil.rise), "From a tenth to nine tenths of that way");
+    line(ui, "Decay", seconds(ui, blood.decay), seconds(ui, veil.decay),
          "From the peak until half of that way is left");
-    line(ui, "Mean", percent(ui, blood.mean), percent(ui, smoke.mean),
+    line(ui, "Mean", percent(ui, blood.mean), percent(ui, veil.mean),
          "Over the time that can be measured; nothing where most of it cannot");
-    line(ui, "Area", seconds(ui, blood.area), seconds(ui, smoke.area), "Area under the curve: shares times seconds");
+    line(ui, "Area", seconds(ui, blood.area), seconds(ui, veil.area), "Area under the curve: shares times seconds");
 }
 
 // --- curves ----------------------------------------------------------------------------------------------------------
 
-/// Value, low and high, of blood and of smoke, in %.
+/// Value, low and high, of blood and of veil, in %.
 struct Curves {
     std::uint64_t version = 0;
     std::vector<double> times;
@@ -94,10 +94,11 @@ void take_curves(Curves& curves, const app::Measuring& measuring) {
     for (auto& values : curves.values) values.clear();
     for (const FrameAmounts& frame : frames) {
         curves.times.push_back(frame.time);
-        const double unit = frame.measurable() ? 100 : std::numeric_limits<double>::quiet_NaN();
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        const double unit = frame.measurable() ? 100 : none, blood_unit = frame.blood_measurable() ? 100 : none;
         const std::array<double, 6> all = {frame.blood.value, frame.blood.low, frame.blood.high,
-                                           frame.smoke.value, frame.smoke.low, frame.smoke.high};
-        for (std::size_t i = 0; i < all.size(); ++i) curves.values[i].push_back(unit * all[i]);
+                                           frame.veil.value,  frame.veil.low,  frame.veil.high};
+        for (std::size_t i = 0; i < all.size(); ++i) curves.values[i].push_back((i < 3 ? blood_unit : unit) * all[i]);
     }
     for (std::size_t i = 0; i < curves.data.size(); ++i) curves.data[i].set(curves.values[i], curves.times);
     curves.state = {};
@@ -124,10 +125,14 @@ void frame_figures(ui::Ui& ui, const app::MeasureBench& bench) {
     if (!bench.ready()) return ui::label(ui, "-", {.tone = ui::Tone::dim});
     const FrameAmounts& found = bench.amounts();
     if (found.measurable()) {
-        amount_line(ui, "Blood", found.blood,
-                    "Share of the valid view that is blood, and where the true one is in nine of ten frames of our own "
-                    "renders; of real video it is not known");
-        amount_line(ui, "Smoke", found.smoke,
+        const std::string_view tip =
+            "Share of the valid view that is blood, and where the true one is in nine of ten frames of our own "
+            "renders; of real video it is not known";
+        if (found.blood_measurable())
+            amount_line(ui, "Blood", found.blood, tip);
+        else
+            line(ui, "Blood", "-", "", tip);
+        amount_line(ui, "Veil", found.veil,
                     "Mean density of the smoke in the valid view, and where the true one is in nine of ten frames of "
                     "our own renders; of real video it is not known");
     } else {
@@ -158,7 +163,7 @@ void whole_figures(ui::Ui& ui, const MeasureParts& on) {
                       : "From before the last change: measure again.",
                 ui::Tone::warning);
     }
-    episodes(ui, found->blood, found->smoke);
+    episodes(ui, found->blood, found->veil);
     for (const std::string& note : found->notes) wrapped(ui, note, ui::Tone::warning);
     const ui::Row buttons(ui, {.width = ui::grow()});
     for (const char* id : {"measure.export_csv", "measure.export_json", "measure.export_png"})
@@ -173,7 +178,7 @@ void amounts_plot(ui::Ui& ui, const MeasureParts& on, ui::Size height) {
                                                     .color = app::blood_series,
                                                     .low = &curves.data[1],
                                                     .high = &curves.data[2]},
-                                                   {.name = "Smoke",
+                                                   {.name = "Veil",
                                                     .data = &curves.data[3],
                                                     .color = app::smoke_series,
                                                     .low = &curves.data[4],

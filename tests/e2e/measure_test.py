@@ -3,11 +3,13 @@
 import csv
 import json
 import os
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 
-COLUMNS = "time,blood,blood_low,blood_high,smoke,smoke_low,smoke_high,valid,likeness,told".split(",")
+COLUMNS = "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags".split(",")
 
 
 def run(lapfx, *arguments):
@@ -23,24 +25,92 @@ def check_output(lapfx, reference, folder):
     amounts, plot, whole = (os.path.join(folder, name) for name in ("a.csv", "a.png", "a.json"))
     code, said, told = run(lapfx, reference, "--baseline", "0", "--to", "1", "-o", amounts, "--plot", plot)
     assert code == 0, told
-    assert said.startswith("baseline: 0.00 s\nblood: peak ") and "\nsmoke: peak " in said, said
+    assert said.startswith("baseline: 0.00 s\nblood: peak ") and "\nveil: peak " in said, said
     rows = list(csv.DictReader(open(amounts)))
     assert list(rows[0]) == COLUMNS and len(rows) == 26, (list(rows[0]), len(rows))
     for row in rows:
-        for amount in ("blood", "smoke"):
+        for amount in ("blood", "veil"):
             low, value, high = (float(row[amount + end]) for end in ("_low", "", "_high"))
             assert 0 <= low <= value <= high <= 1, row
     assert open(plot, "rb").read(8) == b"\x89PNG\r\n\x1a\n"
     halves = ["--mask", "0,0,320,0,320,512,0,512", "--mask", "0.5,0,1,0,1,0.5,0.5,0.5"]
-    masked = os.path.join(folder, "m.csv")
+    masked = os.path.join(folder, "m.json")
     code, _, told = run(lapfx, reference, "--baseline", "0", "--to", "0.2", *halves, "-o", masked)
     assert code == 0, told
-    share = float(next(csv.DictReader(open(masked)))["valid"]) / float(rows[0]["valid"])
-    assert 0.15 < share < 0.35, share
     code, _, told = run(lapfx, reference, "--to", "0.4", "-o", whole)
     assert code == 0, told
     found = json.load(open(whole))
     assert found["format"] == "lapfx.amounts" and found["baseline"]["suggested"] and len(found["frames"]) == 11
+    share = json.load(open(masked))["frames"][0]["valid"] / found["frames"][0]["valid"]
+    assert 0.15 < share < 0.35, share
+    first = found["frames"][0]
+    assert first["flags"] == "" and first["veil"]["low"] <= first["veil"]["value"] <= first["veil"]["high"], first
+
+
+def pixels_of(video, frame, width, height):
+    """RGB of one frame; a pixel is at 3 * (y * width + x)."""
+    raw = subprocess.run(["ffmpeg", "-v", "error", "-i", video, "-vf", f"select=eq(n\\,{frame})", "-frames:v", "1",
+                          "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], check=True, capture_output=True).stdout
+    assert len(raw) == 3 * width * height, (video, len(raw))
+    return raw
+
+
+def mean_at(pixels, width, x, y, side=8):
+    """Mean colour of a square."""
+    at = [3 * ((y + j) * width + x + i) for j in range(side) for i in range(side)]
+    return [sum(pixels[i + c] for i in at) / len(at) for c in range(3)]
+
+
+def stream_of(video):
+    done = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
+                           "stream=nb_read_frames,r_frame_rate,width,height", "-of", "json", video],
+                          check=True, capture_output=True, text=True)
+    return json.loads(done.stdout)["streams"][0]
+
+
+def check_overlay(lapfx, reference, folder):
+    """A still clear view, then a red spot in it: the spot becomes yellow, the rest stays, what is left out is dark."""
+    spot, overlay, out = (os.path.join(folder, name) for name in ("spot.mkv", "over.mp4", "over.csv"))
+    # 511 rows: the overlay, H.264, has even sides.
+    ffmpeg("-i", reference, "-vf", "select=eq(n\\,0),loop=29:1,setpts=N/10/TB,format=bgr0,crop=640:511:0:0,"
+           "drawbox=x=300:y=240:w=60:h=60:color=0x780608:t=fill:enable='gte(t,1)'", "-r", "10", "-frames:v", "30",
+           "-c:v", "ffv1", "-pix_fmt", "bgr0", spot)
+    code, _, told = run(lapfx, spot, "--baseline", "0", "--mask", "0,0,0.4,0,0.4,0.4,0,0.4", "-o", out,
+                        "--overlay", overlay)
+    assert code == 0, told
+    assert stream_of(overlay) == {"width": 640, "height": 512, "r_frame_rate": "10/1", "nb_read_frames": "30"}, \
+        stream_of(overlay)
+    before, after = pixels_of(spot, 20, 640, 511), pixels_of(overlay, 20, 640, 512)
+    there = mean_at(after, 640, 326, 266)
+    wanted = [0.35 * old + 0.65 * yellow for old, yellow in zip((0x78, 6, 8), (240, 228, 66))]
+    assert all(abs(a - b) < 12 for a, b in zip(there, wanted)), (there, wanted)
+    for x, y in ((420, 200), (330, 340)):
+        was, now = mean_at(before, 640, x, y), mean_at(after, 640, x, y)
+        assert all(abs(a - b) < 8 for a, b in zip(was, now)), (x, y, was, now)
+    left_out = mean_at(after, 640, 200, 160, 40), mean_at(before, 640, 200, 160, 40)
+    # Seven of ten pixels have 0.45 of their light; the lines of the hatch half of that and half of 150.
+    assert all(abs(a - (0.7 * 0.45 + 0.3 * 0.225) * b - 0.3 * 75) < 8 for a, b in zip(*left_out)), left_out
+    os.remove(out)
+    nowhere = os.path.join(folder, "nowhere", "over.mp4")
+    code, said, told = run(lapfx, spot, "-o", out, "--overlay", nowhere)
+    assert code == 1 and said == "" and told.count("\n") == 1 and nowhere in told, (code, said, told)
+    for name, line in (("over.txt", "is not the name of a video"), (spot, "is the video that is measured")):
+        code, said, told = run(lapfx, spot, "-o", out, "--overlay", name)
+        assert code == 2 and told.count("\n") == 1 and "--overlay: " in told and line in told, (code, told)
+    code, _, told = run(lapfx, spot, "--roi", "0,0,4,4", "-o", out, "--overlay", overlay + ".mp4")
+    assert code == 2 and not os.path.exists(overlay + ".mp4"), (code, told)
+    assert not os.path.exists(out)
+
+    left = os.path.join(folder, "interrupted")
+    os.mkdir(left)
+    measuring = subprocess.Popen([lapfx, "measure", reference, "--baseline", "0", "-o", os.path.join(left, "a.csv"),
+                                  "--overlay", os.path.join(left, "a.mp4")], stderr=subprocess.PIPE, text=True)
+    while measuring.poll() is None and not os.listdir(left):
+        time.sleep(0.01)
+    measuring.send_signal(signal.SIGINT)
+    told = measuring.communicate(timeout=600)[1]
+    assert measuring.returncode == 1 and ": measuring: interrupted after " in told, (measuring.returncode, told)
+    assert told.count("\n") == 1 and not os.listdir(left), (told, os.listdir(left))
 
 
 def check_notes(lapfx, reference, folder):
@@ -131,13 +201,22 @@ def check_nothing_measurable(lapfx, reference, folder):
     assert both + ": has no frame that is measurable with the baseline at 0.20 s" in told, told
     assert not os.path.exists(out)
     code, said, told = run(lapfx, both, "--baseline", "0.2", "--from", "0.8", "-o", out[:-4] + ".json")
-    assert code == 0 and "blood: not measurable\nsmoke: not measurable\n" in said, (code, said, told)
-    assert json.load(open(out[:-4] + ".json"))["smoke"]["peak"] is None
+    assert code == 0 and "blood: not measurable\nveil: not measurable\n" in said, (code, said, told)
+    found = json.load(open(out[:-4] + ".json"))
+    assert found["veil"]["peak"] is None and found["frames"][-1]["veil"] is None, found["frames"][-1]
+    assert "not_measurable" in found["frames"][-1]["flags"].split(" "), found["frames"][-1]
+    code, said, told = run(lapfx, both, "--baseline", "0.2", "--from", "0.8", "-o", out)
+    assert code == 0, told
+    rows = list(csv.DictReader(open(out)))
+    assert rows[0]["veil"] and not rows[0]["flags"], rows[0]
+    assert [rows[-1][column] for column in COLUMNS[1:-1]] == [""] * 6, rows[-1]
+    assert "not_measurable" in rows[-1]["flags"].split(" "), rows[-1]
 
 
 def main(lapfx, reference):
     with tempfile.TemporaryDirectory() as folder:
         check_output(lapfx, reference, folder)
+        check_overlay(lapfx, reference, folder)
         check_notes(lapfx, reference, folder)
         check_faults(lapfx, reference, folder)
         check_nothing_measurable(lapfx, reference, folder)

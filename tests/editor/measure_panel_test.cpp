@@ -10,8 +10,10 @@
 #include "editor/support/editor_test.h"
 #include "editor/support/held_jobs.h"
 #include "match/measure.h"
+#include "output/files.h"
 #include "support/clips.h"
 #include "support/wait_until.h"
+#include "unit/match/pictures.h"
 
 namespace lapfx::test {
 namespace {
@@ -190,6 +192,27 @@ TEST_F(MeasurePanel, WhatWasFoundIsStaleAfterAChangeUntilThatIsUndone) {
     EXPECT_NE(measuring().found(), nullptr);
     editor().forget_document();
     EXPECT_EQ(measuring().found(), nullptr) << "another document";
+}
+
+TEST_F(MeasurePanel, BehindADenseVeilNoBloodIsGiven) {
+    const cv::Mat clear = match::test::tissue();
+    for (int i = 0; i < 8; ++i) {
+        const cv::Mat veil(clear.size(), CV_32F, cv::Scalar(i < 2 ? 0.0 : 0.6));
+        output::write_png(folder() / ("dense_000" + std::to_string(i) + ".png"),
+                          match::test::image_of(match::test::veiled(clear, veil, match::test::light_of({}))));
+    }
+    editor().reference().choose(folder() / "dense_%04d.png");
+    ui().frame().frame();
+    editor().reference().hold(6);
+    ui().frame().frame().frame();
+    ASSERT_TRUE(bench().ready()) << ui().dump();
+    EXPECT_EQ(bench().amounts().flags, match::told::dense);
+    EXPECT_TRUE(says("too dense to see blood")) << ui().dump();
+    EXPECT_TRUE(says("Here: blood is not measurable")) << ui().dump();
+    editor().reference().hold(0);
+    ui().frame().frame().frame();
+    EXPECT_FALSE(says("too dense to see blood"));
+    EXPECT_TRUE(says("s: blood 0.0 %, veil 0.0 %")) << ui().dump();
 }
 
 TEST_F(MeasurePanel, TheQualifierIsTunedLive) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 #include <utility>
 
 #include "app/base/jobs.h"
@@ -11,17 +10,13 @@
 #include "app/reference/reference.h"
 #include "lapfx/authoring/compare.h"
 #include "match/colors.h"
+#include "match/counted.h"
 
 namespace lapfx::app {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr glm::vec3 blood_color{240, 228, 66}, smoke_color{86, 180, 233};  // RGB; as blood_series and smoke_series
-constexpr float blood_share = 0.65F, smoke_share = 0.8F;                   // of the colour where it is strongest
-constexpr float left_out_light = 0.45F, hatch_light = 150;
-constexpr int hatch_period = 10, hatch_width = 3;  // px of 500 rows
 
 constexpr int steady_frames = 3;  // so many frames on, the camera's way is still followed
 
@@ -31,17 +26,6 @@ constexpr double most_veil = 0.85;                             // what is behind
 
 bool same_opened(const std::weak_ptr<const VideoReader>& a, const std::weak_ptr<const VideoReader>& b) {
     return !a.owner_before(b) && !b.owner_before(a);
-}
-
-/// What is drawn over a frame; of the size of the frame.
-struct Layers {
-    cv::Mat blood, veil, valid;
-};
-
-cv::Mat as_large_as(const cv::Mat& layer, const Image& frame, int how) {
-    cv::Mat large;
-    if (!layer.empty()) cv::resize(layer, large, {frame.width, frame.height}, 0, 0, how);
-    return large;
 }
 
 }  // namespace
@@ -188,40 +172,10 @@ class MeasureWork {
         baseline_ = suggested_->time;
     }
 
-    Layers layers(const Request& request) const {
-        const Image& frame = *request.image;
-        Layers made;
-        if (request.left_out) made.valid = as_large_as(estimator_->valid(), frame, cv::INTER_NEAREST);
-        if (!amounts_.measurable()) return made;
-        if (request.blood) made.blood = as_large_as(estimator_->blood(), frame, cv::INTER_NEAREST);
-        if (request.smoke) made.veil = as_large_as(estimator_->veil(), frame, cv::INTER_LINEAR);
-        return made;
-    }
     Image composed(const Request& request) const {
         Image picture = *request.image;
-        const Layers over = layers(request);
-        const int unit = std::max(1, picture.height / 500);
-        for (int y = 0; y < picture.height; ++y) {
-            const auto* const valid = over.valid.empty() ? nullptr : over.valid.ptr<std::uint8_t>(y);
-            const auto* const blood = over.blood.empty() ? nullptr : over.blood.ptr<std::uint8_t>(y);
-            const auto* const veil = over.veil.empty() ? nullptr : over.veil.ptr<float>(y);
-            std::uint8_t* to =
-                picture.pixels.data() + 4 * static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width);
-            for (int x = 0; x < picture.width; ++x, to += 4) {
-                glm::vec3 color(to[0], to[1], to[2]);
-                if (valid != nullptr && valid[x] == 0) {
-                    const bool hatched = (x + y) % (hatch_period * unit) < hatch_width * unit;
-                    color = left_out_light * color;
-                    if (hatched) color = 0.5F * color + 0.5F * glm::vec3(hatch_light);
-                } else {
-                    const float tint = veil == nullptr ? 0 : smoke_share * std::clamp(veil[x], 0.0F, 1.0F);
-                    color = (1 - tint) * color + tint * smoke_color;
-                    if (blood != nullptr && blood[x] != 0)
-                        color = (1 - blood_share) * color + blood_share * blood_color;
-                }
-                for (int c = 0; c < 3; ++c) to[c] = cv::saturate_cast<std::uint8_t>(color[c]);
-            }
-        }
+        match::draw_counted(picture, *estimator_, amounts_,
+                            {.blood = request.blood, .veil = request.smoke, .left_out = request.left_out});
         return picture;
     }
 

@@ -273,15 +273,19 @@ void cheat_sheet(Ui& ui, const CommandTable& table, std::span<const SheetPart> m
     const std::size_t all = lines_of(table) + 1 + own.lines.size() + lines_of(more);
     const glm::vec2 room = glm::max(ui.window() - 4 * ui.em(sheet_padding), glm::vec2(ui.em(sheet_column)));
     const auto at_most = [](float whole, float part) { return static_cast<std::size_t>(std::max(1.0F, whole / part)); };
-    const std::size_t across = at_most(room.x + ui.em(sheet_gap), ui.em(sheet_column + sheet_gap));
+    // The bar beside the columns must not lie on the last of them.
+    const float bar = ui.em(1.2F);
+    const std::size_t across = at_most(room.x - bar + ui.em(sheet_gap), ui.em(sheet_column + sheet_gap));
     const std::size_t down = at_most(room.y, ui.row_height());
     const std::size_t columns = std::min(across, (all + down - 1) / down);
     const std::size_t lines = (all + columns - 1) / columns + 1;  // all columns get about the same length
     {
         const auto count = static_cast<float>(columns);
-        const ScrollArea area(ui, "All keys",
-                              {.width = px(count * ui.em(sheet_column) + (count - 1) * ui.em(sheet_gap)),
-                               .height = px(std::min(static_cast<float>(lines) * ui.row_height(), room.y))});
+        const float whole = static_cast<float>(lines) * ui.row_height();
+        const ScrollArea area(
+            ui, "All keys",
+            {.width = px(count * ui.em(sheet_column) + (count - 1) * ui.em(sheet_gap) + (whole > room.y ? bar : 0)),
+             .height = px(std::min(whole, room.y))});
         const Row row(ui, {.gap = sheet_gap, .cross = ChildAlign::start});
         SheetColumns put(ui, lines);
         put_groups(table, put);

@@ -150,7 +150,12 @@ void draw_param_label(Painter& painter, Rect column, const LabelLook& look) {
     if (look.changed) painter.icon(dot, Icon::dot, look.disabled ? t.text_disabled : t.accent);
     if (look.locked)
         painter.icon(column.cut_right(painter.em(0.9F)), Icon::lock, look.disabled ? t.text_disabled : t.text_dim);
-    painter.text(column, look.text, painter.text_style(), look.disabled ? t.text_disabled : t.text);
+    // Of "Group: Name" the name stays where there is no room for both; the tooltip has all of it.
+    std::string_view text = look.text;
+    if (const std::size_t group = text.find(": ");
+        group != std::string_view::npos && painter.fonts().run(text, painter.text_style()).width > column.w)
+        text.remove_prefix(group + 2);
+    painter.text(column, text, painter.text_style(), look.disabled ? t.text_disabled : t.text);
 }
 
 void draw_param_mark(Painter& painter, const Rect& field, float place, float width, Color color) {

@@ -116,5 +116,19 @@ TEST_F(KeyEditorTest, TheSheetTellsAllThatHaveKeys) {
     EXPECT_FALSE(ui.exists("**/All keys/Save"));
 }
 
+TEST_F(KeyEditorTest, TheBarOfTheSheetLiesBesideItsColumns) {
+    for (const glm::ivec2 size : {glm::ivec2(640, 160), glm::ivec2(1400, 110)}) {
+        Harness small([this](Ui& u) { cheat_sheet(u, table); }, size, 1, nullptr);
+        toggle_cheat_sheet(small.ui());
+        small.frame().frame();
+        const float bar = small.rect("**/vertical scroll bar").x;
+        EXPECT_LT(bar, static_cast<float>(size.x));
+        for (const char* const line : {"Save", "Next panel", "Cancel"}) {
+            if (!small.exists(std::string("**/All keys/") + line)) continue;
+            EXPECT_LE(small.rect(std::string("**/All keys/") + line).right(), bar) << line << " at " << size.x;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace lapfx::ui

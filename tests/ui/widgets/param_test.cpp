@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "ui/support/texts.h"
 #include "ui/widgets/param_fixture.h"
 
 namespace lapfx::ui {
@@ -284,6 +287,20 @@ TEST_F(Param, LeavingTheFieldTakesWhatIsTyped) {
     ui.focus("Speed").type("7").click("Else");
     EXPECT_EQ(speed, 7);
     EXPECT_EQ(edits.committed, 1);
+}
+
+TEST(ParamLabel, OfAGroupAndANameTheNameStays) {
+    double value = 15;
+    for (const auto& [width, glyphs] : {std::pair(300, 11), std::pair(800, 20)}) {
+        Harness ui([&](Ui& u) { param(u, "Bleeding: Level extent", value, {.minimum = 0, .maximum = 60}); },
+                   {width, 100});
+        ui.frame();
+        const std::vector<TextSeen> texts = texts_seen(*ui.output().list, Harness::fonts(), ui.ui().em(1));
+        for (const TextSeen& text : texts) EXPECT_FALSE(text.elided);
+        const auto longest = std::ranges::max_element(texts, {}, [](const TextSeen& t) { return t.glyphs.size(); });
+        ASSERT_NE(longest, texts.end());
+        EXPECT_NEAR(static_cast<double>(longest->glyphs.size()), glyphs, 2) << width;
+    }
 }
 
 // As in a slow frame: the window hands over the last character and the click elsewhere together.

@@ -17,7 +17,7 @@ std::vector<FrameAmounts> frames_of(const std::function<double(double)>& smoke, 
         const double value = smoke(time);
         FrameAmounts& f = frames.emplace_back();
         f.time = time;
-        f.smoke = {value, value - error, value + error};
+        f.veil = {value, value - error, value + error};
     }
     return frames;
 }
@@ -29,7 +29,7 @@ double tent(double time) {
 }
 
 TEST(Episode, OfATentIsAsDrawn) {
-    const Episode e = episode_of(frames_of(tent), Curve::smoke);
+    const Episode e = episode_of(frames_of(tent), Curve::veil);
     EXPECT_NEAR(*e.peak, 0.5, 0.02);
     EXPECT_NEAR(*e.peak_at, 4.0, 0.1);
     EXPECT_NEAR(*e.onset, 2.2, 0.05);       // 10 % of the way
@@ -40,29 +40,29 @@ TEST(Episode, OfATentIsAsDrawn) {
 }
 
 TEST(Episode, ThatNeverFallsHasNoDecay) {
-    const Episode e = episode_of(frames_of([](double time) { return 0.05 * time; }), Curve::smoke);
+    const Episode e = episode_of(frames_of([](double time) { return 0.05 * time; }), Curve::veil);
     EXPECT_FALSE(e.decay);
     EXPECT_TRUE(e.onset);
 }
 
 TEST(Episode, WithinTheErrorOfMeasuringIsNone) {
     const auto wobble = [](double time) { return 0.1 + 0.004 * std::sin(3 * time); };
-    const Episode e = episode_of(frames_of(wobble), Curve::smoke);
+    const Episode e = episode_of(frames_of(wobble), Curve::veil);
     EXPECT_FALSE(e.peak_at);
     EXPECT_FALSE(e.onset);
     EXPECT_NEAR(*e.mean, 0.1, 0.002);
 }
 
 TEST(Episode, IsNoneWhereTheIntervalsOfFloorAndPeakOverlap) {
-    EXPECT_TRUE(episode_of(frames_of(tent, 10, 0.2), Curve::smoke).peak_at);
-    const Episode e = episode_of(frames_of(tent, 10, 0.3), Curve::smoke);
+    EXPECT_TRUE(episode_of(frames_of(tent, 10, 0.2), Curve::veil).peak_at);
+    const Episode e = episode_of(frames_of(tent, 10, 0.3), Curve::veil);
     EXPECT_FALSE(e.peak_at);
     EXPECT_FALSE(e.onset);
     EXPECT_NEAR(*e.peak, 0.5, 0.02) << "the amount itself is told";
 }
 
 TEST(Episode, ThatFallsFromTheStartHasNoOnset) {
-    const Episode e = episode_of(frames_of([](double time) { return 0.5 - 0.05 * time; }), Curve::smoke);
+    const Episode e = episode_of(frames_of([](double time) { return 0.5 - 0.05 * time; }), Curve::veil);
     EXPECT_TRUE(e.peak_at);
     EXPECT_FALSE(e.onset);
     EXPECT_FALSE(e.rise);
@@ -73,7 +73,7 @@ TEST(Episode, SumsUpNothingAcrossWhatIsNotMeasurable) {
     std::vector<FrameAmounts> frames = frames_of([](double) { return 0.5; });
     for (FrameAmounts& f : frames)
         if (f.time > 2.0 && f.time < 8.0) f.flags = told::not_measurable;
-    const Episode e = episode_of(frames, Curve::smoke);
+    const Episode e = episode_of(frames, Curve::veil);
     EXPECT_NEAR(*e.area, 0.5 * 4.0, 0.05);
     EXPECT_NEAR(*e.mean, 0.5, 1e-9);
 }
@@ -82,10 +82,10 @@ TEST(Episode, LeavesOutWhatIsNotMeasurable) {
     std::vector<FrameAmounts> frames = frames_of(tent);
     for (FrameAmounts& f : frames)
         if (f.time < 1.0) {
-            f.smoke = {0.9, 0.8, 1.0};
+            f.veil = {0.9, 0.8, 1.0};
             f.flags = told::not_measurable;
         }
-    const Episode e = episode_of(frames, Curve::smoke);
+    const Episode e = episode_of(frames, Curve::veil);
     EXPECT_NEAR(*e.peak, 0.5, 0.02);
     EXPECT_FALSE(episode_of({}, Curve::blood).peak);
 }

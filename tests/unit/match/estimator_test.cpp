@@ -21,11 +21,12 @@ TEST(Estimator, MeasuresBloodAndSmokeTogether) {
     for (const double veil : {0.0, 0.2, 0.5}) {
         const FrameAmounts a =
             estimator.measure(test::image_of(test::veiled(bloody, even(veil), test::light_of({}))), 0);
-        EXPECT_NEAR(a.smoke.value, veil, 0.03) << veil;
+        EXPECT_NEAR(a.veil.value, veil, 0.03) << veil;
         EXPECT_NEAR(a.blood.value, 3.14159 * radius * radius / (test::width * test::height), 0.015) << veil;
         EXPECT_TRUE(a.measurable());
-        EXPECT_LE(a.smoke.low, a.smoke.value);
-        EXPECT_GE(a.smoke.high, a.smoke.value);
+        EXPECT_EQ(a.blood_measurable(), veil < dense_veil) << veil;
+        EXPECT_LE(a.veil.low, a.veil.value);
+        EXPECT_GE(a.veil.high, a.veil.value);
     }
 }
 
@@ -36,7 +37,7 @@ TEST(Estimator, LearnsTheLightOfTheSmoke) {
     const Image smoky = test::image_of(test::veiled(clear, test::ramp(0.1, 0.7), test::light_of(truth)));
     estimator.survey(smoky);
     EXPECT_NEAR(estimator.surveyed()->light.color.r, truth.color.r, 0.15 * truth.color.r);
-    EXPECT_NEAR(estimator.measure(smoky, 0).smoke.value, 0.4, 0.04);
+    EXPECT_NEAR(estimator.measure(smoky, 0).veil.value, 0.4, 0.04);
 }
 
 TEST(Estimator, OfTheSameFramesGivesTheSameAmounts) {
@@ -48,7 +49,7 @@ TEST(Estimator, OfTheSameFramesGivesTheSameAmounts) {
         estimator.survey(smoky);
         found.push_back(estimator.measure(smoky, 1));
     }
-    EXPECT_EQ(found[0].smoke.value, found[1].smoke.value);
+    EXPECT_EQ(found[0].veil.value, found[1].veil.value);
     EXPECT_EQ(found[0].blood.value, found[1].blood.value);
     EXPECT_EQ(found[0].likeness, found[1].likeness);
 }
@@ -101,6 +102,8 @@ TEST(Estimator, TellsWhatCannotBeMeasured) {
     const FrameAmounts a = estimator.measure(test::image_of(bag()), 2);
     EXPECT_TRUE(a.flags & told::not_measurable);
     EXPECT_FALSE(a.measurable());
+    EXPECT_GT(a.veil.value, dense_veil);
+    EXPECT_FALSE(a.flags & told::dense) << "nobody knows what is before the tissue";
 }
 
 TEST(Estimator, TellsACutWhereTheViewIsAnother) {
@@ -219,7 +222,7 @@ TEST(Estimator, MeasuresPicturesOfAnySizeAlike) {
     cv::resize(clear, large_clear, {}, 3, 3, cv::INTER_CUBIC);
     cv::resize(smoky, large_smoky, {}, 3, 3, cv::INTER_CUBIC);
     Estimator estimator(test::image_of(cv::max(large_clear, 0.0)), {.survey = std::make_shared<const Survey>()});
-    EXPECT_NEAR(estimator.measure(test::image_of(cv::max(large_smoky, 0.0)), 0).smoke.value, 0.4, 0.02);
+    EXPECT_NEAR(estimator.measure(test::image_of(cv::max(large_smoky, 0.0)), 0).veil.value, 0.4, 0.02);
     EXPECT_EQ(estimator.working_size(), cv::Size(256, 205));
 }
 

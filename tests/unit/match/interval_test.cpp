@@ -11,7 +11,7 @@ namespace {
 
 FrameAmounts amounts_of(double blood, double smoke, unsigned flags = 0) {
     FrameAmounts a;
-    a.blood.value = blood, a.smoke.value = smoke, a.flags = flags;
+    a.blood.value = blood, a.veil.value = smoke, a.flags = flags;
     set_intervals(a);
     return a;
 }
@@ -22,15 +22,15 @@ double width(const Amount& amount) {
 
 TEST(Interval, IsWiderWhereTheFrameIsHarderToRead) {
     const FrameAmounts plain = amounts_of(0.3, 0.4);
-    for (const unsigned flag : {told::tinted, told::bleached, told::moved}) {
+    for (const unsigned flag : {told::tinted, told::bleached, told::motion}) {
         const FrameAmounts spoiled = amounts_of(0.3, 0.4, flag);
         EXPECT_GT(width(spoiled.blood), 1.2 * width(plain.blood)) << flag;
-        EXPECT_GT(width(spoiled.smoke), 1.2 * width(plain.smoke)) << flag;
-        EXPECT_LE(spoiled.smoke.low, 0.4);
-        EXPECT_GE(spoiled.smoke.high, 0.4);
+        EXPECT_GT(width(spoiled.veil), 1.2 * width(plain.veil)) << flag;
+        EXPECT_LE(spoiled.veil.low, 0.4);
+        EXPECT_GE(spoiled.veil.high, 0.4);
     }
-    EXPECT_EQ(width(amounts_of(0.3, 0.4, told::cut).smoke), width(plain.smoke));
-    EXPECT_EQ(width(amounts_of(0.3, 0.4, told::dark).smoke), 1);
+    EXPECT_EQ(width(amounts_of(0.3, 0.4, told::cut).veil), width(plain.veil));
+    EXPECT_EQ(width(amounts_of(0.3, 0.4, told::dark).veil), 1);
 }
 
 TEST(Interval, OfMissingFramesHoldsBothSidesOfTheGap) {
@@ -39,20 +39,20 @@ TEST(Interval, OfMissingFramesHoldsBothSidesOfTheGap) {
     frames[1].flags = frames[2].flags = told::missing;
     widen_missing(frames);
     for (const int i : {1, 2}) {
-        EXPECT_LE(frames[i].smoke.low, frames[0].smoke.low);
-        EXPECT_GE(frames[i].smoke.high, frames[3].smoke.high);
-        EXPECT_EQ(frames[i].smoke.value, 0.1);
+        EXPECT_LE(frames[i].veil.low, frames[0].veil.low);
+        EXPECT_GE(frames[i].veil.high, frames[3].veil.high);
+        EXPECT_EQ(frames[i].veil.value, 0.1);
     }
-    EXPECT_EQ(width(frames[0].smoke), width(amounts_of(0.05, 0.1).smoke));
-    EXPECT_EQ(width(frames[3].smoke), width(amounts_of(0.05, 0.5).smoke));
+    EXPECT_EQ(width(frames[0].veil), width(amounts_of(0.05, 0.1).veil));
+    EXPECT_EQ(width(frames[3].veil), width(amounts_of(0.05, 0.5).veil));
 }
 
 TEST(Interval, OfMissingFramesAtAnEndIsAll) {
     std::vector<FrameAmounts> frames = {amounts_of(0.1, 0.1), amounts_of(0.1, 0.1, told::missing)};
     widen_missing(frames);
-    EXPECT_EQ(width(frames[1].smoke), 1);
+    EXPECT_EQ(width(frames[1].veil), 1);
     EXPECT_EQ(width(frames[1].blood), 1);
-    EXPECT_LT(width(frames[0].smoke), 0.2);
+    EXPECT_LT(width(frames[0].veil), 0.2);
 }
 
 }  // namespace

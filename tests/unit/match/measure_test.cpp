@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "output/files.h"
 #include "unit/match/pictures.h"
 #include "unit/preset/support.h"
@@ -49,13 +51,28 @@ TEST_F(MeasureTest, FindsTheClearFrameAndBothEpisodes) {
     EXPECT_TRUE(found.suggested);
     EXPECT_LT(found.baseline, 6 * frame);
     ASSERT_EQ(found.frames.size(), 30U);
-    EXPECT_NEAR(found.frames.back().smoke.value, 0.5, 0.06);
+    EXPECT_NEAR(found.frames.back().veil.value, 0.5, 0.06);
     EXPECT_NEAR(found.frames.back().blood.value, 3.14159 * 1600 / (test::width * test::height), 0.015);
-    EXPECT_NEAR(found.frames.front().smoke.value, 0.0, 0.02);
-    ASSERT_TRUE(found.smoke.onset);
-    EXPECT_NEAR(*found.smoke.onset, 6 * frame, 3 * frame);
-    EXPECT_NEAR(*found.smoke.rise, 17.6 * frame, 3 * frame);
-    EXPECT_FALSE(found.smoke.decay);
+    EXPECT_NEAR(found.frames.front().veil.value, 0.0, 0.02);
+    ASSERT_TRUE(found.veil.onset);
+    EXPECT_NEAR(*found.veil.onset, 6 * frame, 3 * frame);
+    EXPECT_NEAR(*found.veil.rise, 17.6 * frame, 3 * frame);
+    EXPECT_FALSE(found.veil.decay);
+    EXPECT_EQ(found.frames.back().flags, told::dense);
+    EXPECT_EQ(found.frames.front().flags, 0U);
+    EXPECT_TRUE(found.blood.peak);
+}
+
+TEST_F(MeasureTest, GivesNoEpisodeOfBloodThatDenseSmokeHidesMostly) {
+    const cv::Mat clear = test::tissue();
+    for (int i = 0; i < 10; ++i)
+        add(test::veiled(clear, cv::Mat(clear.size(), CV_32F, cv::Scalar(i < 3 ? 0.0 : 0.55)), test::light_of({})));
+    VideoReader reader(video());
+    const Measurement found = measure(reader, {.baseline = 0.0});
+    EXPECT_FALSE(found.blood.peak);
+    EXPECT_TRUE(found.veil.peak_at);
+    EXPECT_EQ(found.notes, std::vector<std::string>{"7 of 10 frames: blood is not measurable, because the veil before "
+                                                    "it is denser than 40 %"});
 }
 
 TEST_F(MeasureTest, MeasuresPartOfAVideoAtTheStepAsked) {
@@ -68,14 +85,34 @@ TEST_F(MeasureTest, MeasuresPartOfAVideoAtTheStepAsked) {
     EXPECT_NEAR(found.frames[1].time, 12 * frame, 1e-6);
 }
 
+TEST_F(MeasureTest, GivesEachFrameWithItsLayersAndIsNotChangedByWhatIsDrawn) {
+    add_operation(12);
+    VideoReader reader(video());
+    const Measurement plain = measure(reader, {.baseline = 0.0});
+    std::vector<double> times, veils;
+    const auto black = [&](Image& frame, const Estimator& estimator, const FrameAmounts& amounts) {
+        times.push_back(amounts.time);
+        veils.push_back(cv::mean(estimator.veil(), estimator.valid())[0]);
+        std::fill(frame.pixels.begin(), frame.pixels.end(), std::uint8_t{0});
+    };
+    const Measurement found = measure(reader, {.baseline = 0.0, .measured = black});
+    ASSERT_EQ(times.size(), found.frames.size());
+    ASSERT_EQ(plain.frames.size(), found.frames.size());
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        EXPECT_EQ(times[i], found.frames[i].time);
+        EXPECT_EQ(veils[i], found.frames[i].veil.value);
+        EXPECT_EQ(plain.frames[i].veil.value, found.frames[i].veil.value);
+    }
+}
+
 TEST_F(MeasureTest, TellsThatNothingHappens) {
     for (int i = 0; i < 12; ++i) add(test::tissue());
     VideoReader reader(video());
     const Measurement found = measure(reader, {});
     EXPECT_FALSE(found.blood.peak_at);
-    EXPECT_FALSE(found.smoke.peak_at);
+    EXPECT_FALSE(found.veil.peak_at);
     EXPECT_EQ(found.notes, (std::vector<std::string>{"Blood: no change beyond the error of measuring.",
-                                                     "Smoke: no change beyond the error of measuring."}));
+                                                     "Veil: no change beyond the error of measuring."}));
 }
 
 TEST_F(MeasureTest, TellsThatMostIsNotMeasurable) {
@@ -90,7 +127,7 @@ TEST_F(MeasureTest, TellsThatMostIsNotMeasurable) {
         found.notes.front(),
         "Most of this video is not measurable with the baseline at 0.00 s: no peak, mean, onset or decay is given. "
         "Choose a baseline or a part of one view.");
-    for (const Episode* episode : {&found.blood, &found.smoke})
+    for (const Episode* episode : {&found.blood, &found.veil})
         for (const auto& figure : {episode->peak, episode->mean, episode->area, episode->onset, episode->decay})
             EXPECT_FALSE(figure);
     EXPECT_NE(json_of(found).find("\"peak\": null"), std::string::npos);
@@ -160,23 +197,74 @@ TEST_F(MeasureTest, ItsPlotHasBothCurves) {
     EXPECT_GT(blue, 500);
 }
 
+TEST(AmountsFile, CsvHasEmptyCellsWhereNothingIsMeasurable) {
+    Measurement m;
+    m.frames.resize(3);
+    m.frames[0].blood = {0.1, 0.05, 0.2};
+    m.frames[0].veil = {0.3, 0.2, 0.4};
+    m.frames[0].valid = 0.7;
+    m.frames[1].time = 0.04;
+    m.frames[1].veil = {0.9, 0.8, 1.0};
+    m.frames[1].flags = told::cut | told::not_measurable;
+    m.frames[2].time = 0.08;
+    m.frames[2].flags = told::motion;
+    EXPECT_EQ(csv_of(m),
+              "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags\n"
+              "0.0000,0.10000,0.05000,0.20000,0.30000,0.20000,0.40000,\n"
+              "0.0400,,,,,,,cut not_measurable\n"
+              "0.0800,0.00000,0.00000,0.00000,0.00000,0.00000,0.00000,motion\n");
+}
+
+TEST(AmountsFile, BehindADenseVeilOnlyTheBloodIsEmpty) {
+    Measurement m;
+    m.frames.resize(1);
+    m.frames[0].blood = {0.1, 0.05, 0.2};
+    m.frames[0].veil = {0.5, 0.4, 0.6};
+    m.frames[0].flags = told::dense;
+    const std::string csv = csv_of(m);
+    EXPECT_EQ(csv.substr(csv.find('\n') + 1), "0.0000,,,,0.50000,0.40000,0.60000,dense\n");
+    const std::vector<FrameAmounts> read = read_amounts(csv, "a.csv");
+    EXPECT_FALSE(read.at(0).blood_measurable());
+    EXPECT_DOUBLE_EQ(read[0].veil.high, 0.6);
+    const nlohmann::json json = nlohmann::json::parse(json_of(m));
+    EXPECT_TRUE(json["frames"][0]["blood"].is_null());
+    EXPECT_EQ(json["frames"][0]["veil"]["value"], 0.5);
+}
+
 TEST(AmountsFile, CsvIsReadAsItWasWritten) {
     Measurement m;
     m.frames.resize(2);
     m.frames[0].blood = {0.1, 0.05, 0.2};
-    m.frames[0].smoke = {0.3, 0.2, 0.4};
+    m.frames[0].veil = {0.3, 0.2, 0.4};
     m.frames[1].time = 0.04;
     m.frames[1].flags = told::cut | told::not_measurable;
     const std::vector<FrameAmounts> read = read_amounts(csv_of(m), "a.csv");
     ASSERT_EQ(read.size(), 2U);
     EXPECT_DOUBLE_EQ(read[0].blood.high, 0.2);
+    EXPECT_DOUBLE_EQ(read[0].veil.low, 0.2);
     EXPECT_DOUBLE_EQ(read[1].time, 0.04);
     EXPECT_EQ(read[1].flags, told::cut | told::not_measurable);
-    EXPECT_NE(json_of(m).find("\"told\": \"cut|not_measurable\""), std::string::npos);
+    EXPECT_EQ(read[1].veil.high, 0.0);
+}
+
+TEST(AmountsFile, JsonHasTheSameWords) {
+    Measurement m;
+    m.frames.resize(2);
+    m.frames[0].veil = {0.25, 0.125, 0.5};
+    m.frames[0].likeness = 0.75;
+    m.frames[1].flags = told::cut | told::not_measurable;
+    const nlohmann::json read = nlohmann::json::parse(json_of(m));
+    EXPECT_EQ(read["frames"][0]["veil"], (nlohmann::json{{"value", 0.25}, {"low", 0.125}, {"high", 0.5}}));
+    EXPECT_EQ(read["frames"][0]["likeness"], 0.75);
+    EXPECT_EQ(read["frames"][0]["flags"], "");
+    EXPECT_TRUE(read["frames"][1]["blood"].is_null());
+    EXPECT_TRUE(read["frames"][1]["veil"].is_null());
+    EXPECT_EQ(read["frames"][1]["flags"], "cut not_measurable");
+    EXPECT_TRUE(read["veil"]["peak"].is_null());
 }
 
 TEST(AmountsFile, FaultsNameLineValueAndWhatIsAllowed) {
-    const std::string head = "time,blood,blood_low,blood_high,smoke,smoke_low,smoke_high,valid,likeness,told\n";
+    const std::string head = "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags\n";
     const auto fault = [](const std::string& csv) {
         const auto lines = lapfx::test::faults_of([&] { read_amounts(csv, "a.csv"); });
         return lines.size() == 1 ? lines[0] : "";
@@ -184,14 +272,16 @@ TEST(AmountsFile, FaultsNameLineValueAndWhatIsAllowed) {
     EXPECT_EQ(fault("time,blood\n0,1\n"),
               "a.csv: line 1: the columns are \"time,blood\" instead of " + head.substr(0, head.size() - 1));
     EXPECT_EQ(fault(head + "0,0.1,0,0.2\n"),
-              "a.csv: line 2: has 4 values instead of 10 (" + head.substr(0, head.size() - 1) + ")");
-    EXPECT_EQ(fault(head + "0,x,0,0,0,0,0,1,1,\n"), "a.csv: line 2: blood: \"x\" is not a number");
-    EXPECT_EQ(fault(head + "0,nan,0,0,0,0,0,1,1,\n"), "a.csv: line 2: blood: \"nan\" is not a number");
-    EXPECT_EQ(fault(head + "0,1.5,0,0,0,0,0,1,1,\n"), "a.csv: line 2: blood: 1.5 is outside the allowed 0 to 1");
-    EXPECT_EQ(fault(head + "0,0.5,0.6,0.7,0,0,0,1,1,\n"), "a.csv: line 2: blood: its interval does not hold it");
-    EXPECT_NE(fault(head + "0,0,0,0,0,0,0,1,1,foggy\n").find("told: \"foggy\" is not known (allowed: cut, moved, "),
+              "a.csv: line 2: has 4 values instead of 8 (" + head.substr(0, head.size() - 1) + ")");
+    EXPECT_EQ(fault(head + "0,x,0,0,0,0,0,\n"), "a.csv: line 2: blood: \"x\" is not a number");
+    EXPECT_EQ(fault(head + "0,nan,0,0,0,0,0,\n"), "a.csv: line 2: blood: \"nan\" is not a number");
+    EXPECT_EQ(fault(head + "0,1.5,0,0,0,0,0,\n"), "a.csv: line 2: blood: 1.5 is outside the allowed 0 to 1");
+    EXPECT_EQ(fault(head + "0,0.5,0.6,0.7,0,0,0,\n"), "a.csv: line 2: blood: its interval does not hold it");
+    EXPECT_EQ(fault(head + "0,0,0,0,,,,tinted\n"), "a.csv: line 2: veil: is empty, and no flag says why");
+    EXPECT_EQ(fault(head + "0,0,,0,0,0,0,dark\n"), "a.csv: line 2: blood_low: \"\" is not a number");
+    EXPECT_NE(fault(head + "0,0,0,0,0,0,0,foggy\n").find("flags: \"foggy\" is not known (allowed: cut, motion, "),
               std::string::npos);
-    EXPECT_EQ(fault(head + "1,0,0,0,0,0,0,1,1,\n1,0,0,0,0,0,0,1,1,\n"),
+    EXPECT_EQ(fault(head + "1,0,0,0,0,0,0,\n1,0,0,0,0,0,0,\n"),
               "a.csv: line 3: time: 1.00 s is not after that of the line before");
     EXPECT_EQ(fault(head), "a.csv: line 2: has no amounts");
 }

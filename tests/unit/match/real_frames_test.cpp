@@ -61,7 +61,7 @@ TEST_F(RealFrames, ABagAndATrocarAreNotMeasurable) {
         int not_measurable = 0;
         for (const FrameAmounts& f : found.frames) not_measurable += f.measurable() ? 0 : 1;
         EXPECT_GT(not_measurable, static_cast<int>(found.frames.size()) / 2) << name;
-        EXPECT_FALSE(found.smoke.peak_at) << name;
+        EXPECT_FALSE(found.veil.peak_at) << name;
     }
 }
 
@@ -89,8 +89,8 @@ TEST_F(RealFrames, SmokeThatBuildsUpIsSeenToRise) {
         measure(reader, {.baseline = 50 * frame, .from = 45 * frame, .every = lapfx::test::one_in(10, 5)});
     double early = 0, late = 0;
     for (const FrameAmounts& f : found.frames) {
-        if (f.time < 60 * frame) early = std::max(early, f.smoke.value);
-        if (f.time > 100 * frame) late = std::max(late, f.smoke.value);
+        if (f.time < 60 * frame) early = std::max(early, f.veil.value);
+        if (f.time > 100 * frame) late = std::max(late, f.veil.value);
     }
     EXPECT_GT(late, early + 0.15);
 }

@@ -1,0 +1,31 @@
+// What was counted in a frame, drawn over it: blood yellow, veil blue, and what is left out dark and hatched.
+//
+//     const match::FrameAmounts amounts = estimator.measure(frame, time);
+//     match::draw_counted(frame, estimator, amounts);  // the layers of the frame measured last
+//
+// Any thread; no OpenGL.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "match/estimator.h"
+
+namespace lapfx::match {
+
+/// RGB, 0..255.
+inline constexpr glm::vec3 blood_color{240, 228, 66}, veil_color{86, 180, 233};
+/// Of the colour in the picture, where it is strongest: blood is there or not, veil by its density.
+inline constexpr float blood_share = 0.65F, veil_share = 0.8F;
+/// Of the light of what is left out, between the lines of the hatch.
+inline constexpr float left_out_light = 0.45F;
+
+struct CountedLayers {
+    bool blood = true, veil = true, left_out = true;
+};
+
+/// `frame` is the one that was measured last, at its own size, and `amounts` what was found. What is not measurable is
+/// not drawn.
+void draw_counted(Image& frame, const Estimator& estimator, const FrameAmounts& amounts,
+                  const CountedLayers& drawn = {});
+
+}  // namespace lapfx::match
