@@ -133,15 +133,24 @@ void add_bench(CLI::App& app) {
             "What 15 smoke clips add to a frame, how much they delay a haptic thread, and what blood and wounds cost",
             bench_frame);
     frame->add_flag("--simulation", frame_options->simulation, "Measure only what is not drawn, in a few seconds");
-    const auto [measure, measure_options] =
-        add("measure", "How far measured amounts of blood and smoke are from the true ones of renders, and how fast",
-            bench_measure);
+    const auto [measure, measure_options] = add(
+        "measure",
+        "How far measured amounts of blood and smoke are from the true ones, by class of picture, against a bound of "
+        "each; and how fast measuring is",
+        bench_measure);
     measure->add_option("--seed", measure_options->seed, "Seed of the renders; the intervals were fitted to seed 1")
         ->option_text("NUMBER")
         ->check(CLI::Range(0, 1'000'000))
         ->capture_default_str();
-    measure->add_option("--frames", measure_options->frames, "Write the figures of each frame to this CSV")
+    measure->add_option("--frames", measure_options->frames, "Write the figures of each picture to this CSV")
         ->option_text("FILE");
+    measure
+        ->add_option(
+            "--over", measure_options->over,
+            "Lay known smoke and blood over these videos and pictures of clear tissue, too. Files of one folder "
+            "whose names are the same up to the last _ count as one operation, and one at a time is left out")
+        ->option_text("FILE...")
+        ->expected(1, -1);
     measure
         ->add_option("--pairs", measure_options->pairs,
                      "Rank real recordings instead: pictures and videos with smoke in the first folder, the same with "
@@ -149,6 +158,7 @@ void add_bench(CLI::App& app) {
         ->option_text("SMOKY CLEAR")
         ->expected(2)
         ->excludes("--seed")
+        ->excludes("--over")
         ->excludes("--frames");
     const auto [ui, ui_options] = add_part("ui", "The editor's UI toolkit and Dear ImGui on the same screens");
     ui->callback([options = ui_options] { run_bench_ui(*options); });

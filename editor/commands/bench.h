@@ -33,6 +33,7 @@ struct BenchOptions {
     int rounds = 3;                  ///< rounds of each case; the best counts
     int seed = 2;                    ///< of what is drawn at random
     std::vector<std::string> pairs;  ///< two folders of recordings, ranked instead of renders; none: renders
+    std::vector<std::string> over;   ///< videos and pictures of clear tissue that known amounts are laid over
     std::string frames;              ///< CSV that each frame's figures are written to, unless empty
     /// Does everything in a few seconds, for tests: it shows that the benchmark works, but its figures mean nothing.
     bool short_form = false;

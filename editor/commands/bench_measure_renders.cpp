@@ -2,200 +2,243 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <optional>
-#include <random>
 
+#include "commands/bench_measure_views.h"
 #include "commands/scratch_folder.h"
 #include "commands/session.h"
 #include "lapfx/authoring/preview.h"
 #include "lapfx/authoring/video.h"
+#include "match/colors.h"
 #include "output/files.h"
 
 namespace lapfx::commands {
 
 namespace {
 
-constexpr glm::ivec2 size{360, 288};
-constexpr double duration = 10.0;  // s of a scene
-constexpr double clip_fps = 10.0;
-constexpr int most_touches = 6;
+const cv::Size size(360, 288);
+constexpr int margin = 48;  // px around it that a shift brings into view
+const glm::ivec2 drawn_size(size.width + 2 * margin, size.height + 2 * margin);
+constexpr double shifted_share = 0.6;
+constexpr double latest = 4.0, counted_from = 1.0;  // s after the baseline
+constexpr int tool_change = 3;                      // code values by which an instrument changes a pixel at least
 
-/// Random numbers that are the same with every standard library.
-class Random {
-  public:
-    explicit Random(std::uint32_t seed) : engine_(seed) {}
-    double in(double low, double high) { return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0; }
-    double log_in(double low, double high) { return low * std::pow(high / low, in(0, 1)); }
-    int below(int count) { return static_cast<int>(engine_() % static_cast<std::uint32_t>(count)); }
-    bool once_in(double times) { return in(0, 1) < 1.0 / times; }
-    double normal() { return std::sqrt(-2.0 * std::log(in(1e-9, 1))) * std::cos(in(0, 6.283185307)); }
-
-  private:
-    std::mt19937 engine_;
-};
-
-/// A view and what spoils its pictures.
-struct Drawn {
-    Scene scene;
-    Preset preset;
-    double noise = 0.0;  // code values, standard deviation
-    int quality = 90;    // of JPEG
-};
-
-glm::dvec3 tint(Random& random, double strength) {
-    return {random.in(1.0 - strength, 1.0), random.in(1.0 - strength, 1.0), random.in(1.0 - strength, 1.0)};
+/// The lens and the round view of shaders/post.frag, which stay where they are when the camera shakes: in linear light.
+cv::Mat vignette() {
+    cv::Mat factors(size, CV_32F);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const double radius =
+                2.0 * std::hypot(x + 0.5 - size.width / 2.0, y + 0.5 - size.height / 2.0) / size.height;
+            const auto smooth = [radius](double from, double to) {
+                const double t = std::clamp((radius - from) / (to - from), 0.0, 1.0);
+                return t * t * (3.0 - 2.0 * t);
+            };
+            factors.at<float>(y, x) =
+                static_cast<float>((1.0 - 0.45 * smooth(0.35, 1.15)) * (1.0 - smooth(1.11, 1.13)));
+        }
+    return factors;
 }
 
-Drawn draw_view(Random& random) {
-    Drawn d;
-    d.scene = load_scene(data_folder() / "samples/lagb.scene.json");
-    Scene& scene = d.scene;
-    scene.events.clear();
-    scene.duration = duration;
-    scene.seed = random.below(1'000'000);
-    if (random.once_in(2)) {
-        scene.organ.file = "liver_lobe.glb";
-        scene.camera.eye = {0, 14, 72};
-        scene.camera.target = {0, 0, 0};
-    }
-    scene.organ.color = tint(random, 0.3);
-    scene.camera.eye *= random.in(0.75, 1.15);
-    scene.camera.eye += glm::dvec3(random.in(-30, 30), random.in(-20, 20), 0);
-    scene.camera.target += glm::dvec3(random.in(-10, 10), random.in(-8, 8), 0);
-    scene.camera.exposure = random.log_in(1.1, 2.8);
-    scene.camera.vignette = random.once_in(3) ? 0 : 1;
-    scene.light.color = {1.0, random.in(0.9, 1.0), random.in(0.8, 1.0)};
-    scene.light.beam_angle = random.in(55, 95);
-
-    constexpr const char* presets[] = {"gastric_banding", "brisk_bleed", "slow_ooze", "heavy_haze"};
-    d.preset = load_preset(data_folder() / "presets" / (std::string(presets[random.below(4)]) + ".json"));
-    BleedingParameters& blood = d.preset.bleeding;
-    blood.speed = random.log_in(1.0, 12.0);
-    blood.max_extent = random.log_in(4.0, 45.0);
-    blood.noise_scale = random.in(2.5, 8.0);
-    blood.rivulets = random.in(0.0, 1.0);
-    SmokeParameters& smoke = d.preset.smoke;
-    smoke.haze.accumulation = random.once_in(6) ? 0.0 : random.log_in(0.03, 0.8);
-    smoke.haze.ventilation = random.in(0.0, 0.15);
-    smoke.haze.color *= random.in(0.75, 1.35) * tint(random, 0.12);
-    smoke.plume.density = random.once_in(5) ? 0.0 : random.in(0.1, 0.9);
-    d.noise = random.in(0.5, 4.0);
-    d.quality = 60 + random.below(36);
-    return d;
+void darken(cv::Mat& code, const cv::Mat& factors) {
+    cv::Mat linear;
+    match::to_linear(code, linear);
+    const match::QuickCode quick_code;
+    for (int y = 0; y < code.rows; ++y)
+        for (int x = 0; x < code.cols; ++x)
+            for (int k = 0; k < 3; ++k)
+                code.at<cv::Vec3b>(y, x)[k] = cv::saturate_cast<std::uint8_t>(
+                    quick_code(linear.at<cv::Vec3f>(y, x)[k] * factors.at<float>(y, x)));
 }
 
-/// Cuts that bleed and burns that smoke, where the tissue is seen.
-void draw_touches(Random& random, const Preview& preview, Scene& scene) {
-    const int touches = 1 + random.below(most_touches);
-    for (int i = 0; i < touches; ++i) {
-        const glm::dvec2 pixel(size.x * random.in(0.2, 0.8), size.y * random.in(0.2, 0.8));
-        const std::optional<OrganHit> hit = preview.pick(pixel, size);
-        if (!hit) continue;
-        ToolContact contact;
-        contact.action = random.once_in(2) ? ToolAction::cut : ToolAction::cauterise;
-        contact.time = random.in(0.0, 0.5 * duration);
-        contact.duration = contact.action == ToolAction::cut ? random.in(0.2, 1.5) : random.in(0.5, 4.0);
-        contact.position = hit->position;
-        contact.to = hit->position + glm::dvec3(random.in(-6, 6), random.in(-6, 6), random.in(-2, 2));
-        contact.power = random.in(0.5, 1.0);
-        contact.strength = random.in(0.5, 2.0);
-        scene.events.push_back(contact);
-    }
-}
-
-void add_noise(Random& random, double strength, Image& image) {
-    for (std::uint8_t& value : image.pixels)
-        value = static_cast<std::uint8_t>(std::clamp(std::lround(value + strength * random.normal()), 0L, 255L));
-    for (std::size_t i = 3; i < image.pixels.size(); i += 4) image.pixels[i] = 255;
-}
-
-void compress(int quality, Image& image) {
+cv::Mat bgr_of(const Image& image) {
     cv::Mat bgr;
     output::to_bgr(image, bgr);
-    std::vector<std::uint8_t> bytes;
-    cv::imencode(".jpg", bgr, bytes, {cv::IMWRITE_JPEG_QUALITY, quality});
-    cv::Mat rgba(image.height, image.width, CV_8UC4, image.pixels.data());
-    cv::cvtColor(cv::imdecode(bytes, cv::IMREAD_COLOR), rgba, cv::COLOR_BGR2RGBA);
+    return bgr;
 }
 
-/// The pixels that the camera shows at all.
-std::vector<bool> seen_in(const Image& image) {
-    std::vector<bool> seen(image.pixels.size() / 4);
-    for (std::size_t i = 0; i < seen.size(); ++i)
-        seen[i] = image.pixels[4 * i] + image.pixels[4 * i + 1] + image.pixels[4 * i + 2] > 0;
-    return seen;
+/// CV_8U 255 where the largest difference of a channel is above `least`.
+cv::Mat differ(const cv::Mat& a, const cv::Mat& b, int least) {
+    cv::Mat apart, channels[3];
+    cv::absdiff(a, b, apart);
+    cv::split(apart, channels);
+    return cv::max(cv::max(channels[0], channels[1]), channels[2]) > least;
 }
+
+/// As it wanders: a slow sway of some mm, in which each direction has its own beat.
+class Wander {
+  public:
+    explicit Wander(Random& random) {
+        for (Sway& sway : sways_) sway = {random.in(0.08, 0.3), random.in(0.0, 6.28)};
+        for (double& extent : extents_) extent = random.in(1.5, 6.0);
+        roll_ = random.in(0.5, 3.0);
+    }
+    /// `time`: s after the baseline, where it is `from`.
+    SceneCamera at(SceneCamera from, double time) const {
+        for (int k = 0; k < 3; ++k) {
+            from.eye[k] += extents_[k] * sways_[k](time);
+            from.target[k] += 0.7 * extents_[k + 3] * sways_[k + 3](time);
+        }
+        const double angle = glm::radians(roll_ * sways_[6](time));
+        const glm::dvec3 ahead = glm::normalize(from.target - from.eye);
+        from.up = from.up * std::cos(angle) + glm::cross(ahead, from.up) * std::sin(angle);
+        return from;
+    }
+
+  private:
+    struct Sway {
+        double beat = 0.1, start = 0.0;  // per s; rad
+        double operator()(double time) const { return std::sin(6.283 * beat * time + start) - std::sin(start); }
+    };
+    Sway sways_[7];
+    double extents_[6];  // mm
+    double roll_ = 0.0;  // degrees
+};
 
 }  // namespace
 
 struct KnownRenders::State {
-    explicit State(std::uint32_t seed) : random(seed) {}
+    explicit State(std::uint32_t seed_) : seed(seed_), lens(vignette()) {}
 
-    Random random;
-    Drawn drawn;
-    std::map<std::string, std::shared_ptr<const PreparedOrgan>> organs;  // by file
+    std::uint32_t seed;
+    cv::Mat lens;  // CV_32F
+    PreparedViews prepared;
+    DrawnView drawn;
+    SceneCamera camera;  // of the baseline, with the margin in view
     std::unique_ptr<Preview> preview;
-    std::vector<bool> seen;
 
-    Image begin() {
+    /// Shows another view; nothing has happened in it.
+    void begin(Random& random, bool clip) {
         drawn = draw_view(random);
-        preview = std::make_unique<Preview>(drawn.scene, drawn.preset,
+        preview = std::make_unique<Preview>(drawn.scene, drawn.preset, prepared.of(drawn),
                                             PreviewOptions{.clip_folders = clip_folders(), .wait_for_clips = true});
-        draw_touches(random, *preview, drawn.scene);
-        Image clear = preview->image(0.0, size);
-        seen = seen_in(clear);
-        preview->set_contacts(drawn.scene.events);
-        return clear;
+        drawn.scene.events = draw_touches(random, *preview, drawn.happens, {size.width, size.height}, clip);
+        camera = drawn.scene.camera;
+        camera.vignette = 0.0;
+        const double wider = static_cast<double>(drawn_size.y) / size.height;
+        camera.field_of_view =
+            glm::degrees(2.0 * std::atan(wider * std::tan(glm::radians(camera.field_of_view) / 2.0)));
     }
-    KnownFrame frame(double time) {
-        KnownFrame known{.picture = preview->image(time, size)};
-        const Layers layers = preview->layers(time, size);
-        double all = 0.0;
-        for (std::size_t i = 0; i < seen.size(); ++i) {
-            if (!seen[i]) continue;
-            all += 1.0;
-            known.blood += layers.blood[i] != 0 ? 1.0 : 0.0;
-            known.veil += static_cast<double>(layers.veil[i]);
+
+    cv::Mat picture(double time) { return bgr_of(preview->image(time, drawn_size)); }
+
+    /// Where the instrument is: what changes when strokes that do nothing move it, and nothing else happens.
+    cv::Mat instrument(double time) {
+        std::vector<ToolContact> strokes = drawn.scene.events;
+        for (ToolContact& stroke : strokes) stroke.action = ToolAction::cauterise, stroke.power = stroke.strength = 0.0;
+        preview->set_contacts({});
+        const cv::Mat without = picture(time);
+        preview->set_contacts(strokes);
+        cv::Mat there = differ(picture(time), without, tool_change);
+        preview->set_contacts(drawn.scene.events);
+        return there;
+    }
+
+    /// As the scene's camera sees it at `time`.
+    Shown baseline(double time) {
+        preview->set_camera(camera);
+        std::vector<ToolContact> strokes;
+        for (const ToolContact& stroke : drawn.scene.events)
+            if (stroke.power == 0.0 && stroke.strength == 0.0) strokes.push_back(stroke);
+        preview->set_contacts(strokes);
+        return {.code = picture(time), .view = {}, .blood = {}, .veil = {}};
+    }
+
+    Shown shown(double time, const SceneCamera& seen) {
+        preview->set_camera(seen);
+        preview->set_contacts({});
+        const cv::Mat tissue = picture(0.0) != cv::Scalar::all(0);  // a channel a pixel
+        preview->set_contacts(drawn.scene.events);
+        Shown now{.code = picture(time), .view = {}, .blood = {}, .veil = {}};
+        Layers layers = preview->layers(time, drawn_size);
+        const cv::Size whole(drawn_size.x, drawn_size.y);
+        now.blood = cv::Mat(whole, CV_8U, layers.blood.data()).clone();
+        now.veil = cv::Mat(whole, CV_32F, layers.veil.data()).clone();
+        cv::extractChannel(tissue, now.view, 2);
+        now.view &= ~instrument(time);
+        return now;
+    }
+
+    /// What the picture's frame leaves of it.
+    Shown framed(const Shown& whole, const Move& move) {
+        Shown part = moved(whole, move, size);
+        if (drawn.scene.camera.vignette == 0.0) return part;
+        darken(part.code, lens);
+        if (!part.view.empty()) part.view &= lens > 0.25F;
+        return part;
+    }
+
+    void through_encoder(KnownView& view) const {
+        const ScratchFolder folder;
+        const std::filesystem::path file = folder.path() / "known.mp4";
+        {
+            output::VideoFile video(file, static_cast<double>(view.pictures.size()) / latest, size);
+            video.add(view.baseline);
+            for (const KnownPicture& known : view.pictures) video.add(known.picture);
+            video.finish();
         }
-        known.blood /= std::max(all, 1.0);
-        known.veil /= std::max(all, 1.0);
-        add_noise(random, drawn.noise, known.picture);
-        return known;
+        VideoReader reader(file);
+        reader.read(0, view.baseline);
+        int i = 0;
+        for (KnownPicture& known : view.pictures) reader.read(++i, known.picture);
     }
 };
 
 KnownRenders::KnownRenders(std::uint32_t seed) : state_(std::make_unique<State>(seed)) {}
 KnownRenders::~KnownRenders() = default;
 
-KnownView KnownRenders::still() {
+KnownView KnownRenders::still(int number) {
     State& s = *state_;
-    KnownView view{.baseline = s.begin(), .frames = {}};
-    view.frames.push_back(s.frame(s.random.in(0.3 * duration, duration)));
-    add_noise(s.random, s.drawn.noise, view.baseline);
-    compress(s.drawn.quality, view.baseline);
-    compress(s.drawn.quality, view.frames.front().picture);
+    Random random(s.seed, 1, static_cast<std::uint32_t>(number));
+    s.begin(random, false);
+    const double time = random.in(0.3, 1.0) * s.drawn.scene.duration, noise = draw_noise(random);
+    const Move move = draw_move(random, shifted_share);
+    KnownView view{.baseline = filmed(random, s.framed(s.baseline(0.0), {}).code, cv::Scalar::all(1.0), noise),
+                   .pictures = {},
+                   .labels = s.drawn.labels};
+    const Shown shown = s.framed(s.shown(time, s.camera), move);
+    KnownPicture picture = known(shown);
+    picture.picture = filmed(random, shown.code, draw_gains(random), noise);
+    picture.shifted = move.any();
+    compress(random, view.baseline);
+    compress(random, picture.picture);
+    view.pictures.push_back(std::move(picture));
     return view;
 }
 
-KnownView KnownRenders::clip(int count) {
+KnownView KnownRenders::clip(int number, int count) {
     State& s = *state_;
-    KnownView view{.baseline = s.begin(), .frames = {}};
-    for (int i = 0; i < count; ++i) view.frames.push_back(s.frame(duration * (i + 0.5) / count));
-    add_noise(s.random, s.drawn.noise, view.baseline);
-    const ScratchFolder folder;
-    const std::filesystem::path file = folder.path() / "known.mp4";
-    {
-        output::VideoFile video(file, clip_fps, {size.x, size.y});
-        video.add(view.baseline);
-        for (const KnownFrame& frame : view.frames) video.add(frame.picture);
-        video.finish();
+    Random random(s.seed, 2, static_cast<std::uint32_t>(number));
+    s.begin(random, true);
+    const double start = random.in(0.05, 0.6) * s.drawn.scene.duration, noise = draw_noise(random);
+    const Wander wander(random);
+    const cv::Scalar gains = draw_gains(random);  // they drift to these
+    KnownView view{.baseline = filmed(random, s.framed(s.baseline(start), {}).code, cv::Scalar::all(1.0), noise),
+                   .pictures = {},
+                   .labels = s.drawn.labels,
+                   .moves = true,
+                   .in_order = true};
+    for (int i = 0; i < count; ++i) {
+        const double later = latest * i / count;
+        const SceneCamera seen = wander.at(s.camera, later);
+        cv::Scalar now = cv::Scalar::all(1.0);
+        for (int k = 0; k < 3; ++k) now[k] = std::pow(gains[k], later / latest);
+        const bool counted = later >= counted_from;
+        Shown shown{.code = {}, .view = {}, .blood = {}, .veil = {}};
+        if (counted)
+            shown = s.framed(s.shown(start + later, seen), {});
+        else {
+            s.preview->set_camera(seen);
+            s.preview->set_contacts(s.drawn.scene.events);
+            shown = s.framed({.code = s.picture(start + later), .view = {}, .blood = {}, .veil = {}}, {});
+        }
+        KnownPicture picture = counted ? known(shown) : KnownPicture{};
+        picture.counted = counted;
+        picture.picture = filmed(random, shown.code, now, noise);
+        view.pictures.push_back(std::move(picture));
     }
-    VideoReader reader(file);
-    reader.read(0, view.baseline);
-    for (int i = 0; i < count; ++i) reader.read(i + 1, view.frames[static_cast<std::size_t>(i)].picture);
+    s.through_encoder(view);
     return view;
 }
 

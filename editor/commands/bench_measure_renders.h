@@ -3,24 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
-#include <vector>
 
-#include "lapfx/organ.h"
+#include "commands/bench_measure_camera.h"
 
 namespace lapfx::commands {
-
-struct KnownFrame {
-    Image picture;       ///< with noise and compression
-    double blood = 0.0;  ///< share of the view, 0..1
-    double veil = 0.0;   ///< mean over the view, 0..1
-};
-
-struct KnownView {
-    Image baseline;  ///< before anything happened, with noise and compression
-    std::vector<KnownFrame> frames;
-};
 
 /// Context current; one thread.
 class KnownRenders {
@@ -30,10 +17,11 @@ class KnownRenders {
     KnownRenders(const KnownRenders&) = delete;
     KnownRenders& operator=(const KnownRenders&) = delete;
 
-    /// Another view with one frame, compressed as JPEG.
-    KnownView still();
-    /// Another view with `count` frames over its whole scene, which went through a video encoder.
-    KnownView clip(int count);
+    /// A view with one picture, whose camera stands where that of the baseline did or a little beside it; JPEG.
+    KnownView still(int number);
+    /// A view with `count` pictures up to 4 s after the baseline, whose camera wanders and whose instrument moves; they
+    /// went through a video encoder. Those of the first second are not counted.
+    KnownView clip(int number, int count);
 
   private:
     struct State;

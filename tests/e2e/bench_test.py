@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """bench_test.py LAPFX FOLDER [NAME]: each benchmark in its short form: it ends well and gives each of its
 ratios as a number. What the numbers are is not looked at. 77 where there is no OpenGL."""
+import csv
 import json
 import math
 import os
@@ -14,7 +15,7 @@ BENCHES = {
     "editor": {"editor_ui_over_scene", "drag_over_idle", "drag_over_still"},
     "frame": {"frame_15_over_0", "frame_15_over_0_light_scene", "haptic_lateness_with_over_without",
               "haptic_lateness_with_over_without_ordinary", "sample_cost_10min_over_10s", "simulation_over_real_time"},
-    "measure": {"measure_over_playback_720x480"},
+    "measure": {"measure_over_playback_720x480", "classes_within_bounds"},
     "streaming": {"smoke_ours_over_paper_15", "smoke_ours_over_paper_same_resolution_15",
                   "smoke_saved_by_resolution_over_paper_15", "smoke_saved_by_drawing_over_paper_15",
                   "smoke_saved_by_sending_over_paper_15",
@@ -22,6 +23,21 @@ BENCHES = {
                   "upload_resident_over_pipeline_15_not_fitting"} | FFMPEG,
     "ui": {"ui_over_imgui_100", "ui_over_imgui_1000", "ui_all_changed_over_imgui_1000", "ui_draw_over_imgui_1080p"},
 }
+
+# Of `bench measure`: the bounds of each class of pictures, {figure: value}; those of "at least" begin with "least_".
+BOUNDS = {
+    "veil_still": {"most_mean_absolute_error": 0.03, "most_bias": 0.02, "least_correlation": 0.98},
+    "veil_moving": {"most_mean_absolute_error": 0.06, "least_correlation": 0.95},
+    "veil_alone": {"least_correlation": 0.9},
+    "blood_still": {"most_mean_absolute_error": 0.015, "least_correlation": 0.95, "least_dice": 0.85,
+                    "most_error_over_zero": 1 / 3},
+    "blood_moving": {"most_mean_absolute_error": 0.03, "least_correlation": 0.85, "most_false_area": 0.03},
+    "blood_veil_15": {"most_mean_absolute_error": 0.015},
+    "blood_veil_30": {"most_mean_absolute_error": 0.025},
+    "blood_dense": {"least_told": 1},
+}
+COVERAGE = {"least_coverage": 0.85, "most_coverage": 0.95}
+LEFT_OUT = {"renders": ("organ", "light", "camera"), "real": ("operation",)}
 
 
 def run(*command):
@@ -43,6 +59,40 @@ def check(ratios, wanted, name):
         assert value >= 0 or "_saved_by_" in ratio, f"{name}: {ratio} is {value}: no cost is below nothing"
 
 
+def check_classes(rows):
+    """Every class and every interval has a row with its bounds and a verdict, of renders and of real frames."""
+    for pictures, labels in LEFT_OUT.items():
+        wanted = BOUNDS | {f"{amount}_intervals_{label}": COVERAGE for amount in ("veil", "blood") for label in labels}
+        found = {row["class"]: row for row in rows if row.get("pictures") == pictures}
+        assert wanted.keys() <= found.keys(), sorted(wanted.keys() - found.keys())
+        for name, bounds in wanted.items():
+            told = {key.removeprefix("bound_"): value for key, value in found[name].items() if key.startswith("bound_")}
+            assert told.keys() == bounds.keys(), (name, told)
+            assert all(math.isclose(told[key], bounds[key]) for key in told), (name, told)
+            assert found[name]["met"] in (0, 1), found[name]
+        assert found["veil_still"]["count"] > 1 and found["veil_moving"]["count"] > 1, found
+
+
+def check_measure(lapfx, folder, work):
+    """Its classes, over the shipped reference as a real clip too; the same seed gives the same figures."""
+    clip = os.path.join(folder, "share/lapfx/samples/reference/operation.mp4")
+    path, table = os.path.join(work, "figures.json"), os.path.join(work, "frames.csv")
+    results = []
+    for _ in range(2):
+        run(lapfx, "bench", "measure", "--short", "--seed", "3", "--json", path, "--frames", table, "--over", clip)
+        results.append(json.load(open(path))["results"])
+    assert results[0] == results[1], "the same seed gives other figures"
+    check_classes(results[0])
+    frames = list(csv.DictReader(open(table)))
+    assert {row["real"] for row in frames} == {"0", "1"}, frames
+    assert {row["operation"] for row in frames if row["real"] == "1"} == {"reference/operation"}, frames
+    counted = sum("veil_still" in row["classes"].split() and row["real"] == "0" for row in frames)
+    assert counted == results[0][0]["count"], (counted, results[0][0])
+    missing = subprocess.run([lapfx, "bench", "measure", "--short", "--over", "none.mp4"], capture_output=True, text=True,
+                             timeout=100)
+    assert missing.returncode == 2 and "none.mp4" in missing.stderr and missing.stderr.count("\n") == 1, missing
+
+
 def main(lapfx, folder, only):
     with tempfile.TemporaryDirectory() as work:
         path = os.path.join(work, "figures.json")
@@ -62,6 +112,8 @@ def main(lapfx, folder, only):
         figures = json.load(open(path))
         assert figures["bench"] == only and figures["short"] and figures["results"], figures
         check(figures["ratios"], BENCHES[only], only)
+        if only == "measure":
+            check_measure(lapfx, folder, work)
         if only == "streaming":
             parts = sum(value for ratio, value in figures["ratios"].items() if "_saved_by_" in ratio)
             whole = 1 - figures["ratios"]["smoke_ours_over_paper_15"]
