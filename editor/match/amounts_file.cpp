@@ -117,6 +117,11 @@ nlohmann::json json_of(const Amount& amount, bool measurable) {
     return {{"value", amount.value}, {"low", amount.low}, {"high", amount.high}};
 }
 
+/// Of a frame that was looked at.
+nlohmann::json figure_of(const FrameAmounts& frame, double figure) {
+    return (frame.flags & told::missing) != 0 ? nlohmann::json(nullptr) : nlohmann::json(figure);
+}
+
 }  // namespace
 
 std::string csv_of(const Measurement& measurement) {
@@ -136,8 +141,8 @@ std::string json_of(const Measurement& measurement) {
         frames.push_back({{"time", f.time},
                           {"blood", json_of(f.blood, f.blood_measurable())},
                           {"veil", json_of(f.veil, f.measurable())},
-                          {"valid", f.valid},
-                          {"likeness", f.likeness},
+                          {"valid", figure_of(f, f.valid)},
+                          {"likeness", figure_of(f, f.likeness)},
                           {"flags", flags_text(f.flags)}});
     const nlohmann::json whole{
         {"format", "lapfx.amounts"},

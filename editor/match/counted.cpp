@@ -19,6 +19,7 @@ cv::Mat as_large_as(const cv::Mat& layer, const Image& frame, int how) {
 }  // namespace
 
 void draw_counted(Image& frame, const Estimator& estimator, const FrameAmounts& amounts, const CountedLayers& drawn) {
+    if ((amounts.flags & told::missing) != 0) return;  // the layers are those of another frame
     cv::Mat all_valid, all_blood, all_veil;
     if (drawn.left_out) all_valid = as_large_as(estimator.valid(), frame, cv::INTER_NEAREST);
     if (drawn.blood && amounts.blood_measurable()) all_blood = as_large_as(estimator.blood(), frame, cv::INTER_NEAREST);

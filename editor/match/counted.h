@@ -24,7 +24,7 @@ struct CountedLayers {
 };
 
 /// `frame` is the one that was measured last, at its own size, and `amounts` what was found. What is not measurable is
-/// not drawn.
+/// not drawn, and nothing at all on a frame that the file could not give.
 void draw_counted(Image& frame, const Estimator& estimator, const FrameAmounts& amounts,
                   const CountedLayers& drawn = {});
 

@@ -12,6 +12,7 @@
 #include "match/interval.h"
 #include "match/overlay.h"
 #include "match/placement.h"
+#include "match/traps.h"
 #include "match/veil.h"
 #include "match/view.h"
 
@@ -109,7 +110,7 @@ struct Estimator::State {
     cv::Mat light_map;  // CV_32FC3
 
     // the baseline as it is, and as it lies over the frame
-    cv::Mat code, wanted, view, reach, instruments, counted;
+    cv::Mat code, wanted, whole, view, reach, instruments, counted;  // whole: the view, with what is not wanted of it
     cv::Mat placed_code, placed_linear, placed_redness, placed_counted;
 
     VeilSolver veil, free_veil;
@@ -194,7 +195,7 @@ void Estimator::State::take(const Image& frame) {
 
 /// Hollows that are black in the clear frame show when smoke is in them; the surround stays black.
 void Estimator::State::see_view() {
-    const cv::Mat whole = view_of(known.brightest);
+    whole = view_of(known.brightest);
     view = whole & wanted;
     if (!known.overlay.empty()) view &= ~known.overlay;
     counted = view & ~instruments;
@@ -323,6 +324,10 @@ void Estimator::State::judge(FrameAmounts& amounts, bool moved) const {
     if (bleached()) amounts.flags |= told::bleached;
     if (dark()) {
         amounts.flags |= told::dark;
+        return;
+    }
+    if (const Trap trap = trap_of(frame_code, whole); trap != Trap::none) {
+        amounts.flags |= trap == Trap::bag ? told::bag : told::trocar;
         return;
     }
     const bool covered = share_of(valid, placed_counted) < least_valid || share_of(counted, view) < least_valid;

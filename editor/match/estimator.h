@@ -40,10 +40,13 @@ enum : unsigned {
     motion = 1U << 1,          ///< the camera moved strongly since the frame before
     not_measurable = 1U << 2,  ///< the tissue of the baseline is not in view: amounts mean nothing
     dark = 1U << 3,            ///< the picture is black: amounts mean nothing
-    missing = 1U << 4,         ///< the file could not give this frame: the one before it was measured
+    missing = 1U << 4,         ///< the file could not give this frame: it has no amounts
     bleached = 1U << 5,        ///< large parts are at full white: nothing can be read there
     tinted = 1U << 6,          ///< the white balance differs from the baseline's
     dense = 1U << 7,           ///< the veil is denser than dense_veil: blood behind it means nothing
+    bag = 1U << 8,             ///< no tissue, but something plain fills the view: amounts mean nothing
+    trocar = 1U << 9,          ///< the inside of a trocar is around what is seen: amounts mean nothing
+    unmeasured = not_measurable | dark | missing | bag | trocar,  ///< any of those without which both amounts are found
 };
 }
 
@@ -63,23 +66,26 @@ inline constexpr ToldRow told_rows[] = {
      "not measurable, because the tissue of the baseline is not in view: another view, something before it, or liquid "
      "on the lens"},
     {told::dark, "dark", "not measurable, because the picture is black"},
-    {told::missing, "missing", "the file cannot give them; the frame before each was measured"},
+    {told::missing, "missing", "not measurable, because the file cannot give them"},
     {told::bleached, "bleached", "a quarter or more of the view is at full white, where nothing can be read"},
     {told::tinted, "tinted",
      "the white balance differs from that of the baseline, which a measure of colour takes for smoke or blood"},
     {told::dense, "dense", "blood is not measurable, because the veil before it is denser than 40 %"},
+    {told::bag, "bag",
+     "not measurable, because no tissue is in view: a bag, a cloth, a title card or another plain thing fills it"},
+    {told::trocar, "trocar", "not measurable, because the view is that out of a trocar"},
 };
 
 struct FrameAmounts {
     double time = 0.0;      ///< s of the video
-    Amount blood;           ///< area fraction of the valid view
-    Amount veil;            ///< mean over the valid view of 1 - transmission of the smoke
+    Amount blood = {};      ///< area fraction of the valid view
+    Amount veil = {};       ///< mean over the valid view of 1 - transmission of the smoke
     double valid = 0.0;     ///< share of the picture that is the valid view, 0..1
     double likeness = 0.0;  ///< how much of the baseline's texture is there, 0 none .. 1 all
     double rest = 0.0;      ///< share of the frame's light that neither tissue, smoke nor blood explain
     double hidden = 0.0;    ///< share of the valid view where smoke or the dark hides the colour
     unsigned flags = 0;     ///< bits of told::
-    bool measurable() const { return (flags & (told::not_measurable | told::dark)) == 0; }
+    bool measurable() const { return (flags & told::unmeasured) == 0; }
     bool blood_measurable() const { return measurable() && (flags & told::dense) == 0; }
 };
 

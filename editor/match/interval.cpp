@@ -33,11 +33,6 @@ void set(Amount& amount, double half) {
     amount.high = std::min(amount.value + half, 1.0);
 }
 
-void hold(Amount& amount, const Amount& other) {
-    amount.low = std::min(amount.low, other.low);
-    amount.high = std::max(amount.high, other.high);
-}
-
 }  // namespace
 
 void set_intervals(FrameAmounts& a) {
@@ -53,26 +48,6 @@ void set_intervals(FrameAmounts& a) {
     set(a.blood,
         factor * (blood_least + blood_of_blood * a.blood.value + blood_of_veil * a.veil.value + blood_of_rest * a.rest +
                   blood_of_more_rest * std::max(a.rest - usual_rest, 0.0) + blood_of_hidden * a.hidden));
-}
-
-void widen_missing(std::span<FrameAmounts> frames) {
-    const auto missing = [&](std::size_t i) { return (frames[i].flags & told::missing) != 0; };
-    for (std::size_t from = 0; from < frames.size(); ++from) {
-        if (!missing(from)) continue;
-        std::size_t to = from;
-        while (to < frames.size() && missing(to)) ++to;
-        for (std::size_t i = from; i < to; ++i) {
-            // At either end of the video there is no other side: anything may have happened.
-            if (from > 0 && to < frames.size())
-                for (const std::size_t beside : {from - 1, to}) {
-                    hold(frames[i].blood, frames[beside].blood);
-                    hold(frames[i].veil, frames[beside].veil);
-                }
-            else
-                set(frames[i].blood, 1.0), set(frames[i].veil, 1.0);
-        }
-        from = to;
-    }
 }
 
 }  // namespace lapfx::match

@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "lapfx/error.h"
-#include "match/interval.h"
 
 namespace lapfx::match {
 
@@ -137,16 +136,16 @@ Measurement measure(VideoReader& video, const MeasureOptions& options, const Pro
     found.survey = estimator.surveyed();
 
     found.frames.reserve(static_cast<std::size_t>(count));
-    Image drawn;  // a copy: a frame that the file cannot give is the one before
+    Image drawn;  // a copy: what is drawn on is not read again
     for (int frame = first; frame <= last; frame += step) {
         reach(progress, survey_share + (1.0 - survey_share) * (frame - first) / std::max(last - first, 1));
         const bool good = video.read(frame, image);
-        FrameAmounts amounts = estimator.measure(image, video.time_of(frame));
-        if (!good) amounts.flags |= told::missing;
+        const double time = video.time_of(frame);
+        const FrameAmounts amounts =
+            good ? estimator.measure(image, time) : FrameAmounts{.time = time, .flags = told::missing};
         found.frames.push_back(amounts);
         if (options.measured) options.measured(drawn = image, estimator, amounts);
     }
-    widen_missing(found.frames);
     sum_up(found);
     return found;
 }

@@ -20,7 +20,6 @@ namespace {
 using match::FrameAmounts;
 namespace told = match::told;
 
-constexpr unsigned never_measured = told::not_measurable | told::dark;
 constexpr float name_width = 6.5F, figure_width = 5.5F;  // em
 
 template <typename... Values>
@@ -115,9 +114,8 @@ void go_to(const MeasureParts& on, double time) {
 }  // namespace
 
 std::string_view not_measurable_text(const FrameAmounts& amounts) {
-    const unsigned which = (amounts.flags & told::dark) != 0 ? told::dark : told::not_measurable;
     for (const match::ToldRow& row : match::told_rows)
-        if (row.bit == which) return row.help;
+        if ((amounts.flags & row.bit & told::unmeasured) != 0) return row.help;
     return {};
 }
 
@@ -143,7 +141,7 @@ void frame_figures(ui::Ui& ui, const app::MeasureBench& bench) {
     line(ui, "Likeness", formatted(ui, "%.2f", found.likeness), "",
          "How well the baseline explains this frame: 0 not at all, 1 fully");
     for (const match::ToldRow& row : match::told_rows)
-        if ((found.flags & row.bit & ~never_measured) != 0)
+        if ((found.flags & row.bit & ~told::unmeasured) != 0)
             wrapped(ui, ui.join({"Here: ", row.help, "."}), ui::Tone::warning);
 }
 

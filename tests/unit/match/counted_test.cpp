@@ -42,6 +42,12 @@ class Counted : public ::testing::Test {
     }
 };
 
+TEST_F(Counted, NothingIsDrawnOnAFrameThatTheFileCannotGive) {
+    measure(0.3);
+    draw_counted(drawn, estimator, {.flags = told::missing});
+    EXPECT_EQ(drawn.pixels, frame.pixels);
+}
+
 TEST_F(Counted, BloodIsYellowAndTheRestStays) {
     measure(0.0);
     draw_counted(drawn, estimator, amounts);

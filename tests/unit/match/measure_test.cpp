@@ -105,6 +105,35 @@ TEST_F(MeasureTest, GivesEachFrameWithItsLayersAndIsNotChangedByWhatIsDrawn) {
     }
 }
 
+TEST_F(MeasureTest, AFrameThatTheFileCannotGiveHasNoAmounts) {
+    add_operation(30);
+    VideoReader whole(video());
+    const Measurement all = measure(whole, {.baseline = 0.0});
+    for (const char* name : {"f_0014.png", "f_0015.png", "f_0029.png"}) folder.write(name, "broken");
+    VideoReader reader(video());
+    int drawn = 0;
+    const Measurement found =
+        measure(reader, {.baseline = 0.0, .measured = [&](Image&, const Estimator&, const FrameAmounts& amounts) {
+                             drawn += amounts.flags == told::missing ? 1 : 0;
+                         }});
+    EXPECT_EQ(drawn, 3);
+    ASSERT_EQ(found.frames.size(), 30U);
+    for (std::size_t i = 0; i < 30; ++i) {
+        const FrameAmounts& f = found.frames[i];
+        EXPECT_EQ(f.time, all.frames[i].time);
+        const bool missing = i == 14 || i == 15 || i == 29;
+        EXPECT_EQ(f.flags == told::missing, missing) << i;
+        EXPECT_NEAR(f.veil.value, missing ? 0.0 : all.frames[i].veil.value, 0.01) << i;
+        EXPECT_NEAR(f.veil.high, missing ? 0.0 : all.frames[i].veil.high, 0.015) << "a gap widens no other: " << i;
+    }
+    EXPECT_EQ(found.notes.front(), "3 of 30 frames: not measurable, because the file cannot give them");
+    const std::string csv = csv_of(found);
+    EXPECT_NE(csv.find("\n0.5600,,,,,,,missing\n0.6000,,,,,,,missing\n0.6400,0."), std::string::npos) << csv;
+    EXPECT_FALSE(read_amounts(csv, "a.csv")[14].measurable());
+    const nlohmann::json json = nlohmann::json::parse(json_of(found))["frames"][14];
+    for (const char* key : {"blood", "veil", "valid", "likeness"}) EXPECT_TRUE(json[key].is_null()) << key;
+}
+
 TEST_F(MeasureTest, TellsThatNothingHappens) {
     for (int i = 0; i < 12; ++i) add(test::tissue());
     VideoReader reader(video());

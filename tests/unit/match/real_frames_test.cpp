@@ -8,8 +8,11 @@
 
 #include "lapfx/authoring/video.h"
 #include "lapfx/error.h"
+#include "match/colors.h"
 #include "match/measure.h"
 #include "match/pairs.h"
+#include "match/traps.h"
+#include "match/view.h"
 #include "support/deep.h"
 #include "unit/organ/fixtures.h"
 
@@ -30,8 +33,48 @@ class RealFrames : public ::testing::Test {
         const auto right = std::count_if(pairs.begin(), pairs.end(), [](const RankedPair& p) { return p.right(); });
         return {static_cast<int>(right), static_cast<int>(pairs.size())};
     }
+    fs::path clip(int number) const {
+        return data / "surgery/cholec80-5s-clips/train/high" / ("video01_" + std::to_string(number) + ".mp4");
+    }
+    /// Of frames, every n-th of those of a video: '-' none, 'b' a bag, 't' a trocar.
+    static std::string traps_of(const fs::path& file, int every = 1) {
+        VideoReader reader(file);
+        std::string found;
+        Image image;
+        cv::Mat code;
+        for (int frame = 0; frame < reader.info().frames; frame += every) {
+            reader.read(frame, image);
+            shrink(image, {256, 256 * image.height / image.width}, code);
+            found += "-bt"[static_cast<int>(trap_of(code, view_of(code)))];
+        }
+        return found;
+    }
     fs::path data;
 };
+
+/// Tissue, out through a trocar, and a bag; a bag; a bag, what is outside the body, and back into the trocar.
+TEST_F(RealFrames, ABagAndATrocarAreToldFrameByFrame) {
+    const std::string leaves = traps_of(clip(292)), outside = traps_of(clip(293)), comes = traps_of(clip(294));
+    ASSERT_EQ(leaves.size(), 125U);
+    EXPECT_EQ(leaves.find_first_not_of('-'), 36U) << leaves;
+    EXPECT_EQ(leaves.substr(36, 18), std::string(18, 't'));
+    EXPECT_EQ(leaves.substr(70), std::string(55, 'b'));
+    EXPECT_EQ(outside, std::string(125, 'b'));
+    EXPECT_EQ(comes.substr(0, 15), std::string(15, 'b'));
+    EXPECT_EQ(comes.substr(112), std::string(13, 't'));
+}
+
+/// Smoke over tissue, thin and so dense that a viewer hardly sees what is behind.
+TEST_F(RealFrames, SmokeIsNoTrap) {
+    const int every = lapfx::test::one_in(5, 1);
+    for (const int number : {288, 289, 290, 291, 296, 297})
+        EXPECT_EQ(traps_of(clip(number), every).find_first_not_of('-'), std::string::npos) << number;
+    EXPECT_EQ(traps_of(clip(295)).find_last_not_of('-'), 9U) << "it comes in through the trocar";
+    for (const auto& file : fs::directory_iterator(data / "surgery/DeSmoke-LAP/video clips/Input"))
+        if (file.path().extension() == ".avi") {
+            EXPECT_EQ(traps_of(file.path(), every).find_first_not_of('-'), std::string::npos) << file.path();
+        }
+}
 
 TEST_F(RealFrames, SmokyOnesOfPairsRankAboveClearOnes) {
     const fs::path folder = data / "surgery/desmoking-pairs-salazar/datasets/laparoscopy";
