@@ -78,12 +78,14 @@ glm::dvec4 region_of(const std::string& text, glm::ivec2 size) {
     return region;
 }
 
-void print(const char* name, const match::Episode& episode) {
-    if (!episode.peak) {
-        std::cout << name << ": not measurable\n";
-        return;
-    }
-    std::cout << name << ": peak " << *episode.peak << ", mean " << *episode.mean << ", area " << *episode.area << " s";
+void print(const char* name, const match::Episode& episode, bool course_only) {
+    std::cout << name << ": ";
+    if (course_only)
+        std::cout << "course only, no level" << (episode.peak_at ? "" : ", no change");
+    else if (episode.peak)
+        std::cout << "peak " << *episode.peak << ", mean " << *episode.mean << ", area " << *episode.area << " s";
+    else
+        std::cout << "not measurable";
     const std::pair<const char*, const std::optional<double>*> times[] = {
         {"onset", &episode.onset}, {"rise", &episode.rise}, {"peak at", &episode.peak_at}, {"decay", &episode.decay}};
     for (const auto& [word, time] : times)
@@ -91,11 +93,23 @@ void print(const char* name, const match::Episode& episode) {
     std::cout << '\n';
 }
 
+std::string baseline_text(std::optional<double> baseline, bool suggested) {
+    return baseline ? match::seconds_text(*baseline) + (suggested ? ", suggested" : "") : "none";
+}
+
 void print(const match::Measurement& found) {
     std::cout.precision(3);
-    std::cout << "baseline: " << match::seconds_text(found.baseline) << (found.suggested ? ", suggested" : "") << '\n';
-    print("blood", found.blood);
-    print("veil", found.veil);
+    std::cout << "baseline: " << baseline_text(found.baseline, found.suggested) << '\n';
+    for (const match::Shot& shot : found.shots) {
+        if (found.shots.size() == 1) break;
+        std::cout << "shot " << match::seconds_text(shot.from) << " to " << match::seconds_text(shot.to) << ": ";
+        if (shot.baseline)
+            std::cout << "baseline " << baseline_text(shot.baseline, shot.suggested) << '\n';
+        else
+            std::cout << "no baseline: " << match::row_of(shot.why).help << '\n';
+    }
+    print("blood", found.blood, false);
+    print("veil", found.veil, found.course_only);
 }
 
 /// What library faults call by the name of a member is an option here.
@@ -115,8 +129,9 @@ class OverlayFile {
         if (!path.empty()) file_.emplace(path, info.frames_per_second, even(info.size));
     }
     explicit operator bool() const { return file_.has_value(); }
-    void add(Image& frame, const match::Estimator& estimator, const match::FrameAmounts& amounts) {
-        match::draw_counted(frame, estimator, amounts);
+    /// `estimator`: null where no baseline serves; the frame is as it was then.
+    void add(Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
+        if (estimator != nullptr) match::draw_counted(frame, *estimator, amounts);
         file_->add(even_of(frame));
         ++frames_;
     }
@@ -154,7 +169,7 @@ match::Measurement measure(VideoReader& video, const Options& o) {
     Progress progress("measuring", progress_steps);
     OverlayFile overlay(o.overlay, video.info());  // after Progress: Ctrl-C leaves nothing of it
     if (overlay)
-        options.measured = [&overlay](Image& frame, const match::Estimator& estimator,
+        options.measured = [&overlay](Image& frame, const match::Estimator* estimator,
                                       const match::FrameAmounts& amounts) { overlay.add(frame, estimator, amounts); };
     int done = 0;
     try {

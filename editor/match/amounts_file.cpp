@@ -122,6 +122,11 @@ nlohmann::json figure_of(const FrameAmounts& frame, double figure) {
     return (frame.flags & told::missing) != 0 ? nlohmann::json(nullptr) : nlohmann::json(figure);
 }
 
+nlohmann::json json_of(std::optional<double> baseline, bool suggested) {
+    if (!baseline) return nullptr;
+    return {{"time", *baseline}, {"suggested", suggested}};
+}
+
 }  // namespace
 
 std::string csv_of(const Measurement& measurement) {
@@ -143,17 +148,26 @@ std::string json_of(const Measurement& measurement) {
                           {"veil", json_of(f.veil, f.measurable())},
                           {"valid", figure_of(f, f.valid)},
                           {"likeness", figure_of(f, f.likeness)},
+                          {"course", f.course ? nlohmann::json(f.course->value) : nlohmann::json(nullptr)},
                           {"flags", flags_text(f.flags)}});
+    nlohmann::json shots = nlohmann::json::array();
+    for (const Shot& shot : measurement.shots)
+        shots.push_back({{"from", shot.from},
+                         {"to", shot.to},
+                         {"baseline", json_of(shot.baseline, shot.suggested)},
+                         {"without", shot.baseline ? nlohmann::json(nullptr) : nlohmann::json(row_of(shot.why).key)}});
     const nlohmann::json whole{
         {"format", "lapfx.amounts"},
         {"version", 1},
-        {"baseline", {{"time", measurement.baseline}, {"suggested", measurement.suggested}}},
+        {"baseline", json_of(measurement.baseline, measurement.suggested)},
+        {"shots", std::move(shots)},
         {"light",
          {{"color",
            {measurement.survey->light.color.r, measurement.survey->light.color.g, measurement.survey->light.color.b}},
           {"fall_off", measurement.survey->light.fall_off}}},
         {"blood", json_of(measurement.blood)},
         {"veil", json_of(measurement.veil)},
+        {"course_only", measurement.course_only},
         {"notes", measurement.notes},
         {"frames", std::move(frames)}};
     return whole.dump(2) + "\n";

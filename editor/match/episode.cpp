@@ -19,8 +19,17 @@ struct Point {
     std::size_t frame;  ///< in the measurement
 };
 
+/// Of a frame that has it.
 const Amount& amount_of(const FrameAmounts& frame, Curve curve) {
-    return curve == Curve::blood ? frame.blood : frame.veil;
+    switch (curve) {
+        case Curve::blood:
+            return frame.blood;
+        case Curve::course:
+            return *frame.course;
+        case Curve::veil:
+            break;
+    }
+    return frame.veil;
 }
 
 /// Running mean over `smoothing`, and over three frames at least.
@@ -60,7 +69,15 @@ std::optional<double> falls_past(const std::vector<Point>& points, std::size_t p
 }  // namespace
 
 bool measurable(const FrameAmounts& frame, Curve curve) {
-    return curve == Curve::blood ? frame.blood_measurable() : frame.measurable();
+    switch (curve) {
+        case Curve::blood:
+            return frame.blood_measurable();
+        case Curve::course:
+            return frame.course.has_value();
+        case Curve::veil:
+            break;
+    }
+    return frame.measurable();
 }
 
 Episode episode_of(std::span<const FrameAmounts> frames, Curve curve) {

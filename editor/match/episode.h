@@ -8,7 +8,8 @@ namespace lapfx::match {
 
 struct FrameAmounts;
 
-/// Times in s. What the curve does not show is missing: an amount that never falls has no decay.
+/// Times in s; a course is in units of its own, 0..1. What the curve does not show is missing: an amount that never
+/// falls has no decay.
 struct Episode {
     std::optional<double> peak;     ///< the largest amount, smoothed over 0.2 s; nothing: no frame is measurable
     std::optional<double> mean;     ///< over the time that is measurable
@@ -19,9 +20,10 @@ struct Episode {
     std::optional<double> decay;    ///< from the peak until half of the way is gone
 };
 
-enum class Curve { blood, veil };
+enum class Curve { blood, veil, course };
 
-/// Whether a frame has that amount: blood behind dense smoke has none.
+/// Whether a frame has that amount: blood behind dense smoke has none, and only frames without a baseline have a
+/// course.
 bool measurable(const FrameAmounts& frame, Curve curve);
 /// Frames whose amount is not measurable are left out.
 Episode episode_of(std::span<const FrameAmounts> frames, Curve curve);

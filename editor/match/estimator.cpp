@@ -26,8 +26,6 @@ constexpr float redder = 1.15F, darker = 0.85F, dark_noise = 0.004F;
 constexpr float white = 0.90F;           // linear: highlights say nothing of what is behind
 constexpr double bleached_share = 0.25;  // of the view
 constexpr float foreign_rest = 5.0F;     // residual in units of noise
-constexpr double cut_likeness = 0.12;    // of the frame with the one before it
-constexpr double least_texture = 12.0;   // code values of texture_of, root mean square: less is a plain picture
 constexpr double view_slack = 0.02;      // of the longer side, around the view of the baseline
 
 // What makes a frame not measurable; found on real clips (tests/unit/match/real_frames_test.cpp).
@@ -83,13 +81,6 @@ cv::Mat around(const cv::Mat& view) {
     const double slack = view_slack * std::max(view.cols, view.rows);
     cv::circle(disc, middle, static_cast<int>(std::lround(radius + slack)), 255, cv::FILLED);
     return disc;
-}
-
-/// How strong a picture of texture_of is within `view`, root mean square.
-double strength_of(const cv::Mat& texture, const cv::Mat& view) {
-    cv::Scalar mean, deviation;
-    cv::meanStdDev(texture, mean, deviation, view);
-    return deviation[0];
 }
 
 [[noreturn]] void refuse(const std::string& place, const std::string& reason) {
@@ -270,13 +261,9 @@ bool Estimator::State::pale() const {
     return placement.likeness() < unlike && share_of(frame_redness >= tissue_red, placed_counted) < least_red;
 }
 
-/// Where both frames show the baseline, the camera moved; a plain picture (black, white, dense smoke) shows no view.
+/// Where both frames show the baseline, the camera moved.
 bool Estimator::State::cut_from_last() const {
-    if (!has_last || (last_alike && placement.likeness() >= unlike)) return false;
-    if (strength_of(last_texture, view) < least_texture || strength_of(texture, view) < least_texture) return false;
-    Placement before(last_texture, view);
-    before.follow(texture);
-    return before.likeness() < cut_likeness;
+    return has_last && (!last_alike || placement.likeness() < unlike) && another_view(last_texture, texture, view);
 }
 
 /// Light that is left over the valid view without blood, in shares of its light.
@@ -332,7 +319,8 @@ void Estimator::State::judge(FrameAmounts& amounts, bool moved) const {
     }
     const bool covered = share_of(valid, placed_counted) < least_valid || share_of(counted, view) < least_valid;
     const bool strange = pale() || (amounts.likeness < unlike && share_of(foreign, placed_counted) > most_foreign);
-    if (strange || covered || amounts.rest > most_rest || amounts.valid < 0.05) amounts.flags |= told::not_measurable;
+    if (strange || covered || amounts.valid < 0.05) amounts.flags |= told::not_measurable;
+    if (amounts.measurable() && amounts.rest > most_rest) amounts.flags |= told::unregistered;
     if (amounts.measurable() && amounts.veil.value > dense_veil) amounts.flags |= told::dense;
 }
 
@@ -409,8 +397,10 @@ FrameAmounts Estimator::measure(const Image& frame, double time) {
     return amounts;
 }
 
-void Estimator::forget() {
-    state_->placement.forget();
+void Estimator::forget(const cv::Matx33d& place) {
+    const double width = state_->size.width;
+    state_->placement.forget(cv::Matx33d::diag({width, width, 1}) * place *
+                             cv::Matx33d::diag({1 / width, 1 / width, 1}));
     state_->has_last = false;
 }
 

@@ -46,7 +46,11 @@ enum : unsigned {
     dense = 1U << 7,           ///< the veil is denser than dense_veil: blood behind it means nothing
     bag = 1U << 8,             ///< no tissue, but something plain fills the view: amounts mean nothing
     trocar = 1U << 9,          ///< the inside of a trocar is around what is seen: amounts mean nothing
-    unmeasured = not_measurable | dark | missing | bag | trocar,  ///< any of those without which both amounts are found
+    no_baseline = 1U << 10,    ///< no clear frame shows this shot's tissue: there is nothing to measure against
+    unregistered = 1U << 11,   ///< tissue, but that of the baseline is not found in its place: blood means nothing
+    /// Any of those without which both amounts are found.
+    unmeasured = not_measurable | dark | missing | bag | trocar | no_baseline,
+    bloodless = unmeasured | dense | unregistered,  ///< any of those without which blood is found
 };
 }
 
@@ -74,6 +78,10 @@ inline constexpr ToldRow told_rows[] = {
     {told::bag, "bag",
      "not measurable, because no tissue is in view: a bag, a cloth, a title card or another plain thing fills it"},
     {told::trocar, "trocar", "not measurable, because the view is that out of a trocar"},
+    {told::no_baseline, "no_baseline", "not measurable, because no clear frame of the same view is known"},
+    {told::unregistered, "unregistered",
+     "blood is not measurable, because the tissue of the baseline is not found in its place: the camera or the tissue "
+     "moved far"},
 };
 
 struct FrameAmounts {
@@ -85,8 +93,11 @@ struct FrameAmounts {
     double rest = 0.0;      ///< share of the frame's light that neither tissue, smoke nor blood explain
     double hidden = 0.0;    ///< share of the valid view where smoke or the dark hides the colour
     unsigned flags = 0;     ///< bits of told::
+    /// Without a baseline: how hazy the frame looks by itself, 0 the least and 1 the most of its shot, and how far that
+    /// differs from frame to frame. Only order and course mean something: pale tissue looks as thick smoke does.
+    std::optional<Amount> course = {};
     bool measurable() const { return (flags & told::unmeasured) == 0; }
-    bool blood_measurable() const { return measurable() && (flags & told::dense) == 0; }
+    bool blood_measurable() const { return (flags & told::bloodless) == 0; }
 };
 
 /// A part of the picture that is not measured: corners as fractions of the picture, from its upper left corner.
@@ -124,9 +135,10 @@ class Estimator {
     std::shared_ptr<const Survey> surveyed() const;
 
     /// `frame` has the shape of the baseline, at any size. Frames follow each other in time: cuts and strong motion are
-    /// found from one to the next; forget() begins again.
+    /// found from one to the next; forget() begins again. `place`: where the baseline lies in the next frame, from its
+    /// pixels to those of the frame, both as fractions of the width.
     FrameAmounts measure(const Image& frame, double time);
-    void forget();
+    void forget(const cv::Matx33d& place = cv::Matx33d::eye());
 
     // --- the layers of the frame measured last, at working_size() ---------------------------------------------------
     cv::Size working_size() const;

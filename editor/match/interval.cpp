@@ -26,7 +26,8 @@ struct Wider {
     unsigned bit;
     double factor;
 };
-constexpr Wider wider[] = {{told::tinted, 1.5}, {told::bleached, 1.25}, {told::motion, 1.25}};
+constexpr Wider wider[] = {
+    {told::tinted, 1.5}, {told::bleached, 1.25}, {told::motion, 1.25}, {told::unregistered, 1.8}};
 
 void set(Amount& amount, double half) {
     amount.low = std::max(amount.value - half, 0.0);

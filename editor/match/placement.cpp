@@ -21,6 +21,8 @@ constexpr double strong_motion = 6.0;  // px of the working size from one frame 
 constexpr double better_by = 0.01;     // likeness: less is noise
 constexpr double surely_there = 0.9;   // likeness
 constexpr double largest_zoom = 1.6;
+constexpr double cut_likeness = 0.12;   // of a frame with the one before it
+constexpr double least_texture = 12.0;  // code values of texture_of, root mean square: less is a plain picture
 
 /// How far the corners of a picture move between two places, px.
 double distance(const cv::Matx33d& a, const cv::Matx33d& b, cv::Size size) {
@@ -95,15 +97,22 @@ std::optional<cv::Matx33d> motion_of(const Points& from, const Points& to) {
     return fitted(from, to, best);
 }
 
+/// How strong a picture of texture_of is within `view`, root mean square.
+double strength_of(const cv::Mat& texture, const cv::Mat& view) {
+    cv::Scalar mean, deviation;
+    cv::meanStdDev(texture, mean, deviation, view);
+    return deviation[0];
+}
+
 }  // namespace
 
 Placement::Placement(cv::Mat texture, const cv::Mat& counts) : texture_(std::move(texture)), counts_(counts.clone()) {
     cv::goodFeaturesToTrack(texture_, points_, most_points, point_quality, point_distance, counts_);
 }
 
-void Placement::forget() {
-    place_ = cv::Matx33d::eye();
-    still_ = true;
+void Placement::forget(const cv::Matx33d& place) {
+    place_ = place;
+    still_ = texture_.empty() || distance(place_, cv::Matx33d::eye(), texture_.size()) <= still_within;
 }
 
 double Placement::likeness_at(const cv::Matx33d& place, const cv::Mat& texture) {
@@ -159,6 +168,13 @@ bool Placement::follow(const cv::Mat& texture) {
     likeness_ = std::max(best, 0.0);
     still_ = distance(place_, none, texture.size()) <= still_within;
     return distance(place_, before, texture.size()) > strong_motion;
+}
+
+bool another_view(const cv::Mat& last, const cv::Mat& now, const cv::Mat& view) {
+    if (strength_of(last, view) < least_texture || strength_of(now, view) < least_texture) return false;
+    Placement before(last, view);
+    before.follow(now);
+    return before.likeness() < cut_likeness;
 }
 
 }  // namespace lapfx::match

@@ -16,7 +16,8 @@ class Placement {
     /// Looks for the baseline in a frame's texture, near where it was last; keeps that place when nothing better is
     /// found. Gives whether it moved by more than a few pixels against the frame before.
     bool follow(const cv::Mat& texture);
-    void forget();
+    /// Begins again, with the baseline at that place.
+    void forget(const cv::Matx33d& place = cv::Matx33d::eye());
 
     /// From the baseline's pixels to the frame's, 3x3.
     const cv::Matx33d& place() const { return place_; }
@@ -36,5 +37,9 @@ class Placement {
     bool still_ = true;
     double likeness_ = 1.0;
 };
+
+/// Whether two frames, one right after the other, show different views: `last` is found nowhere in `now`. A plain
+/// picture (black, white, dense smoke) shows no view. Textures of texture_of; `view`: CV_8U, of both.
+bool another_view(const cv::Mat& last, const cv::Mat& now, const cv::Mat& view);
 
 }  // namespace lapfx::match

@@ -12,7 +12,7 @@ namespace lapfx::match {
 namespace {
 
 constexpr int width = 1280, panel_height = 360, left = 70, right = 24, top = 40, bottom = 44;
-const cv::Scalar ink(50, 50, 50), pale(228, 228, 228), unmeasured(240, 240, 236);  // BGR
+const cv::Scalar ink(50, 50, 50), pale(228, 228, 228), unmeasured(240, 240, 236), course_ink(120, 120, 120);  // BGR
 
 struct Panel {
     const char* title;
@@ -66,11 +66,13 @@ std::string number(const char* format, double value) {
     return text;
 }
 
-void draw_grid(cv::Mat& on, const Axes& axes) {
+/// `levels`: the amounts have a scale.
+void draw_grid(cv::Mat& on, const Axes& axes, bool levels) {
     for (int i = 0; i <= 4; ++i) {
         const double value = axes.most() * i / 4;
+        if (!levels && i > 0) break;
         cv::line(on, {left, axes.y(value)}, {width - right, axes.y(value)}, i == 0 ? ink : pale);
-        write(on, number("%.3g", value), {16, axes.y(value) + 4}, 0.42, ink);
+        if (levels) write(on, number("%.3g", value), {16, axes.y(value) + 4}, 0.42, ink);
     }
     for (int i = 0; i <= 8; ++i) {
         const double time = axes.from() + axes.length() * i / 8;
@@ -102,9 +104,17 @@ void draw_curve(cv::Mat& on, const Axes& axes, const Panel& panel, std::span<con
     cv::polylines(on, line, false, panel.color, 2, cv::LINE_AA);
 }
 
-void draw_episode(cv::Mat& on, const Axes& axes, const Panel& panel, const Episode& episode) {
-    std::string text =
-        episode.peak ? number("peak %.3f", *episode.peak) + number("   area %.3f s", *episode.area) : "not measurable";
+/// A course fills the height, whatever it is worth: thin, and in no colour of an amount.
+void draw_course(cv::Mat& on, const Axes& axes, std::span<const FrameAmounts> run) {
+    std::vector<cv::Point> line;
+    for (const FrameAmounts& f : run) line.emplace_back(axes.x(f.time), axes.y(axes.most() * f.course->value));
+    cv::polylines(on, line, false, course_ink, 1, cv::LINE_AA);
+    write(on, "course only, no scale", {axes.x(run.front().time) + 6, panel_height - bottom - 8}, 0.42, ink);
+}
+
+void draw_episode(cv::Mat& on, const Axes& axes, const Panel& panel, const Episode& episode, bool course_only) {
+    std::string text = course_only ? "course only, no level" : "not measurable";
+    if (episode.peak) text = number("peak %.3f", *episode.peak) + number("   area %.3f s", *episode.area);
     const auto mark = [&](const char* name, const std::optional<double>& at) {
         if (!at) return;
         const int x = axes.x(*at);
@@ -132,14 +142,21 @@ cv::Mat draw(const Panel& panel, const Measurement& found) {
         const int from = std::max(axes.x(run.front().time - half_frame), left);
         const int to = std::min(axes.x(run.back().time + half_frame), width - right);
         cv::rectangle(on, {from, top}, {to, panel_height - bottom}, unmeasured, cv::FILLED);
-        if (to - from > 110) write(on, "not measurable", {from + 6, panel_height - bottom - 8}, 0.42, ink);
+        const bool has_course = panel.curve == Curve::veil && run.front().course.has_value();
+        if (to - from > 110 && !has_course)
+            write(on, "not measurable", {from + 6, panel_height - bottom - 8}, 0.42, ink);
     });
-    draw_grid(on, axes);
+    const bool course_only = panel.curve == Curve::veil && found.course_only;
+    draw_grid(on, axes, !course_only);
     each_run(found.frames, panel.curve, [&](std::span<const FrameAmounts> run, bool has_any) {
         if (has_any) draw_curve(on, axes, panel, run);
     });
+    if (panel.curve == Curve::veil)
+        each_run(found.frames, Curve::course, [&](std::span<const FrameAmounts> run, bool has_any) {
+            if (has_any) draw_course(on, axes, run);
+        });
     write(on, panel.title, {left, 24}, 0.6, ink);
-    draw_episode(on, axes, panel, found.*panel.episode);
+    draw_episode(on, axes, panel, found.*panel.episode, course_only);
     return on;
 }
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/match/pictures.h"
+#include "unit/match/clips.h"
 #include "unit/preset/support.h"
 
 namespace lapfx::match {
@@ -71,13 +71,6 @@ cv::Mat evenly(const cv::Vec3f& color) {
     return {test::height, test::width, CV_32FC3, cv::Scalar(color)};
 }
 
-/// A white bag that fills the view.
-cv::Mat bag() {
-    cv::Mat white;
-    cv::transform(test::tissue(77777), white, cv::Matx33f(0, 0, 1.2F, 0, 0, 1.15F, 0, 0, 1.25F));
-    return white;
-}
-
 /// In a round view with a black surround.
 cv::Mat round(const cv::Mat& picture) {
     cv::Mat made = evenly({0, 0, 0}), disc = cv::Mat::zeros(picture.size(), CV_8U);
@@ -99,7 +92,7 @@ TEST(Estimator, TellsWhatCannotBeMeasured) {
     Estimator estimator(test::image_of(clear), {});
     EXPECT_TRUE(estimator.measure(test::image_of(evenly({0, 0, 0})), 0).flags & told::dark);
     estimator.measure(test::image_of(clear), 1);
-    const FrameAmounts a = estimator.measure(test::image_of(bag()), 2);
+    const FrameAmounts a = estimator.measure(test::image_of(test::bag()), 2);
     EXPECT_EQ(a.flags, told::cut | told::bag);
     EXPECT_FALSE(a.measurable());
     EXPECT_GT(a.veil.value, dense_veil);
@@ -112,8 +105,8 @@ TEST(Estimator, TellsACutWhereTheViewIsAnother) {
         return (estimator.measure(test::image_of(frame), 0).flags & told::cut) != 0;
     };
     EXPECT_FALSE(cut(test::tissue())) << "the first frame follows none";
-    EXPECT_TRUE(cut(bag()));
-    EXPECT_FALSE(cut(bag()));
+    EXPECT_TRUE(cut(test::bag()));
+    EXPECT_FALSE(cut(test::bag()));
     EXPECT_TRUE(cut(test::tissue(2)));
     EXPECT_TRUE(cut(test::tissue()));
     EXPECT_FALSE(cut(test::tissue()));
@@ -151,7 +144,7 @@ TEST(Estimator, SurveysNoForeignFrame) {
         EXPECT_TRUE(alone.survey(smoky));
         EXPECT_TRUE(mixed.survey(smoky));
         EXPECT_FALSE(mixed.survey(test::image_of(i % 2 == 0 ? evenly({0.95F, 0.95F, 0.95F}) : title_card())));
-        EXPECT_FALSE(mixed.survey(test::image_of(bag())));
+        EXPECT_FALSE(mixed.survey(test::image_of(test::bag())));
         EXPECT_FALSE(mixed.survey(test::image_of(evenly({0, 0, 0}))));
     }
     const auto a = alone.surveyed(), b = mixed.surveyed();

@@ -5,23 +5,18 @@
 
 #include <nlohmann/json.hpp>
 
-#include "output/files.h"
-#include "unit/match/pictures.h"
-#include "unit/preset/support.h"
+#include "unit/match/clips.h"
 
 namespace lapfx::match {
 namespace {
 
 class MeasureTest : public ::testing::Test {
   protected:
-    lapfx::test::Folder folder;
+    test::Clip clip;
+    const lapfx::test::Folder& folder = clip.folder;
 
-    void add(const cv::Mat& linear) {
-        char name[32];
-        std::snprintf(name, sizeof name, "f_%04d.png", count_++);
-        output::write_png(folder / name, test::image_of(linear));
-    }
-    std::filesystem::path video() const { return folder / "f_%04d.png"; }
+    void add(const cv::Mat& linear) { clip.add(linear); }
+    std::filesystem::path video() const { return clip.video(); }
     /// Smoke rises from 0 to 0.5 and blood spreads.
     void add_operation(int frames) {
         const cv::Mat clear = test::tissue();
@@ -38,9 +33,6 @@ class MeasureTest : public ::testing::Test {
             measure(reader, options);
         });
     }
-
-  private:
-    int count_ = 0;
 };
 
 TEST_F(MeasureTest, FindsTheClearFrameAndBothEpisodes) {
@@ -90,9 +82,9 @@ TEST_F(MeasureTest, GivesEachFrameWithItsLayersAndIsNotChangedByWhatIsDrawn) {
     VideoReader reader(video());
     const Measurement plain = measure(reader, {.baseline = 0.0});
     std::vector<double> times, veils;
-    const auto black = [&](Image& frame, const Estimator& estimator, const FrameAmounts& amounts) {
+    const auto black = [&](Image& frame, const Estimator* estimator, const FrameAmounts& amounts) {
         times.push_back(amounts.time);
-        veils.push_back(cv::mean(estimator.veil(), estimator.valid())[0]);
+        veils.push_back(cv::mean(estimator->veil(), estimator->valid())[0]);
         std::fill(frame.pixels.begin(), frame.pixels.end(), std::uint8_t{0});
     };
     const Measurement found = measure(reader, {.baseline = 0.0, .measured = black});
@@ -113,7 +105,7 @@ TEST_F(MeasureTest, AFrameThatTheFileCannotGiveHasNoAmounts) {
     VideoReader reader(video());
     int drawn = 0;
     const Measurement found =
-        measure(reader, {.baseline = 0.0, .measured = [&](Image&, const Estimator&, const FrameAmounts& amounts) {
+        measure(reader, {.baseline = 0.0, .measured = [&](Image&, const Estimator*, const FrameAmounts& amounts) {
                              drawn += amounts.flags == told::missing ? 1 : 0;
                          }});
     EXPECT_EQ(drawn, 3);
@@ -146,9 +138,7 @@ TEST_F(MeasureTest, TellsThatNothingHappens) {
 
 TEST_F(MeasureTest, TellsThatMostIsNotMeasurable) {
     for (int i = 0; i < 4; ++i) add(test::tissue());
-    cv::Mat bag = test::tissue(3), white;
-    cv::transform(bag, white, cv::Matx33f(0, 0, 1.2F, 0, 0, 1.15F, 0, 0, 1.25F));
-    for (int i = 0; i < 12; ++i) add(white);
+    clip.add(test::bag(), 12);
     VideoReader reader(video());
     const Measurement found = measure(reader, {.baseline = 0.0, .every = 2});
     ASSERT_FALSE(found.notes.empty());
@@ -179,8 +169,9 @@ TEST_F(MeasureTest, TellsASmokyBaseline) {
 }
 
 TEST_F(MeasureTest, TakesNoPaleTissueForAHazyBaseline) {
+    // As haze, but red to the last: what is as bright as this behind haze is not as red.
     cv::Mat pale;
-    cv::add(0.5 * test::tissue(), cv::Scalar(0.12, 0.12, 0.14), pale);
+    cv::transform(test::tissue(), pale, cv::Matx34f(0.8F, 0, 0, 0.03F, 0, 0.8F, 0, 0.03F, 0, 0, 1.2F, 0.16F));
     for (int i = 0; i < 12; ++i) add(pale);
     ASSERT_GT(hazeness_of(test::image_of(pale)), 0.2);
     VideoReader reader(video());

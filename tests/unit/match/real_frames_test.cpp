@@ -15,6 +15,7 @@
 #include "match/view.h"
 #include "support/deep.h"
 #include "unit/organ/fixtures.h"
+#include "unit/preset/support.h"
 
 namespace lapfx::match {
 namespace {
@@ -90,21 +91,48 @@ TEST_F(RealFrames, InputsRankAboveTheirDesmokedOutputs) {
     EXPECT_GE(right, all - 1);  // input_2 has hardly any smoke, and its output no less of it
 }
 
-/// A trocar and a white bag fill the view: that is not smoke.
-TEST_F(RealFrames, ABagAndATrocarAreNotMeasurable) {
-    for (const char* name : {"video01_292.mp4", "video01_294.mp4"}) {
-        VideoReader reader(data / "surgery/cholec80-5s-clips/train/high" / name);
-        Measurement found;
-        try {
-            found = measure(reader, {.every = lapfx::test::one_in(12, 4)});
-        } catch (const Error& error) {
-            EXPECT_NE(error.faults().front().reason.find("no frame that is measurable"), std::string::npos) << name;
-            continue;
-        }
-        int not_measurable = 0;
-        for (const FrameAmounts& f : found.frames) not_measurable += f.measurable() ? 0 : 1;
-        EXPECT_GT(not_measurable, static_cast<int>(found.frames.size()) / 2) << name;
-        EXPECT_FALSE(found.veil.peak_at) << name;
+/// 36 frames of tissue, then a trocar and a bag.
+TEST_F(RealFrames, ShotsEndWhereNoTissueIsInView) {
+    VideoReader reader(clip(292));
+    const Measurement found = measure(reader, {});
+    ASSERT_EQ(found.shots.size(), 2U);
+    EXPECT_EQ(found.shots[0].last, 35);
+    EXPECT_TRUE(found.shots[0].baseline);
+    EXPECT_LE(reader.frame_at(*found.shots[0].baseline), 35);
+    EXPECT_EQ(found.shots[1].why, WithoutBaseline::bag);
+    for (std::size_t i = 0; i < 125; ++i) EXPECT_EQ(found.frames[i].measurable(), i < 36) << i;
+    for (std::size_t i = 70; i < 125; ++i) EXPECT_EQ(found.frames[i].flags, told::bag) << i;
+}
+
+/// The bag alone, and what is outside the body.
+TEST_F(RealFrames, AVideoWithoutTissueIsRefused) {
+    for (const int number : {293, 294}) {
+        VideoReader reader(clip(number));
+        const auto faults = lapfx::test::faults_of([&] { measure(reader, {}); });
+        ASSERT_EQ(faults.size(), 1U) << number;
+        EXPECT_NE(faults[0].find("has no frame that is measurable (of 125 frames "), std::string::npos) << faults[0];
+        EXPECT_NE(faults[0].find(number == 293 ? "125 bag" : " trocar"), std::string::npos) << faults[0];
+    }
+}
+
+/// It opens hazy, clears while the camera comes near, and smoke builds up from frame 60 on.
+TEST_F(RealFrames, AHazyStartIsNoBaseline) {
+    VideoReader reader(clip(288));
+    const std::vector<Shot> shots = find_shots(reader, 0.0, reader.info().duration, {});
+    const Shot& shot = *main_shot(shots);
+    ASSERT_TRUE(shot.baseline);
+    EXPECT_GE(reader.frame_at(*shot.baseline), 30);
+    EXPECT_LE(reader.frame_at(*shot.baseline), 60);
+}
+
+/// Smoke fills the view from the first frame to the last.
+TEST_F(RealFrames, SmokeFromBeginningToEndHasNoLevel) {
+    for (const int number : {289, 297}) {
+        VideoReader reader(clip(number));
+        const Measurement found = measure(reader, {.every = lapfx::test::one_in(5, 1)});
+        EXPECT_FALSE(found.baseline) << number;
+        EXPECT_TRUE(found.course_only) << number;
+        EXPECT_FALSE(found.veil.peak || found.veil.onset) << number;
     }
 }
 

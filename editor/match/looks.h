@@ -1,0 +1,38 @@
+// What one frame shows by itself, without a baseline: tissue or not, and an order of haze.
+//
+//     const match::Look look = match::look_at(image);
+//     if (look.shown == match::Shown::tissue) note(look.haze);
+//
+// Pure, any thread.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+
+#include "lapfx/organ.h"
+
+namespace lapfx::match {
+
+/// What fills the view. Dark: the picture is black.
+enum class Shown : std::uint8_t { tissue, bag, trocar, dark };
+
+/// Mats are at most 160 px on their longer side.
+struct Look {
+    Shown shown = Shown::dark;
+    cv::Mat code;       ///< CV_8UC3, BGR
+    cv::Mat view;       ///< CV_8U, view_of
+    cv::Mat texture;    ///< CV_8U, texture_of
+    double haze = 0.0;  ///< the mean dark channel of the view, 0..1: it grows with haze and with the paleness of tissue
+    double reddest = 0.0;  ///< reddest_tenth (traps.h)
+};
+Look look_at(const Image& image);
+
+/// How alike the textures of two frames are within the first one's view, without moving either: 1 the same, 0 as two
+/// pictures of other things.
+double likeness(const Look& a, const Look& b);
+/// Whether a cut lies between two frames, one right after the other.
+bool is_cut(const Look& last, const Look& now);
+/// Whether the tissue of `a` is seen in `b`, also where the camera has moved a little.
+bool shows_tissue_of(const Look& a, const Look& b);
+
+}  // namespace lapfx::match
