@@ -122,21 +122,26 @@ Error at_option(const Error& error, const std::string& file) {
     return {error.failure(), std::move(faults)};
 }
 
-/// The frames that are measured with what was counted drawn over them; nothing without the option.
+/// The frames that are measured with what was counted drawn over them; nothing without the option. It has the video's
+/// mean rate: where that varies, a frame is repeated or left out, so that each is shown at its own time.
 class OverlayFile {
   public:
-    OverlayFile(const std::string& path, const VideoInfo& info) {
-        if (!path.empty()) file_.emplace(path, info.frames_per_second, even(info.size));
+    OverlayFile(const std::string& path, const VideoInfo& info) : rate_(info.frames_per_second) {
+        if (!path.empty()) file_.emplace(path, rate_, even(info.size));
     }
     explicit operator bool() const { return file_.has_value(); }
     /// `estimator`: null where no baseline serves; the frame is as it was then.
     void add(Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
+        if (!start_) start_ = amounts.time;
+        hold_until(amounts.time);
         if (estimator != nullptr) match::draw_counted(frame, *estimator, amounts);
-        file_->add(even_of(frame));
-        ++frames_;
+        last_ = even_of(frame);
+        if (frames_ <= at(amounts.time)) write();
     }
-    void finish() {
+    /// `end`: when the last frame is gone, s.
+    void finish(double end) {
         if (!file_) return;
+        hold_until(end);
         Progress progress("checking the video", frames_);
         while (file_->check()) progress.step();
         file_->publish();
@@ -156,10 +161,27 @@ class OverlayFile {
         cv::copyMakeBorder(from, to, 0, size.height - frame.height, 0, size.width - frame.width, cv::BORDER_REPLICATE);
         return even_;
     }
+    int at(double time) const { return static_cast<int>(std::lround((time - *start_) * rate_)); }
+    void write() {
+        file_->add(last_);
+        ++frames_;
+    }
+    void hold_until(double time) {
+        while (frames_ > 0 && frames_ < at(time)) write();
+    }
+
+    double rate_;  // frames per second
     std::optional<output::VideoFile> file_;
-    Image even_;
+    std::optional<double> start_;  // s of the video that is measured
+    Image even_, last_;
     int frames_ = 0;
 };
+
+/// When the last frame that was measured gives way to the next.
+double end_of(const match::Measurement& found, const VideoReader& video) {
+    const int next = video.frame_at(found.frames.back().time) + 1;
+    return next < video.info().frames ? video.time_of(next) : video.info().duration;
+}
 
 match::Measurement measure(VideoReader& video, const Options& o) {
     match::MeasureOptions options{.baseline = o.baseline, .from = o.from, .to = o.to};
@@ -177,7 +199,7 @@ match::Measurement measure(VideoReader& video, const Options& o) {
             for (; done < static_cast<int>(share * progress_steps); ++done) progress.step();
             return true;
         });
-        overlay.finish();  // before anything else is written: only here a full disk is found
+        overlay.finish(end_of(found, video));  // before anything else is written: only here a full disk is found
         return found;
     } catch (const Error& error) {
         throw at_option(error, o.video);
@@ -242,7 +264,8 @@ void add_measure(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("measure", "Measure how much blood and smoke a surgery video shows");
     verb->add_option("VIDEO", o->video, "The video, or numbered images: frame_%04d.png")->required();
     verb->add_option("--baseline", o->baseline,
-                     "Time of a clear frame, s; 0 is the first frame. Left out, the clearest is taken")
+                     "Time of a clear frame, s; 0 is the first frame. It serves the shots that show its tissue; the "
+                     "others, and all if it is left out, get the clearest of their own frames")
         ->option_text("S")
         ->check(finite_number());
     verb->add_option("--roi", o->region, "The part that is measured, in pixels, or in fractions if none is above 1")
@@ -274,6 +297,10 @@ void add_measure(CLI::App& app) {
         "measurable is empty, and the flags say why, words with one space between them:\n  " +
         flag_words() +
         "\n\n"
+        "Each shot is measured against a clear frame of its own; a bag or the inside of a trocar that fills the view\n"
+        "ends a shot. Where every frame of a shot is hazy, its onset, rise, peak and decay are told and no level: the\n"
+        "veil is empty (no_baseline), and the JSON has a course, 0 to 1 within the shot, of which only the order\n"
+        "counts. A frame that the file cannot give is empty (missing).\n\n"
         "Example:\n  lapfx measure samples/reference/operation.mp4 --to 2 -o amounts.csv --plot amounts.png");
     verb->callback([o] { run(*o); });
 }

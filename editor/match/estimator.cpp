@@ -313,7 +313,9 @@ void Estimator::State::judge(FrameAmounts& amounts, bool moved) const {
         amounts.flags |= told::dark;
         return;
     }
-    if (const Trap trap = trap_of(frame_code, whole); trap != Trap::none) {
+    const Trap trap = trap_of(frame_code, whole);
+    // Smoke may become so dense that no red is left; the tissue is still seen behind then.
+    if (trap == Trap::trocar || (trap == Trap::bag && amounts.likeness < unlike)) {
         amounts.flags |= trap == Trap::bag ? told::bag : told::trocar;
         return;
     }

@@ -82,4 +82,9 @@ bool shows_tissue_of(const Look& a, const Look& b) {
     return placement.likeness() > there;
 }
 
+void tell_smoke_from_bag(const Look& earlier, Look& look) {
+    if (look.shown == Shown::bag && earlier.shown == Shown::tissue && shows_tissue_of(earlier, look))
+        look.shown = Shown::tissue;
+}
+
 }  // namespace lapfx::match

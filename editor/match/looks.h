@@ -34,5 +34,8 @@ double likeness(const Look& a, const Look& b);
 bool is_cut(const Look& last, const Look& now);
 /// Whether the tissue of `a` is seen in `b`, also where the camera has moved a little.
 bool shows_tissue_of(const Look& a, const Look& b);
+/// Smoke may become so dense that no red is left, as before a bag: it is none while the tissue of an earlier frame is
+/// still seen behind.
+void tell_smoke_from_bag(const Look& earlier, Look& look);
 
 }  // namespace lapfx::match

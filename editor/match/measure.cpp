@@ -290,6 +290,7 @@ class Frames {
         if (!video_.read(frame, image_)) return {.time = time, .flags = told::missing};
         if (estimator != nullptr) return estimator->measure(image_, time);
         Look look = look_at(image_);
+        if (last_) tell_smoke_from_bag(*last_, look);
         FrameAmounts amounts = unserved(look, time, shot.why == WithoutBaseline::hazy);
         if (last_ && options_.every == 1 && is_cut(*last_, look)) amounts.flags |= told::cut;
         last_ = std::move(look);

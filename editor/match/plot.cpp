@@ -12,7 +12,8 @@ namespace lapfx::match {
 namespace {
 
 constexpr int width = 1280, panel_height = 360, left = 70, right = 24, top = 40, bottom = 44;
-const cv::Scalar ink(50, 50, 50), pale(228, 228, 228), unmeasured(240, 240, 236), course_ink(120, 120, 120);  // BGR
+const cv::Scalar ink(50, 50, 50), pale(228, 228, 228), unmeasured(240, 240, 236), course_ink(120, 120, 120),
+    course_band(216, 216, 216);  // BGR
 
 struct Panel {
     const char* title;
@@ -106,8 +107,14 @@ void draw_curve(cv::Mat& on, const Axes& axes, const Panel& panel, std::span<con
 
 /// A course fills the height, whatever it is worth: thin, and in no colour of an amount.
 void draw_course(cv::Mat& on, const Axes& axes, std::span<const FrameAmounts> run) {
-    std::vector<cv::Point> line;
-    for (const FrameAmounts& f : run) line.emplace_back(axes.x(f.time), axes.y(axes.most() * f.course->value));
+    std::vector<cv::Point> line, band;
+    for (const FrameAmounts& f : run) {
+        line.emplace_back(axes.x(f.time), axes.y(axes.most() * f.course->value));
+        band.emplace_back(axes.x(f.time), axes.y(axes.most() * f.course->high));
+    }
+    for (auto f = run.rbegin(); f != run.rend(); ++f)
+        band.emplace_back(axes.x(f->time), axes.y(axes.most() * f->course->low));
+    cv::fillPoly(on, std::vector<std::vector<cv::Point>>{band}, course_band, cv::LINE_AA);
     cv::polylines(on, line, false, course_ink, 1, cv::LINE_AA);
     write(on, "course only, no scale", {axes.x(run.front().time) + 6, panel_height - bottom - 8}, 0.42, ink);
 }

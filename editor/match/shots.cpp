@@ -84,6 +84,7 @@ std::vector<Sample> samples_of(VideoReader& video, int first, int last, const Pr
         const int frame = first + static_cast<int>(static_cast<long long>(i) * count / steps);
         if (!video.read(frame, image)) continue;
         Sample& sample = samples.emplace_back(Sample{.frame = frame, .look = look_at(image)});
+        if (samples.size() > 1) tell_smoke_from_bag(samples[samples.size() - 2].look, sample.look);
         if (is_tissue(sample)) sample.clear = clearness_of(sample.look);
     }
     return samples;
@@ -104,6 +105,7 @@ void find_starts(VideoReader& video, const Sample& from, const Sample& to, std::
     for (int frame = from.frame + 1; frame <= to.frame; ++frame) {
         if (frame < to.frame && !video.read(frame, image)) continue;
         Look now = frame < to.frame ? look_at(image) : to.look;
+        tell_smoke_from_bag(last, now);
         const bool cut = is_cut(last, now);
         if (cut || now.shown != last.shown) found.push_back({.first = frame, .shown = now.shown, .cut = cut});
         last = std::move(now);

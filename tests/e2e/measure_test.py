@@ -9,6 +9,7 @@ import sys
 import tempfile
 import time
 
+SPOT = [0.35 * red + 0.65 * yellow for red, yellow in zip((0x78, 6, 8), (240, 228, 66))]  # blood as it is drawn
 COLUMNS = "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags".split(",")
 
 
@@ -82,8 +83,7 @@ def check_overlay(lapfx, reference, folder):
         stream_of(overlay)
     before, after = pixels_of(spot, 20, 640, 511), pixels_of(overlay, 20, 640, 512)
     there = mean_at(after, 640, 326, 266)
-    wanted = [0.35 * old + 0.65 * yellow for old, yellow in zip((0x78, 6, 8), (240, 228, 66))]
-    assert all(abs(a - b) < 12 for a, b in zip(there, wanted)), (there, wanted)
+    assert all(abs(a - b) < 12 for a, b in zip(there, SPOT)), (there, SPOT)
     for x, y in ((420, 200), (330, 340)):
         was, now = mean_at(before, 640, x, y), mean_at(after, 640, x, y)
         assert all(abs(a - b) < 8 for a, b in zip(was, now)), (x, y, was, now)
@@ -201,16 +201,89 @@ def check_nothing_measurable(lapfx, reference, folder):
     assert both + ": has no frame that is measurable with the baseline at 0.20 s" in told, told
     assert not os.path.exists(out)
     code, said, told = run(lapfx, both, "--baseline", "0.2", "--from", "0.8", "-o", out[:-4] + ".json")
-    assert code == 0 and "blood: not measurable\nveil: not measurable\n" in said, (code, said, told)
+    assert code == 0, told
+    assert said.startswith("baseline: 0.20 s\nshot 0.80 s to 0.96 s: baseline 0.20 s\nshot 1.00 s to "), said
+    assert ": no baseline: no tissue is in view\nblood: not measurable\nveil: not measurable\n" in said, said
     found = json.load(open(out[:-4] + ".json"))
     assert found["veil"]["peak"] is None and found["frames"][-1]["veil"] is None, found["frames"][-1]
-    assert "not_measurable" in found["frames"][-1]["flags"].split(" "), found["frames"][-1]
+    assert "bag" in found["frames"][-1]["flags"].split(" "), found["frames"][-1]
+    assert [shot["without"] for shot in found["shots"]] == [None, "bag"], found["shots"]
     code, said, told = run(lapfx, both, "--baseline", "0.2", "--from", "0.8", "-o", out)
     assert code == 0, told
     rows = list(csv.DictReader(open(out)))
     assert rows[0]["veil"] and not rows[0]["flags"], rows[0]
     assert [rows[-1][column] for column in COLUMNS[1:-1]] == [""] * 6, rows[-1]
-    assert "not_measurable" in rows[-1]["flags"].split(" "), rows[-1]
+    assert "bag" in rows[-1]["flags"].split(" "), rows[-1]
+
+
+def duration_of(video):
+    done = subprocess.run(["ffprobe", "-v", "error", "-show_entries", "format=duration", "-of", "csv=p=0", video],
+                          check=True, capture_output=True, text=True)
+    return float(done.stdout)
+
+
+def check_varying_rate(lapfx, reference, folder):
+    """Every third frame of the first second, then every one: the spot comes at its time, in CSV and overlay."""
+    varying, overlay, out = (os.path.join(folder, name) for name in ("varying.mkv", "varying.mp4", "varying.csv"))
+    ffmpeg("-i", reference, "-vf", "select=eq(n\\,0),loop=74:1,setpts=N/25/TB,format=bgr0,"
+           "drawbox=x=300:y=240:w=60:h=60:color=0x780608:t=fill:enable='gte(t,2)',"
+           "select='gte(t,1)+not(mod(n,3))'", "-fps_mode", "vfr", "-c:v", "ffv1", "-pix_fmt", "bgr0", varying)
+    code, _, told = run(lapfx, varying, "--baseline", "0", "-o", out, "--overlay", overlay)
+    assert code == 0, told
+    rows = list(csv.DictReader(open(out)))
+    assert len(rows) == 59 and abs(float(rows[1]["time"]) - 0.12) < 0.002, (len(rows), rows[1])
+    first = next(float(row["time"]) for row in rows if row["blood"] and float(row["blood"]) > 0.005)
+    assert abs(first - 2.0) < 0.05, first
+    assert abs(duration_of(overlay) - duration_of(varying)) < 0.1, (duration_of(overlay), duration_of(varying))
+    rate = eval(stream_of(overlay)["r_frame_rate"])  # a fraction: "59/3"
+    before = mean_at(pixels_of(varying, 0, 640, 512), 640, 326, 266)
+    for time, wanted in ((1.85, before), (2.15, SPOT)):
+        there = mean_at(pixels_of(overlay, round(time * rate), 640, 512), 640, 326, 266)
+        assert all(abs(a - b) < 12 for a, b in zip(there, wanted)), (time, there, wanted)
+
+
+def check_strange_files(lapfx, reference, folder):
+    """What a user may come with: a file that was cut short, pixels that are not square, a white balance that drifts."""
+    short, squeezed, drifting, out = (os.path.join(folder, name) for name in
+                                      ("short.ts", "squeezed.mp4", "drifting.mp4", "strange.csv"))
+    whole = os.path.join(folder, "whole.ts")
+    ffmpeg("-i", reference, "-t", "2", "-c:v", "mpeg2video", "-q:v", "3", "-an", whole)
+    data = open(whole, "rb").read()
+    open(short, "wb").write(data[:len(data) * 2 // 3])
+    code, _, told = run(lapfx, short, "--baseline", "0", "-o", out)
+    assert code == 0, told
+    rows = list(csv.DictReader(open(out)))
+    assert 20 < len(rows) < 50 and rows[0]["veil"], len(rows)
+    for row in rows:  # what cannot be decoded any more has no amounts, and says so
+        assert ("missing" in row["flags"].split(" ")) <= (row["veil"] == row["blood"] == ""), row
+    ffmpeg("-i", reference, "-t", "0.6", "-vf", "scale=320:512,setsar=2", squeezed)
+    code, _, told = run(lapfx, squeezed, "--baseline", "0", "-o", out)
+    assert code == 0 and all(row["veil"] for row in csv.DictReader(open(out))), told
+    ffmpeg("-i", reference, "-vf", "select=eq(n\\,0),loop=49:1,setpts=N/25/TB,format=rgb24,"
+           "geq=r='r(X,Y)':g='g(X,Y)':b='b(X,Y)*(1+0.1*T)'", "-t", "2", "-r", "25", "-c:v", "libx264", "-qp", "8",
+           "-pix_fmt", "yuv444p", drifting)
+    code, _, told = run(lapfx, drifting, "--baseline", "0", "-o", out)
+    assert code == 0 and "the white balance differs from that of the baseline" in told, told
+    rows = list(csv.DictReader(open(out)))
+    assert "tinted" not in rows[0]["flags"] and "tinted" in rows[-1]["flags"], (rows[0], rows[-1])
+
+
+def check_all_hazy(lapfx, reference, folder):
+    """Thick smoke over a still view, which becomes thicker: when is told, how much is not."""
+    hazy, out, plot = (os.path.join(folder, name) for name in ("hazy.mp4", "hazy.json", "hazy.png"))
+    # Into grey by 0.75, from 2 s to 3 s by 0.95.
+    mix = "(0.75+0.2*clip(T-2,0,1))"
+    ffmpeg("-i", reference, "-vf", "select=eq(n\\,0),loop=99:1,setpts=N/25/TB,scale=320:256,format=rgb24," +
+           "geq=" + ":".join(f"{c}='{c}(X,Y)*(1-{mix})+165*{mix}'" for c in "rgb"), "-t", "4", "-r", "25",
+           "-c:v", "libx264", "-qp", "8", "-pix_fmt", "yuv444p", hazy)
+    code, said, told = run(lapfx, hazy, "-o", out, "--plot", plot)
+    assert code == 0, told
+    assert said.startswith("baseline: none\nblood: not measurable\nveil: course only, no level, onset 2"), said
+    found = json.load(open(out))
+    assert found["course_only"] and found["baseline"] is None and found["veil"]["peak"] is None, found["veil"]
+    assert found["frames"][10]["veil"] is None and found["frames"][10]["flags"] == "no_baseline", found["frames"][10]
+    assert found["frames"][10]["course"] < 0.2 < 0.8 < found["frames"][-1]["course"], found["frames"][-1]
+    assert "every frame is hazy" in told, told
 
 
 def main(lapfx, reference):
@@ -220,6 +293,9 @@ def main(lapfx, reference):
         check_notes(lapfx, reference, folder)
         check_faults(lapfx, reference, folder)
         check_nothing_measurable(lapfx, reference, folder)
+        check_varying_rate(lapfx, reference, folder)
+        check_strange_files(lapfx, reference, folder)
+        check_all_hazy(lapfx, reference, folder)
         check_pairs(lapfx, reference, folder)
 
 

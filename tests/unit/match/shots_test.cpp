@@ -136,6 +136,22 @@ TEST(Shots, WithoutTissueTheVideoIsRefusedAndSaysWhy) {
               std::vector<std::string>{"has no frame that is measurable: no tissue is in view"});
 }
 
+TEST(Shots, SmokeThatTakesAllRedIsNoBag) {
+    test::Clip clip;
+    const HazeLight grey{.color = {0.4, 0.4, 0.4}, .fall_off = 0.2};
+    for (int i = 0; i < 40; ++i)
+        clip.add(test::veiled(test::tissue(), cv::Mat(test::height, test::width, CV_32F, cv::Scalar(0.024 * i)),
+                              test::light_of(grey)));
+    VideoReader video(clip.video());
+    Image last;
+    video.read(39, last);
+    ASSERT_EQ(look_at(last).shown, Shown::bag) << "by itself";
+    const Measurement found = measure(video, {});
+    ASSERT_EQ(stretches(found.shots), "0-39");
+    EXPECT_EQ(found.frames[36].flags & told::bag, 0U);
+    EXPECT_GT(found.frames[36].veil.value, 0.75);
+}
+
 /// Thick smoke from beginning to end that becomes thicker from 1 s to 2 s and goes back from 3 s to 4 s.
 double thick(double time) {
     if (time < 1.0 || time > 4.0) return 0.5;
