@@ -133,12 +133,13 @@ void add_bench(CLI::App& app) {
             "What 15 smoke clips add to a frame, how much they delay a haptic thread, and what blood and wounds cost",
             bench_frame);
     frame->add_flag("--simulation", frame_options->simulation, "Measure only what is not drawn, in a few seconds");
-    const auto [measure, measure_options] = add(
-        "measure",
-        "How far measured amounts of blood and smoke are from the true ones, by class of picture, against a bound of "
-        "each; and how fast measuring is",
-        bench_measure);
-    measure->add_option("--seed", measure_options->seed, "Seed of the renders; the intervals were fitted to seed 1")
+    const auto [measure, measure_options] =
+        add("measure",
+            "How far measured blood and smoke are from the true amounts, by class of picture, and how fast that is",
+            bench_measure);
+    measure
+        ->add_option("--seed", measure_options->seed,
+                     "Seed of what is drawn at random: the same seed gives the same figures")
         ->option_text("NUMBER")
         ->check(CLI::Range(0, 1'000'000))
         ->capture_default_str();

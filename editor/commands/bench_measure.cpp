@@ -27,7 +27,7 @@ namespace {
 struct Extent {
     int stills, clips, pictures_of_clip, composites, timed_frames;
 };
-constexpr Extent whole{200, 20, 40, 4, 200}, least{4, 1, 4, 2, 5};
+constexpr Extent whole{200, 20, 40, 4, 200}, least{4, 1, 8, 2, 5};
 
 constexpr double least_area = 0.005;  // of the view: of less blood the Dice is chance
 
@@ -44,9 +44,11 @@ std::optional<double> dice_of(const KnownPicture& known, const match::Estimator&
 
 void measure_view(const KnownView& view, int index, std::vector<MeasuredPicture>& pictures) {
     match::Estimator estimator(view.baseline, {});
-    const std::size_t count = view.pictures.size();
-    const std::size_t step = (count + match::surveyed_frames - 1) / match::surveyed_frames;
-    for (std::size_t i = 0; i < count; i += step) estimator.survey(view.pictures[i].picture);
+    std::vector<const KnownPicture*> counted;
+    for (const KnownPicture& known : view.pictures)
+        if (known.counted) counted.push_back(&known);
+    const std::size_t step = (counted.size() + match::surveyed_frames - 1) / match::surveyed_frames;
+    for (std::size_t i = 0; i < counted.size(); i += step) estimator.survey(counted[i]->picture);
     estimator.forget();
     double time = 0.0;
     for (const KnownPicture& known : view.pictures) {

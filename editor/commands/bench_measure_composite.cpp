@@ -53,7 +53,8 @@ cv::Mat dimmed(const cv::Mat& shape, double factor) {
 
 cv::Mat veil_shape(Random& random, cv::Size size, const cv::Mat& plume) {
     if (random.chance(even_share)) return {size, CV_32F, cv::Scalar(1.0)};
-    cv::Mat shape = 0.2 + noise(random, size, wide, wide) + 0.5 * noise(random, size, narrow, narrow);
+    const cv::Mat slow = noise(random, size, wide, wide), quick = noise(random, size, narrow, narrow);
+    cv::Mat shape = 0.2 + slow + 0.5 * quick;
     if (!plume.empty() && random.chance(plume_share)) shape = 0.5 * shape + 1.5 * placed(random, size, plume);
     return shape;
 }
@@ -101,7 +102,8 @@ cv::Mat blood_shape(Random& random, cv::Size size) {
                        cv::INTER_LINEAR, cv::BORDER_REFLECT_101);
         return turned + 0.6 * noise(random, size, wide, wide);
     }
-    cv::Mat shape = noise(random, size, lobe, lobe) + 0.4 * noise(random, size, fine_lobe, fine_lobe);
+    const cv::Mat lobes = noise(random, size, lobe, lobe), fine = noise(random, size, fine_lobe, fine_lobe);
+    cv::Mat shape = lobes + 0.4 * fine;
     const double x0 = size.width * random.in(0.25, 0.75), y0 = size.height * random.in(0.25, 0.75);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
@@ -123,8 +125,9 @@ cv::Mat thickness_of(const cv::Mat& shape, const cv::Mat& view, double area, dou
         for (int x = 0; x < shape.cols; ++x) {
             const float here = shape.at<float>(y, x);
             if (view.at<std::uint8_t>(y, x) == 0 || here < edge) continue;
-            film.at<float>(y, x) =
-                least_thickness + (static_cast<float>(deepest) - least_thickness) * (here - edge) / rise;
+            // A film swells like a drop: fast at its rim.
+            const float swell = std::sqrt((here - edge) / rise);
+            film.at<float>(y, x) = least_thickness + (static_cast<float>(deepest) - least_thickness) * swell;
         }
     return film;
 }

@@ -22,6 +22,7 @@ constexpr double noise = 2.0;  // code values, beside that of the real camera
 constexpr double veilless = 0.2, least_veil = 0.03, most_veil = 0.8;
 constexpr double bloodless = 0.25, least_area = 0.005, most_area = 0.3;
 constexpr double soonest = 1.0, latest = 4.0;  // s after the baseline
+constexpr double leading_rate = 12.5;          // per s, of the frames that lead to those
 
 /// A frame of the sample plume, 0..1.
 cv::Mat draw_plume(Random& random) {
@@ -86,7 +87,7 @@ class Clip {
         const double area = random_.chance(bloodless) ? 0.0 : random_.log_in(least_area, most_area);
         const cv::Mat film = composite::blood_shape(random_, size_);
         shown.blood =
-            composite::lay_blood(linear, composite::thickness_of(film, shown.view, area, random_.in(0.15, 0.8)));
+            composite::lay_blood(linear, composite::thickness_of(film, shown.view, area, random_.in(0.3, 1.0)));
         const double mean = random_.chance(veilless) ? 0.0 : random_.in(least_veil, most_veil);
         shown.veil = composite::veil_of(composite::veil_shape(random_, size_, plume_), shown.view, mean);
         composite::lay_veil(linear, shown.veil.mul(inside), light_);
@@ -117,8 +118,21 @@ bool measurable(const Image& baseline) {
     }
 }
 
-/// Pictures over `frames` with the frame `baseline` before them; counted where there are none.
-void add_view(Clip& clip, int baseline, const std::vector<int>& frames, KnownView view, OverCounts& counts,
+KnownPicture leading(Image picture) {
+    KnownPicture made;
+    made.picture = std::move(picture);
+    made.counted = false;
+    return made;
+}
+
+struct Taken {
+    int frame;
+    bool counted;
+};
+
+/// Pictures over frames with `baseline` before them. Those that are not counted stay clear: they lead to the others, as
+/// the frames of a video do.
+void add_view(Clip& clip, int baseline, const std::vector<Taken>& frames, KnownView view, OverCounts& counts,
               std::vector<KnownView>& views) {
     const std::optional<cv::Mat> before = clip.frame(baseline);
     if (!before) {
@@ -131,12 +145,11 @@ void add_view(Clip& clip, int baseline, const std::vector<int>& frames, KnownVie
         ++counts.refused;
         return;
     }
-    for (const int frame : frames) {
-        const std::optional<cv::Mat> code = frame == baseline ? before : clip.frame(frame);
-        if (code)
-            view.pictures.push_back(clip.composite(*code));
-        else
-            ++counts.missing;
+    for (const Taken& taken : frames) {
+        const std::optional<cv::Mat> code = taken.frame == baseline ? before : clip.frame(taken.frame);
+        if (code && taken.counted) view.pictures.push_back(clip.composite(*code));
+        if (code && !taken.counted) view.pictures.push_back(leading(clip.clear(*code)));
+        if (!code) ++counts.missing;
     }
     if (!view.pictures.empty()) views.push_back(std::move(view));
 }
@@ -156,20 +169,26 @@ std::vector<KnownView> known_over(const std::filesystem::path& file, std::uint32
     std::vector<KnownView> views;
     KnownView same{.baseline = {}, .pictures = {}, .labels = {{"operation", operation_of(file)}}, .real = true};
     const int there = random.below(clip.info().frames);
-    add_view(clip, there, std::vector<int>(static_cast<std::size_t>(composites), there), same, counts, views);
+    add_view(clip, there, std::vector<Taken>(static_cast<std::size_t>(composites), {there, true}), same, counts, views);
 
-    // The first frame's time is 0; the last one begins a frame before the end.
+    // The last frame begins before the end.
     const double end = clip.info().duration - 1.0 / std::max(clip.info().frames_per_second, 1.0);
     if (clip.info().frames < 2 || end < soonest) {
         ++counts.without_later;
         return views;
     }
     KnownView later = same;
-    later.moves = true;
+    later.moves = later.in_order = true;
     const double start = random.in(0.0, std::max(end - latest, 0.0)), last = std::min(start + latest, end);
-    std::vector<int> frames;
-    for (int i = 0; i < composites; ++i)
-        frames.push_back(clip.frame_at(start + soonest + (last - start - soonest) * (i + 1.0) / composites));
+    std::vector<Taken> frames;
+    double leading = start;
+    for (int i = 1; i <= composites; ++i) {
+        const double time = start + soonest + (last - start - soonest) * i / composites;
+        while ((leading += 1.0 / leading_rate) < time)
+            if (const int frame = clip.frame_at(leading); frames.empty() || frames.back().frame != frame)
+                frames.push_back({frame, false});
+        frames.push_back({clip.frame_at(time), true});
+    }
     add_view(clip, clip.frame_at(start), frames, later, counts, views);
     return views;
 }

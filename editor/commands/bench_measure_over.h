@@ -22,8 +22,8 @@ struct OverCounts {
 };
 
 /// Of one video or picture: `composites` pictures over the frame that is also their baseline, compressed apart, and as
-/// many over frames 1 to 4 s later. One light of the smoke in all of them. Throws Error (bad_input) when it cannot be
-/// read.
+/// many over frames 1 to 4 s later, with the clear frames that lead to them. One light of the smoke in all of them.
+/// Throws Error (bad_input) when it cannot be read.
 std::vector<KnownView> known_over(const std::filesystem::path& file, std::uint32_t seed, int number, int composites,
                                   OverCounts& counts);
 

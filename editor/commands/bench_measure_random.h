@@ -18,7 +18,10 @@ class Random {
     int below(int count) { return static_cast<int>(engine_() % static_cast<std::uint32_t>(count)); }
     bool chance(double share) { return in(0, 1) < share; }
     /// Standard deviation 1.
-    double normal() { return std::sqrt(-2.0 * std::log(in(1e-9, 1))) * std::cos(in(0, 6.283185307)); }
+    double normal() {
+        const double length = std::sqrt(-2.0 * std::log(in(1e-9, 1)));
+        return length * std::cos(in(0, 6.283185307));
+    }
 
   private:
     std::mt19937 engine_;

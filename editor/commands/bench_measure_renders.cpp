@@ -10,6 +10,7 @@
 #include "commands/session.h"
 #include "lapfx/authoring/preview.h"
 #include "lapfx/authoring/video.h"
+#include "lapfx/clip_cache.h"
 #include "match/colors.h"
 #include "output/files.h"
 
@@ -17,11 +18,11 @@ namespace lapfx::commands {
 
 namespace {
 
-const cv::Size size(360, 288);
-constexpr int margin = 48;  // px around it that a shift brings into view
-const glm::ivec2 drawn_size(size.width + 2 * margin, size.height + 2 * margin);
+const cv::Size size(320, 256);
+constexpr int shift_margin = 40;  // px around it that a shift brings into view
 constexpr double shifted_share = 0.6;
 constexpr double latest = 4.0, counted_from = 1.0;  // s after the baseline
+constexpr int counted_each = 3;                     // pictures of a clip: those beside each other say the same
 constexpr int tool_change = 3;                      // code values by which an instrument changes a pixel at least
 
 /// The lens and the round view of shaders/post.frag, which stay where they are when the camera shakes: in linear light.
@@ -104,18 +105,23 @@ struct KnownRenders::State {
     std::uint32_t seed;
     cv::Mat lens;  // CV_32F
     PreparedViews prepared;
+    std::shared_ptr<ClipCache> clips = std::make_shared<ClipCache>();
     DrawnView drawn;
-    SceneCamera camera;  // of the baseline, with the margin in view
+    glm::ivec2 drawn_size{0};  // with a margin around the picture, where it is to be shifted
+    SceneCamera camera;        // of the baseline, with the margin in view
     std::unique_ptr<Preview> preview;
 
     /// Shows another view; nothing has happened in it.
     void begin(Random& random, bool clip) {
         drawn = draw_view(random);
-        preview = std::make_unique<Preview>(drawn.scene, drawn.preset, prepared.of(drawn),
-                                            PreviewOptions{.clip_folders = clip_folders(), .wait_for_clips = true});
+        preview = std::make_unique<Preview>(
+            drawn.scene, drawn.preset, prepared.of(drawn),
+            PreviewOptions{.clip_folders = clip_folders(), .wait_for_clips = true, .clip_cache = clips});
         drawn.scene.events = draw_touches(random, *preview, drawn.happens, {size.width, size.height}, clip);
         camera = drawn.scene.camera;
         camera.vignette = 0.0;
+        const int margin = clip ? 0 : shift_margin;
+        drawn_size = {size.width + 2 * margin, size.height + 2 * margin};
         const double wider = static_cast<double>(drawn_size.y) / size.height;
         camera.field_of_view =
             glm::degrees(2.0 * std::atan(wider * std::tan(glm::radians(camera.field_of_view) / 2.0)));
@@ -123,16 +129,17 @@ struct KnownRenders::State {
 
     cv::Mat picture(double time) { return bgr_of(preview->image(time, drawn_size)); }
 
-    /// Where the instrument is: what changes when strokes that do nothing move it, and nothing else happens.
-    cv::Mat instrument(double time) {
+    /// Where there is tissue to measure: not black, and not behind the instrument, which is what changes when strokes
+    /// that do nothing move it and nothing else happens.
+    cv::Mat view(double time) {
         std::vector<ToolContact> strokes = drawn.scene.events;
         for (ToolContact& stroke : strokes) stroke.action = ToolAction::cauterise, stroke.power = stroke.strength = 0.0;
         preview->set_contacts({});
-        const cv::Mat without = picture(time);
+        const cv::Mat bare = picture(time);
         preview->set_contacts(strokes);
-        cv::Mat there = differ(picture(time), without, tool_change);
-        preview->set_contacts(drawn.scene.events);
-        return there;
+        cv::Mat seen;
+        cv::extractChannel(bare, seen, 2);
+        return (seen > 0) & ~differ(picture(time), bare, tool_change);
     }
 
     /// As the scene's camera sees it at `time`.
@@ -147,16 +154,13 @@ struct KnownRenders::State {
 
     Shown shown(double time, const SceneCamera& seen) {
         preview->set_camera(seen);
-        preview->set_contacts({});
-        const cv::Mat tissue = picture(0.0) != cv::Scalar::all(0);  // a channel a pixel
+        Shown now{.code = {}, .view = view(time), .blood = {}, .veil = {}};
         preview->set_contacts(drawn.scene.events);
-        Shown now{.code = picture(time), .view = {}, .blood = {}, .veil = {}};
+        now.code = picture(time);
         Layers layers = preview->layers(time, drawn_size);
         const cv::Size whole(drawn_size.x, drawn_size.y);
         now.blood = cv::Mat(whole, CV_8U, layers.blood.data()).clone();
         now.veil = cv::Mat(whole, CV_32F, layers.veil.data()).clone();
-        cv::extractChannel(tissue, now.view, 2);
-        now.view &= ~instrument(time);
         return now;
     }
 
@@ -224,7 +228,7 @@ KnownView KnownRenders::clip(int number, int count) {
         const SceneCamera seen = wander.at(s.camera, later);
         cv::Scalar now = cv::Scalar::all(1.0);
         for (int k = 0; k < 3; ++k) now[k] = std::pow(gains[k], later / latest);
-        const bool counted = later >= counted_from;
+        const bool counted = later >= counted_from && i % counted_each == 0;
         Shown shown{.code = {}, .view = {}, .blood = {}, .veil = {}};
         if (counted)
             shown = s.framed(s.shown(start + later, seen), {});

@@ -20,7 +20,7 @@ class KnownRenders {
     /// A view with one picture, whose camera stands where that of the baseline did or a little beside it; JPEG.
     KnownView still(int number);
     /// A view with `count` pictures up to 4 s after the baseline, whose camera wanders and whose instrument moves; they
-    /// went through a video encoder. Those of the first second are not counted.
+    /// went through a video encoder. Each third is counted, after the first second.
     KnownView clip(int number, int count);
 
   private:

@@ -58,7 +58,8 @@ void draw_preset(Random& random, DrawnView& view) {
     SmokeParameters& smoke = view.preset.smoke;
     smoke.haze.accumulation = random.log_in(0.03, 0.8);
     smoke.haze.ventilation = random.in(0.0, 0.15);
-    smoke.haze.color *= random.in(0.75, 1.35) * tint(random, 0.12);
+    const double brightness = random.in(0.75, 1.35);
+    smoke.haze.color *= brightness * tint(random, 0.12);
     smoke.plume.density = random.chance(0.2) ? 0.0 : random.in(0.1, 0.9);
     const double kind = random.in(0.0, 1.0);
     view.happens = {.blood = kind >= bloodless, .smoke = kind < bloodless || kind >= bloodless + smokeless};
@@ -81,8 +82,8 @@ DrawnView draw_view(Random& random) {
     scene.organ.file = organ.file;
     scene.organ.color = organ.color * tint(random, jitter);
     scene.camera.eye = organ.eye * random.in(camera.least, camera.most);
-    scene.camera.eye += glm::dvec3(random.in(-30, 30), random.in(-20, 20), 0);
-    scene.camera.target = organ.target + glm::dvec3(random.in(-10, 10), random.in(-8, 8), 0);
+    scene.camera.eye += glm::dvec3{random.in(-30, 30), random.in(-20, 20), 0};
+    scene.camera.target = organ.target + glm::dvec3{random.in(-10, 10), random.in(-8, 8), 0};
     scene.camera.exposure = random.log_in(1.1, 2.8);
     scene.camera.vignette = random.chance(1.0 / 3.0) ? 0 : 1;
     scene.light.color = light.color;
@@ -106,14 +107,15 @@ std::vector<ToolContact> draw_touches(Random& random, const Preview& preview, co
         touch.time = random.in(0.0, 0.5 * duration);
         touch.duration = touch.action == ToolAction::cut ? random.in(0.2, 1.5) : random.in(0.5, 4.0);
         touch.position = hit->position;
-        touch.to = hit->position + glm::dvec3(random.in(-6, 6), random.in(-6, 6), random.in(-2, 2));
+        touch.to = hit->position + glm::dvec3{random.in(-6, 6), random.in(-6, 6), random.in(-2, 2)};
         touch.power = random.in(0.5, 1.0);
         touch.strength = random.in(0.5, 2.0);
         if (!happens.blood) touch.action = ToolAction::coagulate;
         touches.push_back(touch);
     }
     const bool instrument = clip && random.chance(instrument_share);
-    const std::optional<OrganHit> from = somewhere(), to = somewhere();
+    const std::optional<OrganHit> from = somewhere();
+    const std::optional<OrganHit> to = somewhere();
     if (instrument && from && to)
         touches.push_back({.action = ToolAction::cauterise,
                            .time = 0.0,
