@@ -16,6 +16,7 @@ namespace {
 constexpr int side = 160;             // px of the longer side
 constexpr int dark_window = 7;        // px
 constexpr double least_light = 10.0;  // code value, mean of the brightest channel: darker pictures show nothing
+constexpr double most_between = 0.2;  // s
 constexpr double alike = 0.3;         // correlation of textures
 constexpr double there = 0.25;        // the same, once the camera's motion is taken out
 
@@ -71,8 +72,9 @@ double likeness(const Look& a, const Look& b) {
     return ab / std::sqrt(aa * bb);
 }
 
-bool is_cut(const Look& last, const Look& now) {
-    return likeness(last, now) <= alike && another_view(last.texture, now.texture, last.view);
+bool is_cut(const Look& last, const Look& now, double seconds) {
+    return seconds <= most_between && likeness(last, now) <= alike &&
+           another_view(last.texture, now.texture, last.view);
 }
 
 bool shows_tissue_of(const Look& a, const Look& b) {

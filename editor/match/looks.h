@@ -30,8 +30,9 @@ Look look_at(const Image& image);
 /// How alike the textures of two frames are within the first one's view, without moving either: 1 the same, 0 as two
 /// pictures of other things.
 double likeness(const Look& a, const Look& b);
-/// Whether a cut lies between two frames, one right after the other.
-bool is_cut(const Look& last, const Look& now);
+/// Whether a cut lies between two frames that follow each other within `seconds`. Never beyond 0.2 s: there a camera
+/// that moves looks the same.
+bool is_cut(const Look& last, const Look& now, double seconds);
 /// Whether the tissue of `a` is seen in `b`, also where the camera has moved a little.
 bool shows_tissue_of(const Look& a, const Look& b);
 /// Smoke may become so dense that no red is left, as before a bag: it is none while the tissue of an earlier frame is

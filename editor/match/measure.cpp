@@ -261,6 +261,7 @@ class Frames {
 
     /// `frame`: the first that is measured. Gives the first of the next shot.
     int measure(const Shot& shot, int frame) {
+        if (frame > shot.last) return frame;
         const std::size_t before = found_.frames.size();
         Estimator* const estimator =
             shot.baseline ? &estimators_.of(*shot.baseline, [this](double) { return go_on(share_); }) : nullptr;
@@ -292,8 +293,9 @@ class Frames {
         Look look = look_at(image_);
         if (last_) tell_smoke_from_bag(*last_, look);
         FrameAmounts amounts = unserved(look, time, shot.why == WithoutBaseline::hazy);
-        if (last_ && options_.every == 1 && is_cut(*last_, look)) amounts.flags |= told::cut;
+        if (last_ && is_cut(*last_, look, time - last_time_)) amounts.flags |= told::cut;
         last_ = std::move(look);
+        last_time_ = time;
         return amounts;
     }
 
@@ -302,8 +304,9 @@ class Frames {
     Measurement& found_;
     const Progress& progress_;
     Estimators estimators_;
-    Image image_, drawn_;  // a copy: what is drawn on is not read again
-    std::optional<Look> last_;
+    Image image_, drawn_;       // a copy: what is drawn on is not read again
+    std::optional<Look> last_;  // of the same shot, without an estimator
+    double last_time_ = 0.0;
     double share_ = find_share;
 };
 

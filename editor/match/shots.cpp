@@ -102,13 +102,16 @@ struct Stretch {
 void find_starts(VideoReader& video, const Sample& from, const Sample& to, std::vector<Stretch>& found) {
     Image image;
     Look last = from.look;
+    double last_time = video.time_of(from.frame);
     for (int frame = from.frame + 1; frame <= to.frame; ++frame) {
         if (frame < to.frame && !video.read(frame, image)) continue;
         Look now = frame < to.frame ? look_at(image) : to.look;
         tell_smoke_from_bag(last, now);
-        const bool cut = is_cut(last, now);
+        const double time = video.time_of(frame);
+        const bool cut = is_cut(last, now, time - last_time);
         if (cut || now.shown != last.shown) found.push_back({.first = frame, .shown = now.shown, .cut = cut});
         last = std::move(now);
+        last_time = time;
     }
 }
 

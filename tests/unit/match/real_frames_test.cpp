@@ -104,6 +104,14 @@ TEST_F(RealFrames, ShotsEndWhereNoTissueIsInView) {
     for (std::size_t i = 70; i < 125; ++i) EXPECT_EQ(found.frames[i].flags, told::bag) << i;
 }
 
+/// Two frames per second: the camera moves from each to the next.
+TEST_F(RealFrames, FramesThatAreFarApartAreNotCut) {
+    for (const char* name : {"input_2.avi", "input_6.avi", "input_7.avi"}) {
+        VideoReader reader(data / "surgery/DeSmoke-LAP/video clips/Input" / name);
+        EXPECT_EQ(find_shots(reader, 0.0, reader.info().duration, {}).size(), 1U) << name;
+    }
+}
+
 /// The bag alone, and what is outside the body.
 TEST_F(RealFrames, AVideoWithoutTissueIsRefused) {
     for (const int number : {293, 294}) {
