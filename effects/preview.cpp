@@ -100,6 +100,9 @@ struct Preview::State {
         draw_tool(view, time);
         frame.begin_smoke();
     }
+    std::vector<std::uint8_t> shown_part(const SceneCamera& seen, glm::ivec2 size) const;
+    /// Layers::view.
+    std::vector<std::uint8_t> view_part(const View& view, double time, const SceneCamera& seen, glm::ivec2 size);
     void draw_tool(const View& view, double time) noexcept {
         if (!tool) return;
         const auto pose = render::tool_pose(effects.contacts(), scene.tool.port, time);
@@ -173,12 +176,56 @@ bool changed(const float* tissue, const float* bloody) {
     return most > visible_change * light;
 }
 
+/// Rows from the top; 1 where nothing was drawn.
+std::vector<float> read_depth(GLuint texture, glm::ivec2 size) {
+    const auto row = static_cast<std::size_t>(size.x);
+    std::vector<float> upward(row * static_cast<std::size_t>(size.y)), depth(upward.size());
+    glGetTextureImage(texture, 0, GL_DEPTH_COMPONENT, GL_FLOAT, static_cast<GLsizei>(upward.size() * sizeof(float)),
+                      upward.data());
+    for (std::size_t y = 0; y < static_cast<std::size_t>(size.y); ++y)
+        std::copy_n(upward.end() - static_cast<std::ptrdiff_t>((y + 1) * row), row,
+                    depth.begin() + static_cast<std::ptrdiff_t>(y * row));
+    return depth;
+}
+
 }  // namespace
+
+/// Where what is drawn reaches the finished picture at all: white does, where black does not look the same.
+std::vector<std::uint8_t> Preview::State::shown_part(const SceneCamera& seen, glm::ivec2 size) const {
+    const gl::Texture target({.size = size, .format = GL_RGBA8});
+    const gl::Framebuffer framebuffer(target, nullptr);
+    const auto finished = [&](float light) {
+        frame.begin_smoke();
+        glClearColor(light, light, light, 1.0F);
+        glClear(GL_COLOR_BUFFER_BIT);
+        finish(framebuffer.name(), seen, size);
+        return read_linear(size);
+    };
+    const std::vector<float> black = finished(0.0F), white = finished(1.0F);
+    std::vector<std::uint8_t> part(black.size() / 3);
+    for (std::size_t i = 0; i < part.size(); ++i) part[i] = white[3 * i] > black[3 * i] ? 255 : 0;
+    return part;
+}
+
+std::vector<std::uint8_t> Preview::State::view_part(const View& view, double time, const SceneCamera& seen,
+                                                    glm::ivec2 size) {
+    std::vector<std::uint8_t> part = shown_part(seen, size);
+    draw_tissue(view, time);
+    const std::vector<float> with_tool = read_depth(frame.scene_depth(), size);
+    frame.begin_scene();
+    effects.draw_organ(view);
+    frame.begin_smoke();
+    const std::vector<float> organ = read_depth(frame.scene_depth(), size);
+    for (std::size_t i = 0; i < part.size(); ++i)
+        if (organ[i] >= 1.0F || with_tool[i] != organ[i]) part[i] = 0;
+    return part;
+}
 
 Layers Preview::layers(double time, glm::ivec2 size) {
     State& s = *state_;
     s.frame.resize(size);
-    const View view = render::view_of(s.camera(size), s.scene.light, size);
+    const SceneCamera camera = s.camera(size);
+    const View view = render::view_of(camera, s.scene.light, size);
     const auto over = [&](float light) {  // what smoke makes of a background of this light
         s.draw_tissue(view, time);        // its depth, and the smoke of that time
         glClearColor(light, light, light, 1.0F);
@@ -199,7 +246,9 @@ Layers Preview::layers(double time, glm::ivec2 size) {
     set_parameters(whole);
 
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-    Layers layers{.blood = std::vector<std::uint8_t>(pixels), .veil = std::vector<float>(pixels)};
+    Layers layers{.view = s.view_part(view, time, camera, size),
+                  .blood = std::vector<std::uint8_t>(pixels),
+                  .veil = std::vector<float>(pixels)};
     for (std::size_t i = 0; i < pixels; ++i) {
         float through = 0.0F;
         for (std::size_t k = 0; k < 3; ++k) through += (white[3 * i + k] - black[3 * i + k]) / 3.0F;
@@ -207,6 +256,22 @@ Layers Preview::layers(double time, glm::ivec2 size) {
         layers.blood[i] = changed(&tissue[3 * i], &bloody[3 * i]) ? 255 : 0;
     }
     return layers;
+}
+
+ShownAmounts amounts_of(const Layers& layers) {
+    ShownAmounts amounts;
+    double pixels = 0.0;
+    for (std::size_t i = 0; i < layers.view.size(); ++i) {
+        if (layers.view[i] == 0) continue;
+        pixels += 1.0;
+        amounts.blood += layers.blood[i] != 0 ? 1.0 : 0.0;
+        amounts.veil += static_cast<double>(layers.veil[i]);
+    }
+    if (pixels == 0.0) return {};
+    amounts.blood /= pixels;
+    amounts.veil /= pixels;
+    amounts.view = pixels / static_cast<double>(layers.view.size());
+    return amounts;
 }
 
 void Preview::set_preset(const Preset& preset) {

@@ -23,6 +23,7 @@
 #include "app/measure/amounts.h"
 #include "app/measure/measure_bench.h"
 #include "app/measure/measuring.h"
+#include "app/measure/preview_measuring.h"
 #include "app/meter.h"
 #include "app/preview/seen_colors.h"
 #include "app/reference/reference.h"
@@ -62,9 +63,10 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options, std::shared_p
                                                             screen_, options_)),
       reference_(std::make_unique<Reference>(document, timeline, preview, *snapshot_previews_, jobs, *settings_, images,
                                              screen_, options_)),
-      measuring_(std::make_unique<Measuring>(document, *reference_, jobs, toasts)),
+      measuring_(std::make_unique<Measuring>(document, *reference_, jobs, toasts, !options_.exact)),
       measure_bench_(
           std::make_unique<MeasureBench>(document, *reference_, *measuring_, jobs, images, toasts, options_.exact)),
+      preview_measuring_(std::make_unique<PreviewMeasuring>(document, preview, *reference_, pace_, jobs, options_)),
       exports_(std::make_unique<Exports>(document, timeline, looking, preview, jobs, *settings_, *chooser_, toasts,
                                          screen_, options_.clip_folders,
                                          [this](const std::vector<std::string>& made) { files_->open(made); })),
@@ -90,6 +92,7 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options, std::shared_p
       hot_reload_(std::make_unique<HotReload>(document, preview, jobs, toasts, options_.data_folder)),
       meter_(std::make_unique<Meter>()) {
     chooser_->dialog().show_pictures(file_previews_.get());
+    reference_->set_counted([this](double time, Image* picture) { return measuring_->counted(time, picture); });
     document.set_clip_folders(options_.clip_folders);
 }
 
@@ -181,10 +184,12 @@ bool Editor::frame(double now, const std::function<void()>& build, const FrameOp
     snapshot_previews_->update();
     reference_->update(now);
     // What is measured in the frame that the reference shows.
-    measuring_->update();
+    measuring_->update(now);
     measure_bench_->update();
-    // An export draws pictures; the parts that are quick are done by now. Nothing depends on previews of files.
+    // An export and the measuring of the preview draw pictures; the parts that are quick are done by now. Nothing
+    // depends on previews of files.
     exports_->update(now);
+    preview_measuring_->update(now);
     file_previews_->update();
     // What has changed on disk is in the document before the panels show it.
     hot_reload_->update(now);

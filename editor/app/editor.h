@@ -46,6 +46,7 @@ class MeasureBench;
 class Measuring;
 class Meter;
 class OrganChoice;
+class PreviewMeasuring;
 class Reference;
 class Saved;
 class SeenColors;
@@ -101,9 +102,10 @@ class Editor {
     ClipShelf& clips() { return *clips_; }    ///< of the preset, as files; and which one panels show
     KeyingBench& keying() { return *keying_; }
     Reference& reference() { return *reference_; }
-    Measuring& measuring() { return *measuring_; }             ///< of the whole reference
-    MeasureBench& measure_bench() { return *measure_bench_; }  ///< of the frame of it that is shown
-    OrganChoice& organ_choice() { return *organ_choice_; }     ///< of the organ dialog
+    Measuring& measuring() { return *measuring_; }                         ///< of the whole reference
+    PreviewMeasuring& preview_measuring() { return *preview_measuring_; }  ///< of the whole scene, as the reference
+    MeasureBench& measure_bench() { return *measure_bench_; }              ///< of the frame of it that is shown
+    OrganChoice& organ_choice() { return *organ_choice_; }                 ///< of the organ dialog
     Exports& exports() { return *exports_; }
     Meter& meter() { return *meter_; }                         ///< what a frame costs
     FilePreviews& file_previews() { return *file_previews_; }  ///< of the file dialog
@@ -164,6 +166,7 @@ class Editor {
     std::unique_ptr<Reference> reference_;
     std::unique_ptr<Measuring> measuring_;
     std::unique_ptr<MeasureBench> measure_bench_;
+    std::unique_ptr<PreviewMeasuring> preview_measuring_;
     std::unique_ptr<Exports> exports_;
     std::unique_ptr<Files> files_;
     std::unique_ptr<FilePreviews> file_previews_;

@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "app/measure/measuring.h"
+#include "app/measure/preview_measuring.h"
 #include "app/preview/preview_host.h"
 #include "app/reference/reference.h"
 
@@ -19,7 +21,8 @@ ProcessMemory ProcessMemory::now() {
     return read == 3 ? ProcessMemory{.all = resident * page, .files = shared * page} : ProcessMemory{};
 }
 
-std::array<MemoryPart, 8> memory_parts(const PreviewHost& preview, const Reference& reference,
+std::array<MemoryPart, 9> memory_parts(const PreviewHost& preview, const Reference& reference,
+                                       const Measuring& measuring, const PreviewMeasuring& measured,
                                        const ui::ImageStore& images, const document::Document& document) {
     const MemoryUse use = preview.memory_use();
     std::size_t pictures = 0;
@@ -29,8 +32,9 @@ std::array<MemoryPart, 8> memory_parts(const PreviewHost& preview, const Referen
              {"Their pixels, to be sent", use.pixels, false},
              {"Maps of vessels and fat", use.densities, false},
              {"Organ's surface", use.surface + use.geometry, false},
-             {"Pictures of the scene", use.targets + reference.memory(), true},
+             {"Pictures of the scene", use.targets + reference.memory() + measured.memory(), true},
              {"Keying, reference, thumbnails", 2 * pictures, false},  // here and as textures
+             {"What was counted in the reference", measuring.memory(), false},
              {"Undo", document.step_memory(), false}}};
 }
 

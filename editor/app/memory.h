@@ -16,7 +16,9 @@ class Document;
 
 namespace lapfx::app {
 
+class Measuring;
 class PreviewHost;
+class PreviewMeasuring;
 class Reference;
 
 struct MemoryPart {
@@ -35,7 +37,8 @@ struct ProcessMemory {
 
 /// All parts that the editor knows of; the ones that depend most on the document come first. UI thread, context
 /// current.
-std::array<MemoryPart, 8> memory_parts(const PreviewHost& preview, const Reference& reference,
+std::array<MemoryPart, 9> memory_parts(const PreviewHost& preview, const Reference& reference,
+                                       const Measuring& measuring, const PreviewMeasuring& measured,
                                        const ui::ImageStore& images, const document::Document& document);
 
 }  // namespace lapfx::app

@@ -161,6 +161,17 @@ void add_bench(CLI::App& app) {
         ->excludes("--seed")
         ->excludes("--over")
         ->excludes("--frames");
+    measure
+        ->add_option("--learn", measure_options->learn,
+                     "Learn the model of the mean veil from the renders of this seed instead (with --over, over those "
+                     "files), and write it; the shipped one is editor/match/veil_model.json")
+        ->option_text("FILE")
+        ->excludes("--frames")
+        ->excludes("--pairs");
+    measure->add_option("--model", measure_options->model, "Measure with this model of the mean veil")
+        ->option_text("FILE")
+        ->excludes("--learn")
+        ->excludes("--pairs");
     const auto [ui, ui_options] = add_part("ui", "The editor's UI toolkit and Dear ImGui on the same screens");
     ui->callback([options = ui_options] { run_bench_ui(*options); });
     const auto [streaming, options] =

@@ -34,6 +34,8 @@ struct BenchOptions {
     int seed = 2;                    ///< of what is drawn at random
     std::vector<std::string> pairs;  ///< two folders of recordings, ranked instead of renders; none: renders
     std::vector<std::string> over;   ///< videos and pictures of clear tissue that known amounts are laid over
+    std::string learn;               ///< file that a model of the veil is written to, learned instead; none: not
+    std::string model;               ///< file of the model of the veil that is measured with; none: the shipped one
     std::string frames;              ///< CSV that each frame's figures are written to, unless empty
     /// Does everything in a few seconds, for tests: it shows that the benchmark works, but its figures mean nothing.
     bool short_form = false;
@@ -53,6 +55,7 @@ BenchReport bench_editor(const BenchOptions& options);
 BenchReport bench_frame(const BenchOptions& options);
 BenchReport bench_measure(const BenchOptions& options);
 BenchReport bench_measure_pairs(const BenchOptions& options);
+BenchReport bench_measure_learn(const BenchOptions& options);
 BenchReport bench_streaming(const BenchOptions& options);
 
 }  // namespace lapfx::commands

@@ -12,9 +12,11 @@
 
 #include "commands/bench.h"
 #include "commands/bench_measure_classes.h"
+#include "commands/bench_measure_each.h"
 #include "commands/bench_measure_over.h"
 #include "commands/bench_measure_renders.h"
 #include "commands/bench_measure_speed.h"
+#include "commands/options.h"
 #include "commands/progress.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/video.h"
@@ -29,7 +31,8 @@ struct Extent {
 };
 constexpr Extent whole{200, 20, 40, 4, 200}, least{4, 1, 8, 2, 5};
 
-constexpr double least_area = 0.005;  // of the view: of less blood the Dice is chance
+constexpr std::size_t longest_model = 1 << 20;  // bytes
+constexpr double least_area = 0.005;            // of the view: of less blood the Dice is chance
 
 /// Of the true and the found area, in the pixels of the estimator.
 std::optional<double> dice_of(const KnownPicture& known, const match::Estimator& estimator) {
@@ -42,31 +45,22 @@ std::optional<double> dice_of(const KnownPicture& known, const match::Estimator&
     return 2.0 * both / std::max(cv::countNonZero(truth) + cv::countNonZero(found), 1);
 }
 
-void measure_view(const KnownView& view, int index, std::vector<MeasuredPicture>& pictures) {
-    match::Estimator estimator(view.baseline, {});
-    std::vector<const KnownPicture*> counted;
-    for (const KnownPicture& known : view.pictures)
-        if (known.counted) counted.push_back(&known);
-    const std::size_t step = (counted.size() + match::surveyed_frames - 1) / match::surveyed_frames;
-    for (std::size_t i = 0; i < counted.size(); i += step) estimator.survey(counted[i]->picture);
-    estimator.forget();
-    double time = 0.0;
-    for (const KnownPicture& known : view.pictures) {
-        if (!view.in_order) estimator.forget();
-        const match::FrameAmounts measured = estimator.measure(known.picture, time);
-        time += 0.1;
-        if (!known.counted) continue;
-        pictures.push_back({.view = index,
-                            .real = view.real,
-                            .moves = view.moves,
-                            .shifted = known.shifted,
-                            .labels = view.labels,
-                            .true_blood = known.blood,
-                            .true_veil = known.veil,
-                            .dice = dice_of(known, estimator),
-                            .hazeness = match::hazeness_of(known.picture),
-                            .measured = measured});
-    }
+void measure_view(const KnownView& view, int index, const match::EstimatorOptions& options,
+                  std::vector<MeasuredPicture>& pictures) {
+    measure_each(
+        view, options,
+        [&](const KnownPicture& known, const match::Estimator& estimator, const match::FrameAmounts& measured) {
+            pictures.push_back({.view = index,
+                                .real = view.real,
+                                .moves = view.moves,
+                                .shifted = known.shifted,
+                                .labels = view.labels,
+                                .true_blood = known.blood,
+                                .true_veil = known.veil,
+                                .dice = dice_of(known, estimator),
+                                .hazeness = match::hazeness_of(known.picture),
+                                .measured = measured});
+        });
 }
 
 /// Its label, in quotes: names of files may have commas.
@@ -108,14 +102,15 @@ void write_frames(const std::string& file, const std::vector<MeasuredPicture>& p
 }
 
 /// Adds what was measured in pictures over real frames; says what was left out.
-std::string measure_over(const BenchOptions& options, int composites, std::vector<MeasuredPicture>& pictures) {
+std::string measure_over(const BenchOptions& options, const match::EstimatorOptions& estimator, int composites,
+                         std::vector<MeasuredPicture>& pictures) {
     Progress progress("measuring over real frames", static_cast<int>(options.over.size()));
     OverCounts counts;
     int number = 0, index = 0;
     for (const std::string& file : options.over) {
         const auto seed = static_cast<std::uint32_t>(options.seed);
         for (const KnownView& view : known_over(file, seed, number, composites, counts))
-            measure_view(view, index++, pictures);
+            measure_view(view, index++, estimator, pictures);
         ++number;
         progress.step();
     }
@@ -140,20 +135,26 @@ double met_of_all(const BenchReport& report) {
 
 BenchReport bench_measure(const BenchOptions& options) {
     if (!options.pairs.empty()) return bench_measure_pairs(options);
+    if (!options.learn.empty()) return bench_measure_learn(options);
+    match::EstimatorOptions estimator;
+    if (!options.model.empty())
+        estimator.veil_model = std::make_shared<match::VeilModel>(
+            match::VeilModel::read(read_file(options.model, longest_model), options.model));
     const Extent& extent = options.short_form ? least : whole;
     for (const std::string& file : options.over)
         const VideoReader opened(file);  // those that cannot be read are told at once
+    if (!options.frames.empty()) check_folder(options.frames);
     const Context context = Context::create(Backend::automatic);
     std::vector<MeasuredPicture> pictures;
     KnownRenders renders(static_cast<std::uint32_t>(options.seed));
     {
         Progress progress("rendering and measuring", extent.stills + extent.clips);
-        for (int i = 0; i < extent.stills; ++i, progress.step()) measure_view(renders.still(i), i, pictures);
+        for (int i = 0; i < extent.stills; ++i, progress.step()) measure_view(renders.still(i), i, estimator, pictures);
         for (int i = 0; i < extent.clips; ++i, progress.step())
-            measure_view(renders.clip(i, extent.pictures_of_clip), extent.stills + i, pictures);
+            measure_view(renders.clip(i, extent.pictures_of_clip), extent.stills + i, estimator, pictures);
     }
     std::vector<MeasuredPicture> over;
-    const std::string left_out = options.over.empty() ? "" : measure_over(options, extent.composites, over);
+    const std::string left_out = options.over.empty() ? "" : measure_over(options, estimator, extent.composites, over);
     if (!options.frames.empty()) {
         std::vector<MeasuredPicture> all = pictures;
         all.insert(all.end(), over.begin(), over.end());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
 #include <optional>
 
 #include "commands/bench_measure_views.h"
@@ -23,7 +24,7 @@ constexpr int shift_margin = 40;  // px around it that a shift brings into view
 constexpr double shifted_share = 0.6;
 constexpr double latest = 4.0, counted_from = 1.0;  // s after the baseline
 constexpr int counted_each = 3;                     // pictures of a clip: those beside each other say the same
-constexpr int tool_change = 3;                      // code values by which an instrument changes a pixel at least
+constexpr double clear_fps = 4.0, clear_seconds = 5.0;
 
 /// The lens and the round view of shaders/post.frag, which stay where they are when the camera shakes: in linear light.
 cv::Mat vignette() {
@@ -59,12 +60,11 @@ cv::Mat bgr_of(const Image& image) {
     return bgr;
 }
 
-/// CV_8U 255 where the largest difference of a channel is above `least`.
-cv::Mat differ(const cv::Mat& a, const cv::Mat& b, int least) {
-    cv::Mat apart, channels[3];
-    cv::absdiff(a, b, apart);
-    cv::split(apart, channels);
-    return cv::max(cv::max(channels[0], channels[1]), channels[2]) > least;
+/// MPEG-4: the encoder for H.264 (x264 0.164) uses memory that it has not set, and gives other pictures each time.
+cv::VideoWriter written(const std::filesystem::path& file, double rate) {
+    cv::VideoWriter video(file.string(), cv::VideoWriter::fourcc('m', 'p', '4', 'v'), rate, size);
+    if (!video.isOpened()) throw output::cannot_write(file, "OpenCV has no encoder for MPEG-4");
+    return video;
 }
 
 /// As it wanders: a slow sway of some mm, in which each direction has its own beat.
@@ -100,9 +100,9 @@ class Wander {
 }  // namespace
 
 struct KnownRenders::State {
-    explicit State(std::uint32_t seed_) : seed(seed_), lens(vignette()) {}
+    State(std::uint32_t seed_, std::uint32_t first_part) : seed(seed_), first(first_part), lens(vignette()) {}
 
-    std::uint32_t seed;
+    std::uint32_t seed, first;
     cv::Mat lens;  // CV_32F
     PreparedViews prepared;
     std::shared_ptr<ClipCache> clips = std::make_shared<ClipCache>();
@@ -129,22 +129,9 @@ struct KnownRenders::State {
 
     cv::Mat picture(double time) { return bgr_of(preview->image(time, drawn_size)); }
 
-    /// Where there is tissue to measure: not black, and not behind the instrument, which is what changes when strokes
-    /// that do nothing move it and nothing else happens.
-    cv::Mat view(double time) {
-        std::vector<ToolContact> strokes = drawn.scene.events;
-        for (ToolContact& stroke : strokes) stroke.action = ToolAction::cauterise, stroke.power = stroke.strength = 0.0;
-        preview->set_contacts({});
-        const cv::Mat bare = picture(time);
-        preview->set_contacts(strokes);
-        cv::Mat seen;
-        cv::extractChannel(bare, seen, 2);
-        return (seen > 0) & ~differ(picture(time), bare, tool_change);
-    }
-
-    /// As the scene's camera sees it at `time`.
-    Shown baseline(double time) {
-        preview->set_camera(camera);
+    /// What the camera sees when nothing happens but that the instrument moves.
+    Shown baseline(double time, const SceneCamera& seen) {
+        preview->set_camera(seen);
         std::vector<ToolContact> strokes;
         for (const ToolContact& stroke : drawn.scene.events)
             if (stroke.power == 0.0 && stroke.strength == 0.0) strokes.push_back(stroke);
@@ -154,11 +141,11 @@ struct KnownRenders::State {
 
     Shown shown(double time, const SceneCamera& seen) {
         preview->set_camera(seen);
-        Shown now{.code = {}, .view = view(time), .blood = {}, .veil = {}};
         preview->set_contacts(drawn.scene.events);
-        now.code = picture(time);
+        Shown now{.code = picture(time), .view = {}, .blood = {}, .veil = {}};
         Layers layers = preview->layers(time, drawn_size);
         const cv::Size whole(drawn_size.x, drawn_size.y);
+        now.view = cv::Mat(whole, CV_8U, layers.view.data()).clone();
         now.blood = cv::Mat(whole, CV_8U, layers.blood.data()).clone();
         now.veil = cv::Mat(whole, CV_32F, layers.veil.data()).clone();
         return now;
@@ -177,10 +164,9 @@ struct KnownRenders::State {
         const ScratchFolder folder;
         const std::filesystem::path file = folder.path() / "known.mp4";
         {
-            output::VideoFile video(file, static_cast<double>(view.pictures.size()) / latest, size);
-            video.add(view.baseline);
-            for (const KnownPicture& known : view.pictures) video.add(known.picture);
-            video.finish();
+            cv::VideoWriter video = written(file, static_cast<double>(view.pictures.size()) / latest);
+            video.write(bgr_of(view.baseline));
+            for (const KnownPicture& known : view.pictures) video.write(bgr_of(known.picture));
         }
         VideoReader reader(file);
         reader.read(0, view.baseline);
@@ -189,18 +175,20 @@ struct KnownRenders::State {
     }
 };
 
-KnownRenders::KnownRenders(std::uint32_t seed) : state_(std::make_unique<State>(seed)) {}
+KnownRenders::KnownRenders(std::uint32_t seed, std::uint32_t first_part)
+    : state_(std::make_unique<State>(seed, first_part)) {}
 KnownRenders::~KnownRenders() = default;
 
 KnownView KnownRenders::still(int number) {
     State& s = *state_;
-    Random random(s.seed, 1, static_cast<std::uint32_t>(number));
+    Random random(s.seed, s.first + 1, static_cast<std::uint32_t>(number));
     s.begin(random, false);
     const double time = random.in(0.3, 1.0) * s.drawn.scene.duration, noise = draw_noise(random);
     const Move move = draw_move(random, shifted_share);
-    KnownView view{.baseline = filmed(random, s.framed(s.baseline(0.0), {}).code, cv::Scalar::all(1.0), noise),
-                   .pictures = {},
-                   .labels = s.drawn.labels};
+    KnownView view{
+        .baseline = filmed(random, s.framed(s.baseline(0.0, s.camera), {}).code, cv::Scalar::all(1.0), noise),
+        .pictures = {},
+        .labels = s.drawn.labels};
     const Shown shown = s.framed(s.shown(time, s.camera), move);
     KnownPicture picture = known(shown);
     picture.picture = filmed(random, shown.code, draw_gains(random), noise);
@@ -213,16 +201,17 @@ KnownView KnownRenders::still(int number) {
 
 KnownView KnownRenders::clip(int number, int count) {
     State& s = *state_;
-    Random random(s.seed, 2, static_cast<std::uint32_t>(number));
+    Random random(s.seed, s.first + 2, static_cast<std::uint32_t>(number));
     s.begin(random, true);
     const double start = random.in(0.05, 0.6) * s.drawn.scene.duration, noise = draw_noise(random);
     const Wander wander(random);
     const cv::Scalar gains = draw_gains(random);  // they drift to these
-    KnownView view{.baseline = filmed(random, s.framed(s.baseline(start), {}).code, cv::Scalar::all(1.0), noise),
-                   .pictures = {},
-                   .labels = s.drawn.labels,
-                   .moves = true,
-                   .in_order = true};
+    KnownView view{
+        .baseline = filmed(random, s.framed(s.baseline(start, s.camera), {}).code, cv::Scalar::all(1.0), noise),
+        .pictures = {},
+        .labels = s.drawn.labels,
+        .moves = true,
+        .in_order = true};
     for (int i = 0; i < count; ++i) {
         const double later = latest * i / count;
         const SceneCamera seen = wander.at(s.camera, later);
@@ -244,6 +233,19 @@ KnownView KnownRenders::clip(int number, int count) {
     }
     s.through_encoder(view);
     return view;
+}
+
+void KnownRenders::write_clear(int number, const std::filesystem::path& file) {
+    State& s = *state_;
+    Random random(s.seed, s.first + 4, static_cast<std::uint32_t>(number));
+    s.begin(random, true);
+    const double noise = 0.3 * draw_noise(random);  // the encoder's is added, and that of the composites
+    const Wander wander(random);
+    cv::VideoWriter video = written(file, clear_fps);
+    for (int i = 0; i <= clear_seconds * clear_fps; ++i) {
+        Shown shown = s.baseline(i / clear_fps, wander.at(s.camera, i / clear_fps));
+        video.write(bgr_of(filmed(random, s.framed(shown, {}).code, cv::Scalar::all(1.0), noise)));
+    }
 }
 
 }  // namespace lapfx::commands

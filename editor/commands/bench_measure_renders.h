@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 
 #include "commands/bench_measure_camera.h"
@@ -12,7 +13,8 @@ namespace lapfx::commands {
 /// Context current; one thread.
 class KnownRenders {
   public:
-    explicit KnownRenders(std::uint32_t seed);
+    /// `first_part`: of the random numbers (bench_measure_random.h); renders of other parts are others.
+    explicit KnownRenders(std::uint32_t seed, std::uint32_t first_part = 0);
     ~KnownRenders();
     KnownRenders(const KnownRenders&) = delete;
     KnownRenders& operator=(const KnownRenders&) = delete;
@@ -22,6 +24,9 @@ class KnownRenders {
     /// A view with `count` pictures up to 4 s after the baseline, whose camera wanders and whose instrument moves; they
     /// went through a video encoder. Each third is counted, after the first second.
     KnownView clip(int number, int count);
+
+    /// Writes a video of a view in which nothing happens but that camera and instrument move; 5 s.
+    void write_clear(int number, const std::filesystem::path& file);
 
   private:
     struct State;

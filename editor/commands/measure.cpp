@@ -1,17 +1,13 @@
 // lapfx measure: amounts of blood and smoke of a surgery video.
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <iostream>
 #include <opencv2/imgproc.hpp>
 #include <optional>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
 #include "commands/command.h"
+#include "commands/measured_part.h"
 #include "commands/options.h"
 #include "commands/progress.h"
 #include "lapfx/authoring/file.h"
@@ -27,56 +23,12 @@ namespace {
 constexpr int progress_steps = 100;
 
 struct Options {
-    std::string video, output, plot, overlay, region;
+    std::string video, output, json, plot, overlay, region, view;
     std::vector<std::string> masks;
     std::optional<double> baseline, to;
     double from = 0.0;
     BloodQualifier blood;
 };
-
-/// Corners x,y,x,y,...: fractions of the picture when none is above 1, else pixels.
-match::Part mask_of(const std::string& text, glm::ivec2 size) {
-    std::vector<double> v;
-    std::stringstream in(text);
-    for (std::string cell; std::getline(in, cell, ',');) {
-        char* end = nullptr;
-        v.push_back(std::strtod(cell.c_str(), &end));
-        if (cell.empty() || *end != 0 || !std::isfinite(v.back()))
-            throw wrong_option("--mask", "\"" + text + "\" is not x,y,x,y,x,y");
-    }
-    if (v.size() < 6 || v.size() % 2 != 0 || v.size() > 2 * most_part_corners)
-        throw wrong_option("--mask",
-                           "\"" + text + "\" is not x,y of 3 to " + std::to_string(most_part_corners) + " corners");
-    const bool fractions = std::all_of(v.begin(), v.end(), [](double n) { return n <= 1.0; });
-    const glm::dvec2 whole = fractions ? glm::dvec2(1.0) : glm::dvec2(size);
-    match::Part mask;
-    for (std::size_t i = 0; i < v.size(); i += 2) {
-        const glm::dvec2 corner = glm::dvec2(v[i], v[i + 1]) / whole;
-        if (corner.x < 0.0 || corner.y < 0.0 || corner.x > 1.0 || corner.y > 1.0)
-            throw wrong_option("--mask", "\"" + text + "\" is not inside the picture of " + std::to_string(size.x) +
-                                             "x" + std::to_string(size.y));
-        mask.push_back(corner);
-    }
-    return mask;
-}
-
-/// Four numbers: fractions of the picture when none is above 1, else pixels.
-glm::dvec4 region_of(const std::string& text, glm::ivec2 size) {
-    std::array<double, 4> v{};
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf%c", &v[0], &v[1], &v[2], &v[3], &rest) != 4)
-        throw wrong_option("--roi", "\"" + text + "\" is not x,y,width,height");
-    const bool fractions = std::all_of(v.begin(), v.end(), [](double n) { return n <= 1.0; });
-    const double wide = fractions ? 1.0 : size.x, high = fractions ? 1.0 : size.y;
-    const glm::dvec4 region(v[0] / wide, v[1] / high, v[2] / wide, v[3] / high);
-    constexpr double slack = 1e-9;
-    const bool inside = region.x >= 0.0 && region.y >= 0.0 && region.z > 0.0 && region.w > 0.0 &&
-                        region.x + region.z <= 1.0 + slack && region.y + region.w <= 1.0 + slack;
-    if (!inside)
-        throw wrong_option("--roi", "\"" + text + "\" is not inside the picture of " + std::to_string(size.x) + "x" +
-                                        std::to_string(size.y));
-    return region;
-}
 
 void print(const char* name, const match::Episode& episode, bool course_only) {
     std::cout << name << ": ";
@@ -187,7 +139,9 @@ match::Measurement measure(VideoReader& video, const Options& o) {
     match::MeasureOptions options{.baseline = o.baseline, .from = o.from, .to = o.to};
     options.estimator.blood = o.blood;
     if (!o.region.empty()) options.estimator.region = region_of(o.region, video.info().size);
-    for (const std::string& mask : o.masks) options.estimator.masks.push_back(mask_of(mask, video.info().size));
+    if (!o.view.empty()) options.estimator.round_view = round_view_of(o.view, video.info().size);
+    for (const std::string& text : o.masks)
+        for (match::Part& mask : masks_of(text, video.info().size)) options.estimator.masks.push_back(std::move(mask));
     Progress progress("measuring", progress_steps);
     OverlayFile overlay(o.overlay, video.info());  // after Progress: Ctrl-C leaves nothing of it
     if (overlay)
@@ -213,6 +167,12 @@ void check_outputs(const Options& o) {
     if (extension != ".csv" && extension != ".json")
         throw wrong_option("--output", "\"" + o.output + "\" ends neither in .csv nor in .json");
     std::error_code none;
+    if (!o.json.empty() && fs::path(o.json).extension() != ".json")
+        throw wrong_option("--json", "\"" + o.json + "\" does not end in .json");
+    for (const std::string& mask : o.masks)
+        for (const auto& [option, file] : {std::pair{"--output", &o.output}, {"--json", &o.json}, {"--plot", &o.plot}})
+            if (!file->empty() && fs::equivalent(*file, mask, none))
+                throw wrong_option(option, "\"" + *file + "\" is the file of --mask");
     if (!o.plot.empty() && fs::equivalent(o.plot, o.video, none))
         throw wrong_option("--plot", "\"" + o.plot + "\" is the picture that is measured");
     if (o.overlay.empty()) return;
@@ -225,6 +185,7 @@ void check_outputs(const Options& o) {
 void run(const Options& o) {
     check_outputs(o);
     check_folder(o.output);
+    if (!o.json.empty()) check_folder(o.json);
     if (!o.plot.empty()) {
         check_picture_name("--plot", o.plot);
         check_folder(o.plot);
@@ -234,6 +195,7 @@ void run(const Options& o) {
     const match::Measurement found = measure(video, o);
     const bool json = std::filesystem::path(o.output).extension() == ".json";
     write_file(o.output, json ? match::json_of(found) : match::csv_of(found));
+    if (!o.json.empty()) write_file(o.json, match::json_of(found));
     if (!o.plot.empty()) output::write_png(o.plot, match::plot_of(found));
     print(found);
     for (const std::string& note : found.notes) std::cerr << "lapfx: " << o.video << ": " << note << '\n';
@@ -270,15 +232,21 @@ void add_measure(CLI::App& app) {
         ->check(finite_number());
     verb->add_option("--roi", o->region, "The part that is measured, in pixels, or in fractions if none is above 1")
         ->option_text("x,y,w,h");
+    verb->add_option("--view", o->view,
+                     "The round view of the endoscope: its middle and radius, in pixels, or in fractions of width, "
+                     "height and height if x and y are not above 1. Left out, it is looked for")
+        ->option_text("x,y,r");
     verb->add_option("--mask", o->masks,
-                     "A polygon that is left out, such as an instrument: its corners, as --roi; may be repeated")
-        ->option_text("x,y,x,y,x,y...")
+                     "A polygon that is left out, such as an instrument: its corners x,y,x,y,x,y..., as --roi, or a "
+                     "JSON file of polygons, [[[x,y],...],...]; may be repeated")
+        ->option_text("POLYGON|FILE.json")
         ->allow_extra_args(false);
     verb->add_option("--from", o->from, "First time that is measured, s")->option_text("S")->check(finite_number());
     verb->add_option("--to", o->to, "Last time that is measured, s")->option_text("S")->check(finite_number());
     add_blood(*verb, "redness", o->blood.redness);
     add_blood(*verb, "rise", o->blood.rise);
     add_blood(*verb, "brightness", o->blood.brightness);
+    verb->add_option("--json", o->json, "Write all that was found to this file, too")->option_text("FILE");
     verb->add_option("--plot", o->plot, "Draw both amounts over time, with their intervals, into this PNG")
         ->option_text("FILE");
     verb->add_option("--overlay", o->overlay,

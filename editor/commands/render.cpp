@@ -13,7 +13,7 @@ namespace lapfx::commands {
 namespace {
 
 struct Options {
-    std::string scene, preset, output, amounts, size = "1280x1024", backend = "auto", overlay = "none";
+    std::string scene, preset, output, amounts, layers, size = "1280x1024", backend = "auto", overlay = "none";
     std::vector<std::string> settings;
     double fps = 25.0, from = 0.0, to = -1.0, at = 0.0;
     bool has_at = false, has_span = false;
@@ -43,6 +43,7 @@ output::RenderOptions render_options(const Options& o) {
                                   .overlay = parse_overlay(o.overlay),
                                   .output = o.output,
                                   .amounts = o.amounts,
+                                  .layers = o.layers,
                                   .clip_folders = clip_folders()};
     // A single picture without --at is that of the start.
     if (o.has_at || (!o.has_span && output::kind_named(o.output) == output::OutputKind::picture)) options.at = o.at;
@@ -120,6 +121,10 @@ void add_render(CLI::App& app) {
     verb->add_option("--amounts", o->amounts,
                      "Write the amounts of each frame (blood mm2 and mm3, wounds, haze, burnt mm2, emission) as CSV")
         ->option_text("FILE.csv");
+    verb->add_option("--layers", o->layers,
+                     "Write what is in each frame, exactly, into this folder: amounts.csv with the columns of lapfx "
+                     "measure (blood and veil as shares of the view), and pictures of view, blood and veil")
+        ->option_text("DIR");
     verb->add_option("-o,--output", o->output,
                      "out.png, out_%04d.png, or a video: " + listed(Content::video, " or ", true))
         ->option_text("FILE")

@@ -117,9 +117,9 @@ nlohmann::json json_of(const Amount& amount, bool measurable) {
     return {{"value", amount.value}, {"low", amount.low}, {"high", amount.high}};
 }
 
-/// Of a frame that was looked at.
+/// Of a frame that was compared with a baseline.
 nlohmann::json figure_of(const FrameAmounts& frame, double figure) {
-    return (frame.flags & told::missing) != 0 ? nlohmann::json(nullptr) : nlohmann::json(figure);
+    return (frame.flags & (told::missing | told::no_baseline)) != 0 ? nlohmann::json(nullptr) : nlohmann::json(figure);
 }
 
 nlohmann::json json_of(std::optional<double> baseline, bool suggested) {

@@ -20,10 +20,17 @@ cv::Mat as_large_as(const cv::Mat& layer, const Image& frame, int how) {
 
 void draw_counted(Image& frame, const Estimator& estimator, const FrameAmounts& amounts, const CountedLayers& drawn) {
     if ((amounts.flags & told::missing) != 0) return;  // the layers are those of another frame
-    cv::Mat all_valid, all_blood, all_veil;
-    if (drawn.left_out) all_valid = as_large_as(estimator.valid(), frame, cv::INTER_NEAREST);
-    if (drawn.blood && amounts.blood_measurable()) all_blood = as_large_as(estimator.blood(), frame, cv::INTER_NEAREST);
-    if (drawn.veil && amounts.measurable()) all_veil = as_large_as(estimator.veil(), frame, cv::INTER_LINEAR);
+    MeasuredLayers layers;
+    if (drawn.left_out) layers.valid = estimator.valid();
+    if (drawn.blood && amounts.blood_measurable()) layers.blood = estimator.blood();
+    if (drawn.veil && amounts.measurable()) layers.veil = estimator.veil();
+    draw_layers(frame, layers);
+}
+
+void draw_layers(Image& frame, const MeasuredLayers& layers) {
+    const cv::Mat all_valid = as_large_as(layers.valid, frame, cv::INTER_NEAREST);
+    const cv::Mat all_blood = as_large_as(layers.blood, frame, cv::INTER_NEAREST);
+    const cv::Mat all_veil = as_large_as(layers.veil, frame, cv::INTER_LINEAR);
     const int unit = std::max(1, frame.height / 500);
     for (int y = 0; y < frame.height; ++y) {
         const auto* const valid = all_valid.empty() ? nullptr : all_valid.ptr<std::uint8_t>(y);

@@ -23,6 +23,14 @@ struct CountedLayers {
     bool blood = true, veil = true, left_out = true;
 };
 
+/// What is drawn of a measured frame, at the estimator's size or another; those that are empty are not drawn.
+struct MeasuredLayers {
+    cv::Mat blood;  ///< CV_8U, 255 where there is blood
+    cv::Mat veil;   ///< CV_32F, 0..1
+    cv::Mat valid;  ///< CV_8U, 255 in the valid view
+};
+void draw_layers(Image& frame, const MeasuredLayers& layers);
+
 /// `frame` is the one that was measured last, at its own size, and `amounts` what was found. What is not measurable is
 /// not drawn, and nothing at all on a frame that the file could not give.
 void draw_counted(Image& frame, const Estimator& estimator, const FrameAmounts& amounts,

@@ -14,6 +14,7 @@
 #include "match/placement.h"
 #include "match/traps.h"
 #include "match/veil.h"
+#include "match/veil_model.h"
 #include "match/view.h"
 
 namespace lapfx::match {
@@ -40,6 +41,7 @@ constexpr double least_tint_share = 0.02, other_tint = 0.18;
 constexpr int wide_passes = 3;
 constexpr double telling_veil = 0.03;
 constexpr float unexplained_rest = 1.2F;
+constexpr double least_part = 0.01;  // of the picture, for the statistics of the veil
 
 cv::Size working_size_of(const Image& image) {
     const double scale = std::min(1.0, static_cast<double>(working_side) / std::max(image.width, image.height));
@@ -83,6 +85,16 @@ cv::Mat around(const cv::Mat& view) {
     return disc;
 }
 
+/// A round view that was given, CV_8U 255 inside.
+cv::Mat disc_of(const glm::dvec3& round, cv::Size size) {
+    cv::Mat disc = cv::Mat::zeros(size, CV_8U);
+    constexpr int parts = 4;  // of a pixel, as bits
+    const auto fixed = [](double px) { return static_cast<int>(std::lround(px * (1 << parts))); };
+    cv::circle(disc, {fixed(round.x * size.width - 0.5), fixed(round.y * size.height - 0.5)},
+               fixed(round.z * size.height - 0.5), 255, cv::FILLED, cv::LINE_8, parts);
+    return disc;
+}
+
 [[noreturn]] void refuse(const std::string& place, const std::string& reason) {
     throw Error(Failure::bad_input, Fault{.file = "", .place = place, .reason = reason});
 }
@@ -106,12 +118,17 @@ struct Estimator::State {
 
     VeilSolver veil, free_veil;
     BloodFinder blood;
+    AppearanceFinder appearance;
+    VeilFigures figures;
     cv::Mat frame_code, frame_linear, frame_redness, texture, last_texture, counts, rest, valid, foreign, white_part,
         aside, brighter;
     bool has_last = false, last_alike = false, laid = false;
     cv::Matx33d laid_at;
 
     State(const Image& baseline, const EstimatorOptions& given);
+    cv::Mat round_view(const cv::Mat& of) const {
+        return options.round_view ? disc_of(*options.round_view, size) : view_of(of);
+    }
     void lay_over();
     void see_light(const HazeLight& found);
     void take(const Image& frame);
@@ -125,6 +142,7 @@ struct Estimator::State {
     bool bleached() const { return share_of(white_part, view) > bleached_share; }
     bool dark() const { return bright_level(frame_code, view) < dark_view; }
     bool cut_from_last() const;
+    void see_veil();
     double rest_share() const;
     double tint() const;
     void judge(FrameAmounts& amounts, bool moved) const;
@@ -135,7 +153,8 @@ Estimator::State::State(const Image& baseline, const EstimatorOptions& given)
     shrink(baseline, size, code);
     wanted = wanted_part(size, options.region, options.masks);
     const int least = static_cast<int>(0.01 * static_cast<double>(size.area()));
-    view = view_of(code);
+    view = round_view(code);
+    if (cv::countNonZero(view) < least && options.round_view) refuse("view", "leaves less than 1 % of the picture");
     if (cv::countNonZero(view) < least) refuse("baseline", "has no view to measure: it is black");
     reach = around(view);
     view &= wanted;
@@ -186,7 +205,7 @@ void Estimator::State::take(const Image& frame) {
 
 /// Hollows that are black in the clear frame show when smoke is in them; the surround stays black.
 void Estimator::State::see_view() {
-    whole = view_of(known.brightest);
+    whole = round_view(known.brightest);
     view = whole & wanted;
     if (!known.overlay.empty()) view &= ~known.overlay;
     counted = view & ~instruments;
@@ -326,6 +345,19 @@ void Estimator::State::judge(FrameAmounts& amounts, bool moved) const {
     if (amounts.measurable() && amounts.veil.value > dense_veil) amounts.flags |= told::dense;
 }
 
+/// Over what is neither blood nor an instrument.
+void Estimator::State::see_veil() {
+    aside = valid & ~blood.blood();
+    const cv::Scalar light = cv::mean(light_map, aside);
+    figures.map = cv::mean(veil.veil(), aside)[0];
+    if (cv::countNonZero(aside) < least_part * size.area()) {  // too little is left to compare
+        figures.statistics.fill(figures.map);
+        return;
+    }
+    figures.statistics = statistics_of(appearance.find(placed_code, aside), appearance.find(frame_code, aside),
+                                       {light[0], light[1], light[2]});
+}
+
 FrameAmounts Estimator::State::amounts_of(double time, bool moved) {
     FrameAmounts amounts;
     amounts.time = time;
@@ -336,7 +368,10 @@ FrameAmounts Estimator::State::amounts_of(double time, bool moved) {
     amounts.hidden = share_of(blood.hidden(), valid);
     if (area > 0.0) {
         amounts.blood.value = share_of(blood.blood(), valid);
-        amounts.veil.value = cv::mean(veil.veil(), valid)[0];
+        see_veil();
+        const VeilModel& model = options.veil_model ? *options.veil_model : VeilModel::shipped();
+        amounts.veil.value = model.veil_of(figures);
+        veil.scale_to(amounts.veil.value, valid);
     }
     judge(amounts, moved);
     set_intervals(amounts);
@@ -423,6 +458,9 @@ const cv::Mat& Estimator::light() const {
 }
 const cv::Mat& Estimator::baseline() const {
     return state_->placed_code;
+}
+const VeilFigures& Estimator::veil_figures() const {
+    return state_->figures;
 }
 
 }  // namespace lapfx::match

@@ -8,6 +8,8 @@
 // Blood: share of the valid view whose colour became redder than the qualifier asks, with the veil removed.
 // Veil: 1 - transmission of the smoke, mean over the valid view. The model is that of scattering: a frame is
 // baseline * (1 - veil) + light * veil, where `light` is the colour of dense smoke at each place (haze_light.h).
+// The mean is told by a model that was learned (veil_model.h), which also knows frames over which the baseline does not
+// lie exactly; the map has its mean.
 // The valid view has no black surround, no instruments, no masked parts and no burnt-in text.
 // One thread at a time, any thread; no OpenGL. Pictures are measured at working_size(), whatever their own size.
 #pragma once
@@ -24,6 +26,7 @@
 #include "lapfx/organ.h"
 #include "lapfx/scene.h"
 #include "match/haze_light.h"
+#include "match/veil_model.h"
 
 namespace lapfx::match {
 
@@ -114,8 +117,11 @@ struct EstimatorOptions {
     BloodQualifier blood = {};
     /// The part that is measured: x, y, width, height as fractions of the picture.
     glm::dvec4 region{0.0, 0.0, 1.0, 1.0};
-    std::vector<Part> masks = {};               ///< drawn by the user: left out
-    std::shared_ptr<const Survey> survey = {};  ///< of the same baseline, when it is known already
+    std::vector<Part> masks = {};  ///< drawn by the user: left out
+    /// The round view: its middle, fractions of width and height, and radius, of the height; none: it is looked for.
+    std::optional<glm::dvec3> round_view = {};
+    std::shared_ptr<const Survey> survey = {};         ///< of the same baseline, when it is known already
+    std::shared_ptr<const VeilModel> veil_model = {};  ///< of the mean veil; none: the shipped one
 };
 
 class Estimator {
@@ -147,6 +153,8 @@ class Estimator {
     const cv::Mat& valid() const;     ///< CV_8U, 255 in the valid view
     const cv::Mat& light() const;     ///< CV_32FC3, BGR, linear light of dense smoke at each place
     const cv::Mat& baseline() const;  ///< CV_8UC3, BGR, as it was laid over the frame
+    /// What the mean veil was told from; a model is learned from these.
+    const VeilFigures& veil_figures() const;
 
   private:
     struct State;

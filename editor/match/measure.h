@@ -4,8 +4,9 @@
 //     match::Measurement found = match::measure(video, {.baseline = 2.5}, progress);   // throws lapfx::Error
 //     write(csv_of(found));
 //
-// Each shot is measured against a clear frame of its own (shots.h). Any thread. Reads the video twice: once in coarse
-// steps (shots, baselines, light of the smoke, burnt-in text), once frame by frame.
+// Each shot is measured against a clear frame of its own (shots.h). Any thread. Reads the video first
+// in coarse steps (shots, baselines, light of the smoke, burnt-in text; every frame where a shot ends), then frame by
+// frame.
 #pragma once
 
 #include <functional>

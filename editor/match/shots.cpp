@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <string>
@@ -41,7 +42,7 @@ constexpr double too_pale_haze = 0.25, too_pale_red = -0.55;
 struct Sample {
     int frame = 0;
     Look look;
-    double clear = 0.0;
+    double clear = -std::numeric_limits<double>::infinity();  // of what shows no tissue
 };
 
 bool is_tissue(const Sample& sample) {

@@ -1,7 +1,7 @@
 // The shots of a video, and the clear frame that each is compared with: its baseline.
 //
 //     for (const match::Shot& shot : match::find_shots(video, 0.0, video.info().duration, {}))
-//         if (!shot.baseline) log(match::text_of(shot.why));
+//         if (!shot.baseline) log(match::row_of(shot.why).help);
 //
 // Any thread. Reads some frames over the video, and all frames only where two of these do not show the same.
 #pragma once

@@ -19,6 +19,7 @@ constexpr float first_guess = 0.1F;
 // A veil's own light is part of the frame's, so no channel of the frame is below it (the dark channel): where blood
 // takes green and blue there is no veil. The light of smoke is known to that factor.
 constexpr float light_slack = 1.25F, bound_slack = 0.02F;
+constexpr double most_scaled = 3.0;
 constexpr int bound_window = 5;  // px
 
 float noise_of(const cv::Vec3f& baseline, const cv::Vec3f& frame) {
@@ -115,6 +116,13 @@ void VeilSolver::solve_narrow(const cv::Mat& baseline, const cv::Mat& frame, con
     bound(frame, light);
     weigh(baseline, frame, counts, light, false);
     solve_window(narrow, hold_middle);
+}
+
+void VeilSolver::scale_to(double mean, const cv::Mat& part) {
+    const double was = cv::mean(veil_, part)[0];
+    const double factor = was > 0.0 ? std::min(mean / was, most_scaled) : 1.0;
+    cv::min(veil_ * factor, 1.0, veil_);
+    cv::min(cv::max(veil_ + (mean - cv::mean(veil_, part)[0]), 0.0), 1.0, veil_);
 }
 
 void VeilSolver::residual(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& light, cv::Mat& into) const {

@@ -29,6 +29,9 @@ class VeilSolver {
     void solve_narrow(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& counts, const cv::Mat& light,
                       const cv::Mat& start);
 
+    /// Gives the map this mean (0..1) over `part` (CV_8U, 255): by a factor, and what that cannot do evenly.
+    void scale_to(double mean, const cv::Mat& part);
+
     const cv::Mat& veil() const { return veil_; }      ///< CV_32F, 0..1
     const cv::Mat& weight() const { return weight_; }  ///< CV_32F, how much each pixel counted at last
     /// What the model leaves unexplained: distance of frame and model over what their noise allows, CV_32F.

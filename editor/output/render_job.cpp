@@ -121,6 +121,9 @@ RenderJob::RenderJob(const Scene& scene, const Preset& preset, RenderOptions opt
     if (!options_.output.empty())
         files_ = make_frame_files(options_.output, options_.fps, options_.size, static_cast<int>(times_.size()));
     if (!options_.amounts.empty()) require_replaceable(options_.amounts);
+    if (!options_.layers.empty())
+        layers_ =
+            std::make_unique<LayerFiles>(options_.layers, options_.fps, options_.size, static_cast<int>(times_.size()));
     preview_ =
         std::make_unique<Preview>(scene, preset, loaded.organ ? loaded.organ : prepare_organ(scene, preset.vessels),
                                   PreviewOptions{.clip_folders = options_.clip_folders,
@@ -146,10 +149,13 @@ void RenderJob::step() {
             draw();
         else if (files_ && files_->check())
             ++checked_;
+        else if (layers_ && layers_->check())
+            return;
         else
             publish();
     } catch (...) {
         files_.reset();
+        layers_.reset();
         done_ = true;
         throw;
     }
@@ -160,15 +166,18 @@ void RenderJob::draw() {
     image_ = preview_->image(time, options_.size);
     amounts_ += amounts_line(time, preview_->amounts());
     if (files_) files_->add(image_);
+    if (layers_) layers_->add(time, preview_->layers(time, options_.size));
     ++drawn_;
-    if (!files_ && options_.amounts.empty()) done_ = drawn_ == times_.size();
+    if (!files_ && !layers_ && options_.amounts.empty()) done_ = drawn_ == times_.size();
 }
 
 /// The amounts are written first: if that fails (a full disk), no pictures may be left without them.
 void RenderJob::publish() {
     if (!options_.amounts.empty()) write_file(options_.amounts, amounts_);
+    if (layers_) layers_->publish();
     if (files_) files_->publish();
     files_.reset();
+    layers_.reset();
     done_ = true;
 }
 

@@ -20,6 +20,7 @@
 #include "lapfx/prepared_organ.h"
 #include "output/frame_files.h"
 #include "output/kinds.h"
+#include "output/layer_files.h"
 
 namespace lapfx::output {
 
@@ -32,6 +33,9 @@ struct RenderOptions {
     Overlay overlay = Overlay::none;
     std::filesystem::path output{};   ///< kind_named() says what; empty: nothing is written (RenderJob::image)
     std::filesystem::path amounts{};  ///< CSV of the amounts that score a trainee, a line for each frame; empty: none
+    /// Folder of what is in each frame, exactly (Preview::layers): amounts.csv as `lapfx measure` writes it, and
+    /// pictures of each layer; made unless it is there. Empty: none.
+    std::filesystem::path layers{};
     std::vector<std::filesystem::path> clip_folders{};
 };
 
@@ -77,6 +81,7 @@ class RenderJob {
     std::vector<double> times_;
     std::unique_ptr<Preview> preview_;
     std::unique_ptr<FrameFiles> files_;
+    std::unique_ptr<LayerFiles> layers_;
     std::string amounts_;
     Image image_;
     std::size_t drawn_ = 0, checked_ = 0;

@@ -1,10 +1,17 @@
-// The amounts over the scene's time: what the preset gives, beside what it is compared with. A click goes to that time.
+// The amounts over the scene's time: what the view shows, measured as the reference is and laid over it, and what the
+// organ has by the core's own count. A click goes to that time.
 #include "app/measure/amounts.h"
+
+#include "app/measure/measuring.h"
+#include "app/measure/preview_measuring.h"
+#include "panels/measured_amounts.h"
 #include "panels/panels.h"
+#include "panels/parts.h"
 #include "ui/canvas/plot.h"
 #include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/scroll.h"
+#include "ui/widgets/toolbar.h"
 
 namespace lapfx::panels {
 
@@ -81,6 +88,7 @@ void one_plot(ui::Ui& ui, const app::AmountsOverTime& amounts, app::Timeline& ti
     }
 }
 
+constexpr float choice_width = 11;                      // em
 constexpr float least_width = 12, least_height = 6.2F;  // em of a plot; in a smaller panel they scroll
 
 /// The number of columns that makes the plots largest; they are best twice as wide as high.
@@ -112,26 +120,21 @@ void nothing_known(ui::Ui& ui, app::AmountsOverTime& amounts) {
     if (ui::button(ui, "Compute again", {.tip = "Starts again; any change of the scene also does"})) amounts.again();
 }
 
-/// This line is always there, so that the plots do not move.
-void how_new(ui::Ui& ui, const app::AmountsOverTime& amounts, float line) {
-    const ui::Row row(ui, {.width = ui::grow(), .height = ui::px(line), .cross = ui::ChildAlign::center});
+constexpr std::string_view new_text = "Of the scene as it is now", old_text = "From before the last change";
+
+void how_new(ui::Ui& ui, const app::AmountsOverTime& amounts) {
     const bool old = amounts.stale() && amounts.busy();
-    ui::label(ui,
-              old ? "From before the last change; the new amounts are being computed." : "Of the scene as it is now",
-              {.tone = old ? ui::Tone::warning : ui::Tone::dim, .width = ui::grow()});
+    ui::label(ui, old ? old_text : new_text, {.tone = old ? ui::Tone::warning : ui::Tone::dim});
 }
 
-void all_plots(ui::Ui& ui, const app::AmountsOverTime& amounts, app::Timeline& timeline, ui::Id id) {
+/// `room`: px.
+void all_plots(ui::Ui& ui, const app::AmountsOverTime& amounts, app::Timeline& timeline, const ui::Rect& room) {
     constexpr float gap = 0.4F;
-    const float line = std::ceil(ui.em(1.5F)), part = std::ceil(ui.em(gap));
-    how_new(ui, amounts, line);
-    auto& plots = ui.memory<AmountPlots>(id);
+    auto& plots = ui.memory<AmountPlots>(ui.id_of("amount plots"));
     take_series(plots, amounts);
-    ui::Rect before = ui.rect_before(id);
-    before.cut_top(line + part);
-    const std::size_t columns = columns_for(ui, before), lines = (plots.all.size() + columns - 1) / columns;
+    const std::size_t columns = columns_for(ui, room), lines = (plots.all.size() + columns - 1) / columns;
     const auto parted = static_cast<float>(lines);
-    const float height = std::floor((before.h - (parted - 1) * part) / parted);
+    const float height = std::floor((room.h - (parted - 1) * std::ceil(ui.em(gap))) / parted);
     const ui::ScrollArea area(ui, "All plots", {.gap = gap});
     for (std::size_t first = 0; first < plots.all.size(); first += columns) {
         const ui::Row row(ui,
@@ -141,21 +144,66 @@ void all_plots(ui::Ui& ui, const app::AmountsOverTime& amounts, app::Timeline& t
     }
 }
 
+/// `room`: px.
+void tools(ui::Ui& ui, const AmountsParts& on, float room) {
+    static constexpr std::array<std::string_view, 2> names = {"In view", "On organ"};
+    const bool in_view = on.amounts.look.of == app::AmountsLook::in_view;
+    std::array<ui::ToolItem, 2 + measured_tools> items;
+    items[0] = {.width = ui.em(choice_width)};
+    for (std::size_t i = 0; i < measured_tools; ++i)
+        items[1 + i] = {.width = in_view ? measured_tool_width(ui, on, i) : 0, .rank = i + 1 == measured_tools ? 2 : 1};
+    items.back() = {.width = in_view || on.amounts.scene() == nullptr
+                                 ? 0
+                                 : std::max(ui.text_width(new_text), ui.text_width(old_text)),
+                    .rank = 3};
+    ui::toolbar(ui, "Amounts tools", room, items, [&](std::size_t item) {
+        if (item + 1 == items.size()) return how_new(ui, on.amounts);
+        if (item > 0) return measured_tool(ui, on, item - 1);
+        const Room held(ui, choice_width);
+        ui::segmented(ui, "Amounts", on.amounts.look.of, names);
+        ui.last().tip =
+            "In view: the share of the picture, of preview and reference measured alike. On organ: what the "
+            "core counts of the preview";
+    });
+    if (in_view) measured_state(ui, on);
+}
+
+/// Whatever works beside the panel wakes it when there is something to show; this is for the rest.
+template <typename Amounts>
+void wake_for(ui::Ui& ui, const Amounts& amounts, const char* reason) {
+    if (amounts.wants_frame()) ui.wake_at(std::isfinite(amounts.due()) ? amounts.due() : ui.time(), reason);
+}
+
 }  // namespace
 
-void amounts_panel(ui::Ui& ui, app::AmountsOverTime& amounts, app::Timeline& timeline) {
-    amounts.want();
-    if (amounts.wants_frame()) ui.wake_at(std::isfinite(amounts.due()) ? amounts.due() : ui.time(), "amounts");
-    ui::Node& room = ui.open(ui::Role::group, "Plots", ui::Axis::y);
-    const ui::Id id = room.id;
-    room.size[0] = room.size[1] = ui::grow();
-    room.gap = ui.em(0.4F);
-    ui.follow_size(room);
-    if (amounts.scene() == nullptr) {
-        nothing_known(ui, amounts);
-        return ui.close();
+void amounts_panel(ui::Ui& ui, const AmountsParts& on) {
+    const bool in_view = on.amounts.look.of == app::AmountsLook::in_view;
+    if (in_view) {
+        on.preview.want();
+        on.measuring.want();
+        if (on.measuring.due() < ui::never) ui.wake_at(on.measuring.due(), "the reference is being measured");
+        wake_for(ui, on.preview, "the preview's measured amounts");
+    } else {
+        on.amounts.want();
+        wake_for(ui, on.amounts, "amounts");
     }
-    all_plots(ui, amounts, timeline, id);
+    ui::Node& node = ui.open(ui::Role::group, "Plots", ui::Axis::y);
+    node.size[0] = node.size[1] = ui::grow();
+    node.gap = ui.em(0.2F);
+    ui.follow_size(node);
+    tools(ui, on, ui.rect_before(node.id).w);
+    ui::Node& below = ui.open(ui::Role::group, "Curves", ui::Axis::y);
+    below.size[0] = below.size[1] = ui::grow();
+    below.gap = ui.em(0.4F);
+    ui.follow_size(below);
+    const ui::Rect room = ui.rect_before(below.id);
+    if (in_view)
+        measured_plots(ui, on, {room.w, room.h});
+    else if (on.amounts.scene() == nullptr)
+        nothing_known(ui, on.amounts);
+    else
+        all_plots(ui, on.amounts, on.timeline, room);
+    ui.close();
     ui.close();
 }
 

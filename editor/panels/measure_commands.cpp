@@ -4,6 +4,7 @@
 #include "app/editor.h"
 #include "app/measure/measure_bench.h"
 #include "app/measure/measuring.h"
+#include "app/measure/proposed_marks.h"
 #include "app/reference/reference.h"
 #include "panels/panels.h"
 
@@ -123,6 +124,16 @@ void add_measure_commands(app::Editor& editor) {
                          .checked = [&editor] { return editor.measure_bench().look.draws_part; },
                          .tip = "Click the corners of a part of the picture that is not measured, such as a logo",
                          .missing = "there is no reference, or it has as many parts as it can have"});
+    editor.commands.add(
+        {.id = "measure.take_marks",
+         .title = "Take proposed marks",
+         .group = "Reference",
+         .run =
+             [&editor] { app::take_marks(editor.document, app::marks_to_take(editor.measuring(), editor.document)); },
+         .enabled = [&editor] { return app::any_marks(app::marks_to_take(editor.measuring(), editor.document)); },
+         .tip = "Marks when smoke starts, peaks and has half gone, and when blood starts, as measured; "
+                "what is marked already stays. One alone: a click on its ring on the timeline",
+         .missing = "the reference is not measured, or all that its curves show is marked"});
     add_exports(editor);
 }
 

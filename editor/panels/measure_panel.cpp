@@ -41,8 +41,11 @@ constexpr float frame_width = 8, progress_width = 17;  // em
 void measure_or_cancel(ui::Ui& ui, const MeasureParts& on) {
     const std::shared_ptr<app::Job>& running = on.measuring.running();
     if (!running) {
-        if (ui::button(ui, "Measure",
-                       {.tip = "Measures blood and smoke in every frame of the reference", .primary = true}))
+        const bool begun = on.measuring.begun();
+        if (ui::button(ui, begun ? "Continue" : "Measure",
+                       {.tip = begun ? "Goes on measuring the reference from where it was stopped"
+                                     : "Measures blood and smoke in every frame of the reference",
+                        .primary = true}))
             on.measuring.start();
         return;
     }
@@ -70,7 +73,7 @@ void tools(ui::Ui& ui, const MeasureParts& on, float room) {
     app::MeasureLook& look = on.bench.look;
     enum : std::size_t { measure, before, frame, after, blood, smoke, left_out, fit, count };
     std::array<ui::ToolItem, count> items;
-    items[measure] = {.width = on.measuring.running() ? ui.em(progress_width) : ui::tool_width(ui, "Measure")};
+    items[measure] = {.width = on.measuring.running() ? ui.em(progress_width) : ui::tool_width(ui, "Continue")};
     items[before] = items[after] = {.width = ui.row_height(), .rank = 1};
     items[frame] = {.width = ui.em(frame_width), .rank = 1};
     items[blood] = {.width = ui::tool_width(ui, "Blood"), .rank = 2};
@@ -310,7 +313,7 @@ void small(ui::Ui& ui, const MeasureParts& on, const ui::Rect& room) {
         const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(height), .gap = 0.2F});
         measured_picture(ui, on);
     }
-    if (on.measuring.found() != nullptr) amounts_plot(ui, on, ui::px(ui.em(least_plot)));
+    if (!on.measuring.frames().empty()) amounts_plot(ui, on, ui::px(ui.em(least_plot)));
     settings(ui, on);
 }
 
@@ -328,6 +331,8 @@ void measure_panel(ui::Ui& ui, const MeasureParts& on) {
     on.reference.follow();
     if (on.reference.video() == nullptr) return no_video(ui, on);
     on.bench.show();
+    on.measuring.want();
+    if (on.measuring.due() < ui::never) ui.wake_at(on.measuring.due(), "the reference is being measured");
     if (on.bench.stale()) ui.wake_at(ui.time(), "the measured frame follows");
     follow_escape(ui, on.bench);
     const ui::Rect room = ui.rect_before(ui.parent().id);
@@ -338,7 +343,7 @@ void measure_panel(ui::Ui& ui, const MeasureParts& on) {
     {
         const ui::Column seen(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.2F});
         measured_picture(ui, on);
-        if (on.measuring.found() != nullptr)
+        if (!on.measuring.frames().empty())
             amounts_plot(ui, on, ui::px(std::max(std::floor(plot_share * room.h), ui.em(least_plot))));
     }
     const ui::ScrollArea area(ui, "Measure settings", {.width = ui::px(ui.em(settings_width)), .gap = 0.3F});

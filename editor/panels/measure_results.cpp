@@ -3,11 +3,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 #include "app/measure/measure_bench.h"
 #include "app/measure/measuring.h"
 #include "app/reference/reference.h"
+#include "panels/measured_curve.h"
 #include "panels/parts.h"
 #include "ui/canvas/plot.h"
 #include "ui/core/node.h"
@@ -76,31 +76,18 @@ void episodes(ui::Ui& ui, const match::Episode& blood, const match::Episode& vei
 
 // --- curves ----------------------------------------------------------------------------------------------------------
 
-/// Value, low and high, of blood and of veil, in %.
 struct Curves {
-    std::uint64_t version = 0;
-    std::vector<double> times;
-    std::array<std::vector<double>, 6> values;
-    std::array<ui::PlotData, 6> data;
+    std::uint64_t version = 0, serial = 0;
+    MeasuredCurve blood, veil;
     ui::PlotState state;
 };
 
 void take_curves(Curves& curves, const app::Measuring& measuring) {
     if (curves.version == measuring.version()) return;
     curves.version = measuring.version();
-    const std::vector<FrameAmounts>& frames = measuring.found()->frames;
-    curves.times.clear();
-    for (auto& values : curves.values) values.clear();
-    for (const FrameAmounts& frame : frames) {
-        curves.times.push_back(frame.time);
-        constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        const double unit = frame.measurable() ? 100 : none, blood_unit = frame.blood_measurable() ? 100 : none;
-        const std::array<double, 6> all = {frame.blood.value, frame.blood.low, frame.blood.high,
-                                           frame.veil.value,  frame.veil.low,  frame.veil.high};
-        for (std::size_t i = 0; i < all.size(); ++i) curves.values[i].push_back((i < 3 ? blood_unit : unit) * all[i]);
-    }
-    for (std::size_t i = 0; i < curves.data.size(); ++i) curves.data[i].set(curves.values[i], curves.times);
-    curves.state = {};
+    curves.blood.set(measuring.frames(), match::Curve::blood);
+    curves.veil.set(measuring.frames(), match::Curve::veil);
+    if (std::exchange(curves.serial, measuring.serial()) != measuring.serial()) curves.state = {};
 }
 
 /// Shows that time of the reference: with the scene where it is part of it, else held.
@@ -151,18 +138,24 @@ void whole_figures(ui::Ui& ui, const MeasureParts& on) {
     const match::Measurement* const found = measuring.found();
     if (found == nullptr) {
         if (measuring.faults().empty())
-            wrapped(ui, measuring.running() ? "Being measured." : "Not measured yet: press Measure.", ui::Tone::dim);
+            wrapped(ui,
+                    measuring.running() ? "Being measured."
+                    : measuring.begun() ? "Measured in part: press Continue."
+                                        : "Not measured yet: press Measure.",
+                    ui::Tone::dim);
         return;
     }
     if (measuring.stale()) {
         const bool other = measuring.file() != on.reference.file();
         wrapped(ui,
-                other ? ui.join({"Of ", measuring.file().filename().string(), ": measure again."})
-                      : "From before the last change: measure again.",
+                other                 ? ui.join({"Of ", measuring.file().filename().string(), ": measure again."})
+                : measuring.running() ? "From before the last change; it is being measured again."
+                                      : "From before the last change: measure again.",
                 ui::Tone::warning);
     }
     episodes(ui, found->blood, found->veil);
     for (const std::string& note : found->notes) wrapped(ui, note, ui::Tone::warning);
+    ui::command_button(ui, on.commands, "measure.take_marks");
     const ui::Row buttons(ui, {.width = ui::grow()});
     for (const char* id : {"measure.export_csv", "measure.export_json", "measure.export_png"})
         ui::command_button(ui, on.commands, id);
@@ -171,21 +164,15 @@ void whole_figures(ui::Ui& ui, const MeasureParts& on) {
 void amounts_plot(ui::Ui& ui, const MeasureParts& on, ui::Size height) {
     Curves& curves = ui.memory<Curves>(ui.id_of("measured curves"));
     take_curves(curves, on.measuring);
-    const std::array<ui::PlotSeries, 2> series = {{{.name = "Blood",
-                                                    .data = &curves.data[0],
-                                                    .color = app::blood_series,
-                                                    .low = &curves.data[1],
-                                                    .high = &curves.data[2]},
-                                                   {.name = "Veil",
-                                                    .data = &curves.data[3],
-                                                    .color = app::smoke_series,
-                                                    .low = &curves.data[4],
-                                                    .high = &curves.data[5]}}};
+    const std::array<ui::PlotSeries, 2> series = {curves.blood.series("Blood", app::blood_series),
+                                                  curves.veil.series("Veil", app::smoke_series)};
     const ui::PlotResult result =
         ui::plot(ui, "Amounts", series,
                  {.x_name = "Reference",
                   .x_unit = "s",
-                  .y_name = on.measuring.stale() ? "From before the last change" : "Amount",
+                  .y_name = on.measuring.begun()   ? "Measured so far"
+                            : on.measuring.stale() ? "From before the last change"
+                                                   : "Amount",
                   .y_unit = "%",
                   .width = ui::grow(),
                   .height = height,

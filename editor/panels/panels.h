@@ -34,6 +34,7 @@ class Measuring;
 class Notices;
 class OrganChoice;
 class PreviewHost;
+class PreviewMeasuring;
 class Reference;
 class Settings;
 class SnapshotPreviews;
@@ -71,8 +72,8 @@ void clips_panel(ui::Ui& ui, app::ClipShelf& shelf, const Edited& edited, app::F
                  ui::CommandTable& commands);
 void keying_panel(ui::Ui& ui, app::KeyingBench& bench, app::ClipShelf& shelf, const Edited& edited,
                   ui::CommandTable& commands);
-void reference_panel(ui::Ui& ui, app::Reference& reference, const Edited& edited, app::Files& files,
-                     ui::CommandTable& commands);
+void reference_panel(ui::Ui& ui, app::Reference& reference, app::Measuring& measuring, const Edited& edited,
+                     app::Files& files, ui::CommandTable& commands);
 struct MeasureParts {
     Edited edited;
     app::Reference& reference;
@@ -89,13 +90,22 @@ struct TimelineParts {
     const app::ToolInHand& tool;         ///< of events that are added
     const app::ToolHold& hold;
     const app::PreviewHost& preview;  ///< for their place
+    const app::Measuring& measuring;  ///< for marks that it proposes
     const app::Looking& looking;
     ui::CommandTable& commands;
     ui::Toasts& toasts;
 };
 void timeline_panel(ui::Ui& ui, const TimelineParts& parts);
 void curves_panel(ui::Ui& ui, document::Document& document, const app::Timeline& timeline, ui::Toasts& toasts);
-void amounts_panel(ui::Ui& ui, app::AmountsOverTime& amounts, app::Timeline& timeline);
+struct AmountsParts {
+    const document::Document& document;
+    app::AmountsOverTime& amounts;   ///< the core's own
+    app::PreviewMeasuring& preview;  ///< what the preview's pictures show
+    app::Measuring& measuring;       ///< and those of the reference
+    const app::Reference& reference;
+    app::Timeline& timeline;
+};
+void amounts_panel(ui::Ui& ui, const AmountsParts& parts);
 void presets_panel(ui::Ui& ui, app::Browser& browser, const document::Document& document, app::Files& files,
                    app::FileChooser& chooser, ui::Toasts& notices);
 void snapshots_panel(ui::Ui& ui, app::Snapshots& snapshots, app::SnapshotPreviews& previews, app::Reference& reference,

@@ -95,6 +95,19 @@ void add_reference_commands(app::Editor& editor) {
                          .checked = [&editor] { return editor.reference().scopes_look.on; },
                          .tip = "Levels, waveform and colours of the pictures that are compared, next to each other",
                          .missing = "there is no reference that can be shown"});
+    editor.commands.add({.id = "reference.counted",
+                         .title = "Counted blood and smoke",
+                         .group = "Reference",
+                         .run =
+                             [&editor] {
+                                 bool& on = editor.reference().shows_counted;
+                                 on = !on || !editor.layouts().seen("Reference");
+                                 editor.layouts().bring_to_front("Reference");
+                             },
+                         .enabled = [&editor] { return editor.reference().video() != nullptr; },
+                         .checked = [&editor] { return editor.reference().shows_counted; },
+                         .tip = "Draws over the reference what was measured in it, as it plays",
+                         .missing = "there is no reference that can be shown"});
     editor.commands.add({.id = "reference.align",
                          .title = "Align start here",
                          .group = "Reference",

@@ -1,4 +1,5 @@
 // The reference: the surgery video that is to be matched, alone or against the preview.
+#include "app/measure/measuring.h"
 #include "app/reference/plate.h"
 #include "app/reference/reference.h"
 
@@ -311,7 +312,8 @@ PlaceInTime place_in_time(ui::Ui& ui, const Reference& reference) {
     const std::string_view warning = time < 0                                ? "Before its start"
                                      : time >= duration && !reference.held() ? "After its end"
                                      : !reference.good()                     ? "Frame missing: the one before is shown"
-                                                                             : "";
+                                     : reference.shows_counted && !reference.counted_shown() ? "Not measured yet"
+                                                                                             : "";
     return {warning, ui.copy(text)};
 }
 
@@ -319,13 +321,14 @@ PlaceInTime place_in_time(ui::Ui& ui, const Reference& reference) {
 void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, ui::CommandTable& commands, float room) {
     if (reference.video() == nullptr) return;
     const PlaceInTime place = place_in_time(ui, reference);
-    enum : std::size_t { before, frame, after, hold, align, offset, look, places, warning, text, count };
+    enum : std::size_t { before, frame, after, hold, align, offset, counted, look, places, warning, text, count };
     std::array<ui::ToolItem, count> items;
     items[before] = items[after] = {.width = ui.row_height()};
     items[frame] = {.width = ui.em(number_width)};
     items[hold] = {.width = ui::tool_width(ui, "Hold", true), .rank = 1};
     items[align] = {.width = ui::tool_width(ui, "Align start here"), .rank = 3};
     items[offset] = {.width = ui.em(offset_width), .rank = 2};
+    items[counted] = {.width = ui::tool_width(ui, "Counted"), .rank = 2};
     items[look] = {.width = ui::tool_width(ui, "Propose look"), .rank = 3};
     const bool two = reference.way != CompareWay::reference;
     // Once on, it stays in sight as long as anything does: it is switched off here.
@@ -345,6 +348,11 @@ void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, ui::Comman
         if (item == hold) hold_toggle(ui, reference);
         if (item == align) align_button(ui, reference);
         if (item == offset) offset_field(ui, edited);
+        if (item == counted)
+            ui::toggle(
+                ui, "Counted", reference.shows_counted,
+                {.tip = "Draws over the reference what was measured in it, as it plays: blood yellow, smoke blue, "
+                        "what is left out hatched"});
         if (item == look) ui::command_button(ui, commands, "reference.propose_look");
         if (item == places)
             ui::toggle(ui, "Place", reference.placing,
@@ -511,10 +519,14 @@ void ask_for_video(Reference& reference, app::FileChooser& chooser) {
         [&reference](const std::vector<std::string>& files) { reference.choose(files.front()); });
 }
 
-void reference_panel(ui::Ui& ui, Reference& reference, const Edited& edited, app::Files& files,
-                     ui::CommandTable& commands) {
+void reference_panel(ui::Ui& ui, Reference& reference, app::Measuring& measuring, const Edited& edited,
+                     app::Files& files, ui::CommandTable& commands) {
     accept_drops(ui, files);
     reference.follow();
+    if (reference.shows_counted) {
+        measuring.want();
+        if (measuring.due() < ui::never) ui.wake_at(measuring.due(), "the reference is being measured");
+    }
     if (reference.video() == nullptr) {
         if (reference.compares_video()) return without_video(ui, reference, edited.chooser);
         if (reference.way == CompareWay::reference) reference.way = CompareWay::beside;  // there is nothing else

@@ -50,8 +50,8 @@ std::string_view memory_tip(ui::Ui& ui, const StatusParts& parts) {
     const bool software = parts.options.software;  // then textures are in main memory, too
     std::string_view tip = "Main memory that the editor uses:";
     std::size_t known = process.files;
-    for (const app::MemoryPart& part :
-         app::memory_parts(parts.preview, parts.reference, parts.images, parts.document)) {
+    for (const app::MemoryPart& part : app::memory_parts(parts.preview, parts.reference, parts.measuring,
+                                                         parts.measured, parts.images, parts.document)) {
         if (part.bytes < 500'000) continue;
         const bool elsewhere = part.gpu && !software;
         if (!elsewhere) known += part.bytes;

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "app/editor.h"
+#include "app/measure/proposed_marks.h"
 #include "app/preview/events.h"
 #include "app/reference/reference.h"
+#include "lapfx/authoring/compare.h"
 #include "panels/event_form.h"
 #include "panels/panels.h"
 #include "panels/table_rows.h"
@@ -44,7 +46,9 @@ struct TimelineMemory {
     std::vector<app::Stroke> strokes;
     std::vector<ui::TimelineTrack> tracks;  ///< of strokes, and last that of the reference's marks, if there are any
     std::vector<std::vector<std::size_t>> shown;  ///< for each item of each track of strokes its stroke
-    std::vector<const Parameter*> marks;          ///< for each item of the last track its row; empty: no such track
+    std::vector<const Parameter*> marks;          ///< for each of the first items of the last track its row
+    std::vector<const Parameter*> ghosts;         ///< for each item after them; both empty: no such track
+    ReferenceMarks proposed;                      ///< what the ghosts were made of
     ui::TimeUnit unit = ui::TimeUnit::timecode;
 };
 
@@ -52,9 +56,10 @@ double mark_time(const Parameter& row, const SceneReference& reference) {
     return std::get<double>(row.get(&reference.marks));
 }
 
-/// Those that are set, at their times in the scene.
+/// Those that are set, at their times in the scene; after them those that are proposed.
 void add_marks(TimelineMemory& memory, const SceneReference& reference) {
     memory.marks.clear();
+    memory.ghosts.clear();
     ui::TimelineTrack track{.name = "Reference", .items = {}};
     int color = 0;
     for (const Parameter& row : app::Reference::mark_table().rows) {
@@ -65,7 +70,18 @@ void add_marks(TimelineMemory& memory, const SceneReference& reference) {
         }
         ++color;
     }
-    if (!memory.marks.empty()) memory.tracks.push_back(std::move(track));
+    color = 0;
+    for (const Parameter& row : app::Reference::mark_table().rows) {
+        const double proposed = std::get<double>(row.get(&memory.proposed));
+        if (proposed >= 0 && mark_time(row, reference) < 0) {
+            const double time = proposed - reference.offset;
+            track.items.push_back(
+                {.name = std::string(row.name) + '?', .start = time, .end = time, .color = color, .ghost = true});
+            memory.ghosts.push_back(&row);
+        }
+        ++color;
+    }
+    if (!track.items.empty()) memory.tracks.push_back(std::move(track));
 }
 
 std::vector<const Parameter*> selected_marks(const TimelineMemory& memory) {
@@ -169,7 +185,7 @@ class ItemEdits {
     void apply_marks(SceneReference& reference) {
         if (memory_.marks.empty()) return;
         const std::vector<ui::TimelineItem>& items = memory_.tracks.back().items;
-        for (std::size_t i = 0; i < items.size(); ++i) {
+        for (std::size_t i = 0; i < memory_.marks.size(); ++i) {
             const double time = std::max(0.0, std::round((items[i].start + reference.offset) * 1e4) / 1e4);
             if (std::abs(time - mark_time(*memory_.marks[i], reference)) > 1e-4)
                 memory_.marks[i]->set(&reference.marks, time);
@@ -296,7 +312,11 @@ class TimelinePanel {
   public:
     TimelinePanel(ui::Ui& ui, const TimelineParts& on)
         : ui_(ui), on_(on), memory_(ui.memory<TimelineMemory>(ui.id_of("timeline memory"))) {
-        if (on.edited.document.scene_changes_since(memory_.version) != 0 || memory_.selected != on.selected)
+        const ReferenceMarks proposed = app::marks_to_take(on.measuring, on.edited.document);
+        const bool others = !equal(app::Reference::mark_table(), &proposed, &memory_.proposed);
+        if (!on.edited.document.in_gesture()) memory_.proposed = proposed;
+        if (on.edited.document.scene_changes_since(memory_.version) != 0 || memory_.selected != on.selected ||
+            (others && !on.edited.document.in_gesture()))
             make_tracks(memory_, on.edited.document, on.selected);
     }
 
@@ -392,6 +412,17 @@ class TimelinePanel {
         on_.edited.document.take(edit, "Duration", [&](document::Content& c) { c.scene.duration = value; });
     }
 
+    /// The ghost becomes a mark. `item`: of the last track.
+    void take_ghost(std::size_t item) {
+        const std::size_t ghost = item - memory_.marks.size();
+        if (item < memory_.marks.size() || ghost >= memory_.ghosts.size()) return;
+        const Parameter& row = *memory_.ghosts[ghost];
+        ReferenceMarks one;
+        row.set(&one, row.get(&memory_.proposed));
+        app::take_marks(on_.edited.document, one);
+        memory_.version = 0;
+    }
+
     void timeline() {
         const double speed_before = on_.timeline.speed;
         const std::size_t items_before = item_count(memory_.tracks);
@@ -403,6 +434,7 @@ class TimelinePanel {
         if (speed_before == 0 && on_.timeline.speed == 1) on_.timeline.speed = on_.timeline.play_speed;
         if (edit.items.began || edit.items.changed || edit.items.committed || edit.items.cancelled)
             ItemEdits(on_.edited.document, on_.selected, memory_).take(edit.items, items_before);
+        if (edit.taken) take_ghost(edit.taken->item);
         if (memory_.version == 0) return make_tracks(memory_, on_.edited.document, on_.selected);
         std::vector<std::size_t> selected = selected_events(memory_);
         if (selected == memory_.selected) return;

@@ -91,6 +91,23 @@ def check_measure(lapfx, folder, work):
     missing = subprocess.run([lapfx, "bench", "measure", "--short", "--over", "none.mp4"], capture_output=True, text=True,
                              timeout=100)
     assert missing.returncode == 2 and "none.mp4" in missing.stderr and missing.stderr.count("\n") == 1, missing
+    return results[0][0]
+
+
+def check_model(lapfx, work, shipped):
+    """A model of the mean veil is learned and measured with. `shipped`: what the shipped one gives for seed 3."""
+    model, path = os.path.join(work, "model.json"), os.path.join(work, "figures.json")
+    run(lapfx, "bench", "measure", "--short", "--seed", "4", "--learn", model)
+    learned = json.load(open(model))
+    assert learned["learned_from"].startswith("renders of seed 4") and learned["pictures"] >= 100, learned
+    run(lapfx, "bench", "measure", "--short", "--seed", "3", "--json", path, "--model", model)
+    assert json.load(open(path))["results"][0] != shipped, "another model tells the same veil"
+    for text in ("no", "{}", json.dumps({**learned, "size": [1, 2]})):
+        with open(model, "w", encoding="utf-8") as file:
+            file.write(text)
+        done = subprocess.run([lapfx, "bench", "measure", "--short", "--model", model], capture_output=True, text=True,
+                              timeout=100)
+        assert done.returncode == 2 and model in done.stderr and done.stderr.count("\n") == 1, (text, done)
 
 
 def main(lapfx, folder, only):
@@ -113,7 +130,7 @@ def main(lapfx, folder, only):
         assert figures["bench"] == only and figures["short"] and figures["results"], figures
         check(figures["ratios"], BENCHES[only], only)
         if only == "measure":
-            check_measure(lapfx, folder, work)
+            check_model(lapfx, work, check_measure(lapfx, folder, work))
         if only == "streaming":
             parts = sum(value for ratio, value in figures["ratios"].items() if "_saved_by_" in ratio)
             whole = 1 - figures["ratios"]["smoke_ours_over_paper_15"]

@@ -89,6 +89,20 @@ def is_video(folder, name, size, frames):
     assert found == f"{size[0]},{size[1]},{frames}", f"{name}: expected {size} and {frames} frames, ffprobe: {found}"
 
 
+def holds_layers(folder):
+    """The square is seen from the front and a cut bleeds in it: amounts.csv says what the pictures show."""
+    with open(os.path.join(folder, "truth", "amounts.csv"), encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    assert lines[0] == "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags", lines[0]
+    assert [line.split(",")[0] for line in lines[1:]] == ["2.0000", "2.5000"], lines
+    for line in lines[1:]:
+        _, blood, low, high, veil, *_ = line.split(",")
+        assert blood == low == high and 0.0 < float(blood) < 0.5 and 0.0 <= float(veil) < 0.5, line
+    for name in ("view", "blood", "veil"):
+        for number in (0, 1):
+            is_png(folder, f"truth/{name}_{number:04d}.png", (64, 48))
+
+
 USAGE = [
     Case("usage: no such verb", ("paint",), 2, says=r'^lapfx: "paint" is neither a command nor a file \('),
     Case("usage: nearest verb", ("rendr", "scene.json", "-o", "out.png"), 2, says="nearest is render"),
@@ -182,6 +196,14 @@ RENDERING = [
          "-o", "out.png"), 0, leaves=("out.png",), then=lambda folder: is_png(folder, "out.png", (64, 48))),
     Case("render: an overlay of an organ without colours", RENDER + ("--overlay", "vessels", "--at", "0.5", "-o",
          "out.png"), 0, leaves=("out.png",), then=lambda folder: is_png(folder, "out.png", (64, 48))),
+    Case("render: layers", RENDER + ("--fps", "2", "--from", "2", "--to", "3", "--layers", "truth", "-o", "out.mp4"), 0,
+         leaves=("out.mp4", "truth/amounts.csv") + tuple(f"truth/{name}_000{number}.png" for name in
+                                                         ("view", "blood", "veil") for number in (0, 1)),
+         then=holds_layers),
+    Case("render: layers into what is a file", RENDER + ("--at", "1", "--layers", "organ.obj", "-o", "out.png"), 1,
+         "organ.obj"),
+    Case("render: layers into no folder", RENDER + ("--at", "1", "--layers", "nowhere/truth", "-o", "out.png"), 1,
+         "nowhere/truth"),
     Case("render: a video", RENDER + ("--fps", "10", "--from", "1", "--to", "2", "-o", "out.mp4"), 0,
          leaves=("out.mp4",), then=lambda folder: is_video(folder, "out.mp4", (64, 48), 10)),
     Case("render: numbered images", RENDER + ("--fps", "10", "--to", "0.3", "-o", "out_%04d.png"), 0,

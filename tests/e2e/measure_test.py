@@ -44,6 +44,18 @@ def check_output(lapfx, reference, folder):
     assert found["format"] == "lapfx.amounts" and found["baseline"]["suggested"] and len(found["frames"]) == 11
     share = json.load(open(masked))["frames"][0]["valid"] / found["frames"][0]["valid"]
     assert 0.15 < share < 0.35, share
+    polygons = os.path.join(folder, "masks.json")
+    with open(polygons, "w", encoding="utf-8") as file:
+        file.write("[[[0,0],[320,0],[320,512],[0,512]], [[320,0],[640,0],[640,256],[320,256]]]")
+    beside = os.path.join(folder, "beside.json")
+    code, _, told = run(lapfx, reference, "--baseline", "0", "--to", "0.2", "--mask", polygons, "-o",
+                        os.path.join(folder, "beside.csv"), "--json", beside)
+    assert code == 0, told
+    assert open(beside, "rb").read() == open(masked, "rb").read(), "a file of polygons is not what they are"
+    code, _, told = run(lapfx, reference, "--baseline", "0", "--to", "0.1", "--view", "320,256,100", "-o", whole)
+    assert code == 0, told
+    disc = json.load(open(whole))["frames"][0]["valid"] * 640 * 512 / (3.14159 * 100 * 100)
+    assert 0.75 < disc < 1.02, disc  # what is an instrument there is left out
     first = found["frames"][0]
     assert first["flags"] == "" and first["veil"]["low"] <= first["veil"]["value"] <= first["veil"]["high"], first
 
@@ -126,6 +138,8 @@ def check_faults(lapfx, reference, folder):
     ffmpeg("-f", "lavfi", "-i", "color=black:size=160x128:rate=10:duration=1", black)
     ffmpeg("-f", "lavfi", "-i", "color=red:size=160x128", "-frames:v", "1", one)
     open(text, "w").write("no video")
+    polygons = os.path.join(folder, "kept.json")
+    open(polygons, "w").write("[]")
     out = os.path.join(folder, "out.csv")
     cases = [
         (["missing.mp4", "-o", out], "missing.mp4: "),
@@ -141,6 +155,10 @@ def check_faults(lapfx, reference, folder):
         ([reference, "--redness", "0", "-o", out], "--redness: "),
         ([reference, "--rise", "6", "-o", out], "--rise: "),
         ([reference, "--brightness", "0", "-o", out], "--brightness: "),
+        ([reference, "--view", "1,2", "-o", out], '--view: "1,2" is not x,y,r'),
+        ([reference, "--mask", "nowhere.json", "-o", out], "nowhere.json"),
+        ([reference, "--json", "out.csv", "-o", out], '--json: "out.csv" does not end in .json'),
+        ([reference, "--mask", polygons, "--json", polygons, "-o", out], '" is the file of --mask'),
         ([reference, "--mask", "0,0,1,1", "-o", out], '--mask: "0,0,1,1" is not x,y of 3 to 32 corners'),
         ([reference, "--mask", "0,0,1,1,1,x", "-o", out], '--mask: "0,0,1,1,1,x" is not x,y,x,y,x,y'),
         ([reference, "--mask", "0,0,9000,20,3,3", "-o", out],

@@ -1,5 +1,5 @@
-// The amounts panel: it shows the preview's amounts over the scene's time, computes them again after each change, and a
-// click goes to a time.
+// The amounts panel, where it shows what the organ has: the preview's amounts over the scene's time, computes them
+// again after each change, and a click goes to a time.
 #include "app/measure/amounts.h"
 
 #include <gmock/gmock.h>
@@ -24,6 +24,7 @@ class AmountsPanel : public EditorTest {
         if (IsSkipped()) return;
         open_sample();
         layout("Compare");
+        ui().click("**/Amounts/On organ").frame();
         ui().settle();
     }
     const app::AmountSeries& series() { return *editor().amounts().scene(); }
@@ -96,6 +97,7 @@ TEST_F(AmountsPanel, PlotsStayWhereTheyAreWhileNewOnesAreWorkedOut) {
     start({1440, 900}, false);
     open_sample();
     layout("Compare");
+    ui().click("**/Amounts/On organ");
     const auto until = [&](const auto& met) { return wait_until(met, [&] { ui().frame(); }); };
     const app::AmountsOverTime& amounts = editor().amounts();
     ASSERT_TRUE(until([&] { return amounts.scene() != nullptr && !amounts.stale() && !editor().jobs.busy(); }));

@@ -129,8 +129,8 @@ TEST_F(CommandsTest, EachDoesSomethingWhereItIsOn) {
         if (on && !does) idle.insert(id);
     }
     EXPECT_THAT(idle, IsEmpty());
-    EXPECT_THAT(off,
-                UnorderedElementsAre("clip.copy", "measure.export_csv", "measure.export_json", "measure.export_png"))
+    EXPECT_THAT(off, UnorderedElementsAre("clip.copy", "measure.export_csv", "measure.export_json",
+                                          "measure.export_png", "measure.take_marks"))
         << "copy_clips_test has clips that lie elsewhere, measure_panel_test measures";
 }
 

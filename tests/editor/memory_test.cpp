@@ -109,7 +109,7 @@ TEST_F(EditorMemory, SnapshotsShownToAndFroHoldWhatIsShown) {
 }
 
 TEST_F(EditorMemory, TheFormerOrganGoesAlsoFromThoseWhoHaveWorkedWithIt) {
-    ui().click("Workspace/tabs/Amounts");
+    ui().click("Workspace/tabs/Amounts").click("**/Amounts/On organ");
     editor().looking.overlay = Overlay::vessels;
     ui().frame().frame();
     ASSERT_NE(editor().amounts().scene(), nullptr);
@@ -203,7 +203,8 @@ TEST_F(EditorMemory, TheStatusBarSaysWhatHoldsIt) {
         EXPECT_THAT(tip, testing::HasSubstr(part));
     std::size_t sum = 0;
     for (const app::MemoryPart& part :
-         app::memory_parts(editor().preview, editor().reference(), editor().images, editor().document))
+         app::memory_parts(editor().preview, editor().reference(), editor().measuring(), editor().preview_measuring(),
+                           editor().images, editor().document))
         sum += part.bytes;
     const app::ProcessMemory process = app::ProcessMemory::now();
     EXPECT_GT(process.all, process.files + sum / 2) << "what is counted is there";

@@ -1,6 +1,7 @@
 // Large text and narrow windows: widgets that are next to each other do not overlap, and nothing is wider than its
 // panel.
 #include "app/base/layouts.h"
+#include "app/measure/amounts.h"
 #include "app/tuning/snapshots.h"
 #include "editor/support/editor_test.h"
 #include "ui/core/tree.h"
@@ -78,16 +79,20 @@ class NarrowTest : public EditorTest {
 };
 
 TEST_F(NarrowTest, SnapshotsAndAmountsDoNotOverlap) {
-    expect_all_apart(1, {1440, 900});
-    expect_all_apart(1, {1280, 800});
-    expect_all_apart(1.5F, {1440, 900});
-    expect_all_apart(1, {800, 600});
-    expect_all_apart(1, {600, 800});
-    expect_all_apart(1.5F, {900, 700});
-    expect_all_apart(2, {1280, 800});
+    for (const int of : {app::AmountsLook::in_view, app::AmountsLook::on_organ}) {
+        editor().amounts().look.of = of;
+        expect_all_apart(1, {1440, 900});
+        expect_all_apart(1, {1280, 800});
+        expect_all_apart(1.5F, {1440, 900});
+        expect_all_apart(1, {800, 600});
+        expect_all_apart(1, {600, 800});
+        expect_all_apart(1.5F, {900, 700});
+        expect_all_apart(2, {1280, 800});
+    }
 }
 
 TEST_F(NarrowTest, PlotsKeepRoomForTheirCurves) {
+    editor().amounts().look.of = app::AmountsLook::on_organ;
     shape(1, {600, 800});
     show("Amounts");
     const ui::Rect plot = ui().rect("**/All plots/Blood area");

@@ -33,6 +33,27 @@ std::shared_ptr<Job> Jobs::start(std::string name, Work work, Failed failed) {
     return entry->job;
 }
 
+std::shared_ptr<Job> Jobs::open(std::string name, Failed failed) {
+    auto entry = std::make_shared<Entry>();
+    entry->job = std::make_shared<Job>(std::move(name));
+    entry->failed = std::move(failed);
+    const std::lock_guard lock(mutex_);
+    running_.push_back(entry);
+    return entry->job;
+}
+
+void Jobs::close(const std::shared_ptr<Job>& job, Apply apply, std::vector<Fault> faults) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::find_if(running_.begin(), running_.end(), [&](const auto& e) { return e->job == job; });
+    if (found == running_.end()) return;
+    (*found)->apply = std::move(apply);
+    (*found)->faults = std::move(faults);
+    done_.push_back(std::move(*found));
+    running_.erase(found);
+    ended_.notify_all();
+    if (wake_) wake_();
+}
+
 void Jobs::carry_out(Entry& entry) {
     try {
         if (!entry.job->cancelled()) entry.apply = entry.work(*entry.job);

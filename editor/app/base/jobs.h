@@ -57,6 +57,11 @@ class Jobs {
     /// UI thread. `failed` gets, on the UI thread, what the work threw. A cancelled job applies and tells nothing. Keep
     /// the job to cancel it.
     std::shared_ptr<Job> start(std::string name, Work work, Failed failed);
+    /// Lists work that a thread of the caller's does: it waits for none of these, and none of these for it. That thread
+    /// ends it with close(), also when it was cancelled. UI thread.
+    std::shared_ptr<Job> open(std::string name, Failed failed);
+    /// Any thread: as if the job's work had given `apply`, or thrown `faults`. Once for each open().
+    void close(const std::shared_ptr<Job>& job, Apply apply, std::vector<Fault> faults = {});
     /// UI thread, once a frame: applies what has come. Gives whether there was anything.
     bool take();
     /// Waits for all jobs, also those that results of others start: for tests and pictures.

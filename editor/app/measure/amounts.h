@@ -50,6 +50,12 @@ struct AmountSeries {
     void add(double time, const Amounts& amounts);
 };
 
+/// Which amounts are looked at; no part of the document.
+struct AmountsLook {
+    enum Of : int { in_view, on_organ };
+    int of = in_view;
+};
+
 class AmountsOverTime {
   public:
     /// `exact`: nothing waits for changes to settle. All must outlive it.
@@ -57,6 +63,8 @@ class AmountsOverTime {
     ~AmountsOverTime();
     AmountsOverTime(const AmountsOverTime&) = delete;
     AmountsOverTime& operator=(const AmountsOverTime&) = delete;
+
+    AmountsLook look;
 
     /// They are looked at in this frame.
     void want() { wanted_ = true; }

@@ -6,6 +6,7 @@
 
 #include "app/base/jobs.h"
 #include "app/base/notices.h"
+#include "app/measure/measuring_run.h"
 #include "app/reference/reference.h"
 #include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/file.h"
@@ -18,6 +19,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t least_corners = 3;  // of a polygon
+constexpr double settled_after = 0.6;     // s without a change
+constexpr double between_looks = 0.25;    // s between two states of a curve that grows
+constexpr double never = std::numeric_limits<double>::infinity();
 
 bool same_object(const std::weak_ptr<const VideoReader>& a, const std::shared_ptr<const VideoReader>& b) {
     return !a.owner_before(b) && !b.owner_before(a);
@@ -47,63 +51,184 @@ match::MeasureOptions measure_options(const ReferenceMeasure& measure) {
     return options;
 }
 
-Measuring::Measuring(document::Document& document, const Reference& reference, Jobs& jobs, Notices& notices)
-    : document_(document), reference_(reference), jobs_(jobs), notices_(notices) {}
+Measuring::Measuring(document::Document& document, const Reference& reference, Jobs& jobs, Notices& notices,
+                     bool by_itself)
+    : document_(document), reference_(reference), jobs_(jobs), notices_(notices), by_itself_(by_itself) {}
+Measuring::~Measuring() = default;
 
 Measuring::Subject Measuring::subject() const {
-    return {.file = reference_.file(), .opened = reference_.opened(), .measure = document_.scene().reference.measure};
+    return {.file = reference_.file(),
+            .opened = reference_.opened(),
+            .written = written_,
+            .measure = document_.scene().reference.measure};
 }
 
-void Measuring::update() {
-    if (running_ && running_->cancelled()) running_.reset();  // by whoever lists jobs
+/// A file that was opened again is the same as long as nobody has written to it.
+bool Measuring::is_now(const Subject& of) const {
+    if (of.file != reference_.file() || !equal(measure_table(), &of.measure, &document_.scene().reference.measure))
+        return false;
+    return same_object(of.opened, reference_.opened()) ||
+           (reference_.video() != nullptr && of.written && same_object(dated_, reference_.opened()) &&
+            of.written == written_);
+}
+
+Measuring::Measured* Measuring::of_now() const {
+    for (const auto& measured : all_)
+        if (is_now(measured->of)) return measured.get();
+    return nullptr;
+}
+
+bool Measuring::begun() const {
+    const Measured* const now = of_now();
+    return now != nullptr && now->run != nullptr;
+}
+
+double Measuring::progress() const {
+    const Measured* const now = of_now();
+    return now != nullptr && now->run ? now->run->progress() : 0;
+}
+
+std::span<const match::FrameAmounts> Measuring::frames() const {
+    if (const Measured* const now = of_now(); now != nullptr && now->run && !now->frames.empty()) return now->frames;
+    return found_ ? std::span(found_->frames) : std::span<const match::FrameAmounts>();
+}
+
+std::uint64_t Measuring::serial() const {
+    if (const Measured* const now = of_now(); now != nullptr && now->run && !now->frames.empty()) return now->serial;
+    return found_serial_;
+}
+
+void Measuring::update(double now) {
+    if (running_ && running_->cancelled()) cancel();  // by whoever lists jobs
+    if (!same_object(dated_, reference_.opened())) {
+        dated_ = reference_.opened();
+        std::error_code error;
+        const fs::file_time_type written = fs::last_write_time(reference_.file(), error);
+        written_ = error ? std::nullopt : std::optional(written);
+    }
+    if (!followed_ || !is_now(*followed_)) {
+        followed_ = subject();
+        changed_at_ = now;
+        rest();
+        faults_.clear();
+        ++version_;
+    }
+    if (Measured* const measured = of_now()) take(*measured);
+    due_ = never;
+    if (std::exchange(wanted_, false)) follow(now);
+}
+
+/// Somebody looks.
+void Measuring::follow(double now) {
+    if (!running_) {
+        const Measured* const known = of_now();
+        const bool complete = known != nullptr && !known->run;
+        const bool stopped = stopped_ && is_now(*stopped_);
+        if (!by_itself_ || reference_.video() == nullptr || complete || stopped) return;
+        if (now < changed_at_ + settled_after) {
+            due_ = changed_at_ + settled_after;
+            return;
+        }
+        start();
+    }
+    due_ = now + between_looks;
 }
 
 void Measuring::forget() {
-    cancel();
+    rest();
     faults_.clear();
+    all_.clear();
     found_.reset();
     of_ = {};
+    found_serial_ = 0;
+    followed_.reset(), stopped_.reset();
     ++version_;
 }
 
-void Measuring::cancel() {
+void Measuring::rest() {
     if (running_) running_->cancel();
     running_.reset();
 }
 
+void Measuring::cancel() {
+    rest();
+    stopped_ = subject();
+    ++version_;
+}
+
+/// One to go on with.
+Measuring::Measured& Measuring::begin() {
+    if (Measured* const known = of_now(); known != nullptr && known->run) return *known;
+    std::erase_if(all_, [this](const auto& measured) { return is_now(measured->of); });
+    if (all_.size() >= kept) all_.erase(all_.begin());
+    const Subject of = subject();
+    all_.push_back(std::make_unique<Measured>(
+        Measured{.serial = ++serials_,
+                 .of = of,
+                 .run = std::make_unique<MeasuringRun>(of.file, measure_options(of.measure), jobs_),
+                 .frames = {},
+                 .counted = {},
+                 .found = nullptr}));
+    return *all_.back();
+}
+
 void Measuring::start() {
     if (reference_.video() == nullptr) return;
-    cancel();
+    rest();
     faults_.clear();
-    const Subject of = subject();
-    running_ = jobs_.start(
-        "Measuring " + of.file.filename().string(),
-        [this, of](Job& job) -> Jobs::Apply {
-            VideoReader video(of.file, &job.stop());
-            const auto progress = [&job](double share) {
-                job.set_progress(share);
-                return !job.cancelled();
-            };
-            const auto found =
-                std::make_shared<match::Measurement>(match::measure(video, measure_options(of.measure), progress));
-            return [this, of, found] {
-                running_.reset();
-                found_ = std::make_unique<const match::Measurement>(std::move(*found));
-                of_ = of;
-                ++version_;
-            };
-        },
-        [this, of](const std::vector<Fault>& faults) {
-            running_.reset();
-            faults_ = faults;
-            for (Fault& fault : faults_)
-                if (fault.file.empty()) fault.file = of.file.filename().string();
-        });
+    stopped_.reset();
+    Measured& measured = begin();
+    running_ = jobs_.open("Measuring " + measured.of.file.filename().string(), {});
+    measured.run->go_on(running_);
+    ++version_;
+}
+
+/// What has come of it since.
+void Measuring::take(Measured& measured) {
+    if (measured.run) {
+        const std::size_t before = measured.frames.size();
+        measured.run->take(measured.frames, measured.counted);
+        if (measured.frames.size() != before) ++version_;
+        if (!measured.run->ended()) return;
+        end(measured);
+        if (!measured.found) return std::erase_if(all_, [&](const auto& m) { return m.get() == &measured; }), void();
+    }
+    if (found_ == measured.found) return;
+    found_ = measured.found;
+    found_serial_ = measured.serial;
+    of_ = measured.of;
+    ++version_;
+}
+
+void Measuring::end(Measured& measured) {
+    measured.found = measured.run->found();
+    if (!measured.found) {
+        faults_ = measured.run->faults();
+        for (Fault& fault : faults_)
+            if (fault.file.empty()) fault.file = measured.of.file.filename().string();
+        stopped_ = measured.of;
+    }
+    measured.run.reset();
+    measured.frames = {};
+    running_.reset();
+    ++version_;
+}
+
+std::uint64_t Measuring::counted(double time, Image* picture) const {
+    const Measured* const now = of_now();
+    if (now == nullptr) return 0;
+    const bool there = picture != nullptr ? now->counted.draw(time, *picture) : now->counted.has(time);
+    return there ? now->serial : 0;
+}
+
+std::size_t Measuring::memory() const {
+    std::size_t bytes = 0;
+    for (const auto& measured : all_) bytes += measured->counted.memory();
+    return bytes;
 }
 
 bool Measuring::stale() const {
-    return found_ && (of_.file != reference_.file() || !same_object(of_.opened, reference_.opened()) ||
-                      !equal(measure_table(), &of_.measure, &document_.scene().reference.measure));
+    return found_ && !is_now(of_);
 }
 
 void Measuring::write(MeasureFile kind, const fs::path& path) {

@@ -1,20 +1,25 @@
-// How much blood and smoke the reference shows over its whole length: measured in a job, as the scene's
-// `reference.measure` says, and kept with what it was measured of.
+// How much blood and smoke the reference shows over its whole length: measured beside the UI while somebody looks, as
+// the scene's `reference.measure` says, and kept with what it was measured of. What is stopped, or is of an earlier
+// state of the scene, goes on from where it was when it is wanted again.
 //
-//     measuring.start();
-//     each frame:  measuring.update();
-//     if (const match::Measurement* found = measuring.found()) plot(found->frames);
+//     measuring.want();                               // in each build that shows it: it begins by itself
+//     each frame:  measuring.update(now);
+//     plot(measuring.frames());                       // those that have been measured so far
+//     if (const match::Measurement* found = measuring.found()) tell(found->blood);
 //
 // UI thread.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "app/measure/counted_frames.h"
 #include "document/document.h"
 #include "lapfx/error.h"
 #include "match/measure.h"
@@ -23,6 +28,7 @@ namespace lapfx::app {
 
 class Job;
 class Jobs;
+class MeasuringRun;
 class Notices;
 class Reference;
 
@@ -34,28 +40,53 @@ enum class MeasureFile : std::uint8_t { csv, json, png };
 
 class Measuring {
   public:
-    /// All must outlive it.
-    Measuring(document::Document& document, const Reference& reference, Jobs& jobs, Notices& notices);
+    static constexpr std::size_t kept = 4;  ///< measurements, of as many states of the scene
 
-    /// Once before each frame.
-    void update();
+    /// `by_itself`: it begins when want() is called. All must outlive it.
+    Measuring(document::Document& document, const Reference& reference, Jobs& jobs, Notices& notices, bool by_itself);
+    ~Measuring();
+    Measuring(const Measuring&) = delete;
+    Measuring& operator=(const Measuring&) = delete;
+
+    /// They are looked at in this frame.
+    void want() { wanted_ = true; }
+    /// Once before each frame. `now`: s, the clock of the UI.
+    void update(double now);
+    /// A panel that shows them wants another frame then: the measuring is to begin, or its curve has grown. Infinity:
+    /// none.
+    double due() const { return due_; }
     /// Another document has been opened: its reference has not been measured.
     void forget();
 
     // --- measuring ---------------------------------------------------------------------------------------------------
-    /// Measures the scene's reference as it is now; one that is under way is cancelled. Nothing without a reference
-    /// that can be shown.
+    /// Measures the scene's reference as it is now, from where that was stopped; once it is complete, anew. Nothing
+    /// without a reference that can be shown.
     void start();
+    /// It rests, and does not begin by itself again until something else is to be measured.
     void cancel();
     const std::shared_ptr<Job>& running() const { return running_; }  ///< null: nothing is measured now
+    bool begun() const;                                               ///< and not complete: start() goes on
+    double progress() const;                                          ///< 0..1, while begun()
     const std::vector<Fault>& faults() const { return faults_; }      ///< of the last start()
 
     // --- found -------------------------------------------------------------------------------------------------------
-    const match::Measurement* found() const { return found_.get(); }  ///< null: nothing was measured yet
-    std::uint64_t version() const { return version_; }                ///< grows with every other found()
-    const std::filesystem::path& file() const { return of_.file; }    ///< the video that found() is of
+    /// The last that is complete; null: there is none yet.
+    const match::Measurement* found() const { return found_.get(); }
+    const std::filesystem::path& file() const { return of_.file; }  ///< the video that found() is of
     /// found() is of another reference, or of other values of `reference.measure`.
     bool stale() const;
+    /// While begun(), what has been measured so far of the reference as it is now; else those of found(). Ascending
+    /// times.
+    std::span<const match::FrameAmounts> frames() const;
+    /// Grows with every change of frames().
+    std::uint64_t version() const { return version_; }
+    /// Another number for each measurement that frames() are of.
+    std::uint64_t serial() const;
+    /// What was counted in the frame of this time, s of the reference as it is now, as far as that has been measured:
+    /// the same number as long as the same would be drawn, 0 where there is nothing. It is drawn over `picture`, that
+    /// frame, unless that is null.
+    std::uint64_t counted(double time, Image* picture = nullptr) const;
+    std::size_t memory() const;  ///< bytes of what was counted
     /// Writes found(); a notice says so, or why not.
     void write(MeasureFile kind, const std::filesystem::path& path);
 
@@ -68,19 +99,44 @@ class Measuring {
     struct Subject {
         std::filesystem::path file;
         std::weak_ptr<const VideoReader> opened;
+        std::optional<std::filesystem::file_time_type> written;  ///< nothing: several files, or none
         ReferenceMeasure measure;
     };
+    /// The measuring of one subject.
+    struct Measured {
+        std::uint64_t serial = 0;
+        Subject of;
+        std::unique_ptr<MeasuringRun> run;        ///< null: it came to its end
+        std::vector<match::FrameAmounts> frames;  ///< while there is a run
+        CountedFrames counted;
+        std::shared_ptr<const match::Measurement> found;
+    };
     Subject subject() const;
+    bool is_now(const Subject& of) const;
+    Measured* of_now() const;
+    Measured& begin();
+    void follow(double now);
+    void rest();
+    void take(Measured& measured);
+    void end(Measured& measured);
 
     document::Document& document_;
     const Reference& reference_;
     Jobs& jobs_;
     Notices& notices_;
+    bool by_itself_;
+    bool wanted_ = false;
+    std::weak_ptr<const VideoReader> dated_;  ///< the reference that written_ is of
+    std::optional<std::filesystem::file_time_type> written_;
+    std::optional<Subject> followed_, stopped_;  ///< the last that was seen; the one that is not to begin by itself
+    double changed_at_ = 0, due_ = std::numeric_limits<double>::infinity();
+    std::vector<std::unique_ptr<Measured>> all_;  ///< the one that was wanted last at the end
     std::shared_ptr<Job> running_;
     std::vector<Fault> faults_;
-    std::unique_ptr<const match::Measurement> found_;
+    std::shared_ptr<const match::Measurement> found_;
+    Subject of_;                                    ///< what found_ is of
+    std::uint64_t found_serial_ = 0, serials_ = 0;  ///< of found_; how many measurements there were
     std::uint64_t version_ = 0;
-    Subject of_;
 };
 
 /// Of the scene: the rows of `reference.measure`.

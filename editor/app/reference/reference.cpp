@@ -246,15 +246,35 @@ void Reference::forget_regions(std::size_t side) {
 }
 
 void Reference::show_newest() {
-    const Image& image = feed_.image();
-    const glm::ivec2 size(image.width, image.height);
-    if (feed_.frame() < 0 || image.pixels.empty()) return;
-    if (image_ == 0)
-        image_ = images_.add(size, image.pixels);
-    else
-        images_.update(image_, size, image.pixels);
+    if (feed_.frame() < 0 || feed_.image().pixels.empty()) return;
     ++shown_;
+    upload();
     place_newest();
+}
+
+/// With what was counted in it, where that is wanted and known.
+void Reference::upload() {
+    const Image* image = &feed_.image();
+    overlaid_by_ = {shown_, 0};
+    if (shows_counted && count_) {
+        overlaid_ = feed_.image();
+        overlaid_by_.second = count_(video()->time_of(feed_.frame()), &overlaid_);
+        if (counted_shown()) image = &overlaid_;
+    }
+    const glm::ivec2 size(image->width, image->height);
+    if (image_ == 0)
+        image_ = images_.add(size, image->pixels);
+    else
+        images_.update(image_, size, image->pixels);
+}
+
+/// It was switched, or has been measured.
+void Reference::follow_counted() {
+    if (feed_.frame() < 0 || feed_.image().pixels.empty() || video() == nullptr) return;
+    const std::uint64_t wanted = shows_counted && count_ ? count_(video()->time_of(feed_.frame()), nullptr) : 0;
+    if (overlaid_by_ == std::pair(shown_, wanted)) return;
+    upload();
+    std::get<0>(placed_by_) = 0;  // it is placed again
 }
 
 bool Reference::is_placed() const {
@@ -277,9 +297,12 @@ void Reference::place_newest() {
     if (same_frame) std::get<0>(placed_by_) = ++shown_;  // scopes count it again
     if (!now.moved() || feed_.frame() < 0 || image.pixels.empty()) return;
     placed_ = placed(image, now, shape.x / shape.y);
-    const glm::ivec2 size(placed_.width, placed_.height);
-    placed_image_ != 0 ? images_.update(placed_image_, size, placed_.pixels)
-                       : void(placed_image_ = images_.add(size, placed_.pixels));
+    Image with_counted;
+    if (counted_shown()) with_counted = placed(overlaid_, now, shape.x / shape.y);
+    const Image& shown = counted_shown() ? with_counted : placed_;
+    const glm::ivec2 size(shown.width, shown.height);
+    placed_image_ != 0 ? images_.update(placed_image_, size, shown.pixels)
+                       : void(placed_image_ = images_.add(size, shown.pixels));
 }
 
 void Reference::update(double) {
@@ -298,6 +321,7 @@ void Reference::follow() {
     const int before = feed_.frame();
     feed_.want(wanted);
     if (feed_.frame() != before) show_newest();  // with `exact` the frame is there at once
+    follow_counted();
     place_newest();
     follow_video();
 }

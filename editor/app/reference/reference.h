@@ -10,6 +10,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -152,6 +153,13 @@ class Reference {
     glm::ivec2 drawn_size() const;     ///< px that the preview is drawn at
     glm::ivec2 compared_size() const;  ///< px of compared_preview()
     Shot compared_shot() const;        ///< what that shows, whole
+    /// What was counted in the frame that is shown is drawn over it. Colours are read of the frame as it is.
+    bool shows_counted = false;
+    bool counted_shown() const { return overlaid_by_.second != 0; }
+    /// Of the frame at that time, s: a number for what was counted there, 0 for nothing; drawn over the picture unless
+    /// it is null (Measuring::counted).
+    using Counted = std::function<std::uint64_t(double time, Image* picture)>;
+    void set_counted(Counted draws) { count_ = std::move(draws); }
     CompareWay way = CompareWay::beside;
     void next_way() { way = static_cast<CompareWay>((static_cast<std::size_t>(way) + 1) % way_titles.size()); }
     ui::CompareState compare;  ///< its view also holds for the reference alone
@@ -190,6 +198,8 @@ class Reference {
     void take(const std::filesystem::path& file, std::shared_ptr<VideoReader> reader);
     void follow_scene(std::shared_ptr<VideoReader> reader = nullptr);
     void show_newest();
+    void upload();
+    void follow_counted();
     void place_newest();
     bool is_placed() const;
     bool shows_placed() const;  ///< in the panel
@@ -231,6 +241,9 @@ class Reference {
     std::array<bool, Snapshots::count> compares_snapshot_{};  ///< the last build asked for them
     std::array<std::uint64_t, Snapshots::count> drawn_by_{};  ///< numbers of the previews that drew them
     std::unique_ptr<ReferencePixels> pixels_, compared_pixels_, placed_pixels_;
+    Counted count_;
+    Image overlaid_;                                         ///< the frame with what was counted, where counted_shown()
+    std::pair<std::uint64_t, std::uint64_t> overlaid_by_{};  ///< number of the frame, and of what is drawn over it
     PlacedBy placed_by_{};
     Image placed_;
     ui::ImageHandle placed_image_ = 0;

@@ -101,6 +101,7 @@ class Editing {
         if (set_range(part, now + (e.key == Key::left ? -by : by))) edit.range |= Edit::once();
     }
     void item(std::size_t track, std::size_t index, const Event& e) {
+        if (tracks_[track].items[index].ghost) return ghost(track, index, e);
         if (e.kind == EventKind::press) return press_item(track, index, e);
         if (e.kind != EventKind::key) return drag(e);
         if (takes_keys()) item_key(track, index, e);
@@ -259,6 +260,12 @@ class Editing {
     }
 
     // --- items ---
+    void ghost(std::size_t track, std::size_t index, const Event& e) {
+        const bool pressed = e.kind == EventKind::press && e.button == Button::left;
+        const bool by_key = e.kind == EventKind::key && (e.key == Key::enter || e.key == Key::space);
+        if (e.kind == EventKind::key && !by_key) return takes_keys() ? key(e) : void();
+        if ((pressed || by_key) && m_.drag == Part::none) edit.taken = {track, index};
+    }
     void press_item(std::size_t track, std::size_t index, const Event& e) {
         TimelineItem& item = tracks_[track].items[index];
         if (has(e.mods, Mods::shift)) {
@@ -316,7 +323,7 @@ class Editing {
         offer(0), offer(o_.length), offer(s_.time);
         if (s_.has_range) offer(s_.range.low), offer(s_.range.high);
         each_item([&](const TimelineItem& item) {
-            if (!item.selected) offer(item.start), offer(item.end);
+            if (!item.selected && !item.ghost) offer(item.start), offer(item.end);
         });
         return best;
     }
@@ -399,14 +406,14 @@ void put_item(Ui& ui, Memory& m, Editing& editing, const TimelineState& state, c
     char from[32], to[32];
     const std::string_view start = format_position(from, item.start, o.rate, o.unit);
     node.text = mark ? ui.copy(start) : ui.join({start, " - ", format_position(to, item.end, o.rate, o.unit)});
-    node.tip = ui.join({node.label, "\n", node.text});
+    node.tip = ui.join({node.label, "\n", node.text, item.ghost ? "\nClick: take it" : ""});
     node.number = ui.number(item.start, 0, o.length, 1 / o.rate);
     node.is |= when(item.selected, Is::selected);
     const Response r = ui.respond(node);
     const bool end = m.drag > Part::item || (r.hovered && editing.part_at(item, r.pointer.x) != Part::item);
     if ((r.hovered || r.held) && !has(node.is, Is::disabled)) ui.set_cursor(end ? Cursor::resize_x : Cursor::move);
     const auto color = item.color >= 0 ? static_cast<std::size_t>(item.color) : track;
-    ui.draw_with<draw_item>(node, ItemLook{ui.theme().series[color % 8], mark});
+    ui.draw_with<draw_item>(node, ItemLook{ui.theme().series[color % 8], mark, item.ghost});
 }
 
 void put_tracks(Ui& ui, Memory& m, Editing& editing, const TimelineState& state, std::span<const TimelineTrack> tracks,

@@ -9,9 +9,10 @@
 // 8 px, the playhead, the range and other clips, unless Ctrl is held. Esc and the other button give back what was
 // before. Keys: J K L play backwards, stop, play (again: twice as fast, up to 8), space plays and stops, arrows step by
 // a frame (Shift: ten), Home and End, I and O set the range, X drops it, F fits. On a clip arrows move it (Ctrl: its
-// end), Delete erases what is selected.
+// end), Delete erases what is selected. Ghosts are marks that are proposed: a click takes one.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,6 +32,7 @@ struct TimelineItem {
     double start = 0, end = 0;  ///< s; a mark when both are the same
     int color = -1;             ///< 0 to 7, of the theme's series; -1: the number of the track
     bool selected = false;
+    bool ghost = false;  ///< only proposed: it cannot be selected or moved; a click, Enter or space takes it
     friend bool operator==(const TimelineItem&, const TimelineItem&) = default;
 };
 struct TimelineTrack {
@@ -59,6 +61,11 @@ struct TimelineOptions {
 struct TimelineEdit {
     Edit time, range;
     Edit items;  ///< moved, stretched, erased
+    /// A ghost that was taken: the number of its track and its own; what that means is the program's.
+    struct Taken {
+        std::size_t track = 0, item = 0;
+    };
+    std::optional<Taken> taken = {};
 };
 
 /// `tracks` must outlive the frame.

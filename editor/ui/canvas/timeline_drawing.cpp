@@ -127,6 +127,13 @@ void draw_item(Painter& p, const Node& node, const ItemLook& look) {
     Rect rect = node.rect();
     if (look.mark) {
         const glm::vec2 at = rect.center();
+        if (look.ghost) {  // a ring on a line of dots
+            for (float y = rect.y; y < rect.bottom(); y += p.em(0.35F))
+                p.fill({whole(at.x), y, p.hairline(), std::min(p.em(0.15F), rect.bottom() - y)}, look.color);
+            p.line(at, at, p.em(hovered ? 0.85F : 0.7F), look.color);
+            p.line(at, at, p.em(hovered ? 0.6F : 0.5F), hovered ? mix(t.well, look.color, 0.4F) : t.well);
+            return;
+        }
         p.fill({whole(at.x), rect.y, p.hairline(), rect.h}, look.color);
         p.line(at, at, p.em(selected || hovered ? 0.85F : 0.7F), selected ? on_well(t, point_ink) : look.color);
         return;

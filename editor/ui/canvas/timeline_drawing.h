@@ -30,7 +30,7 @@ struct Look {
 };
 struct ItemLook {
     Color color;
-    bool mark;
+    bool mark, ghost;
 };
 
 void draw_ground(Painter& p, const Node& node, const Look& look);

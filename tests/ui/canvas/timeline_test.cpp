@@ -54,6 +54,22 @@ class TimelineTest : public testing::Test {
     const TimelineItem& bleed() const { return tracks[0].items[1]; }
 };
 
+TEST_F(TimelineTest, AGhostIsTakenByAClickAndNothingElse) {
+    tracks[1].items.push_back({.name = "Proposed", .start = 3, .end = 3, .ghost = true});
+    ui.frame().frame();
+    std::optional<TimelineEdit::Taken> taken;
+    press_at(ui.rect("Time/Marks/Proposed").center());
+    taken = last.taken;
+    ui.release();
+    ASSERT_TRUE(taken);
+    EXPECT_EQ(taken->track, 1U);
+    EXPECT_EQ(taken->item, 1U);
+    ui.drag("Time/Marks/Proposed", {40, 0});
+    EXPECT_EQ(tracks[1].items[1].start, 3);
+    EXPECT_FALSE(tracks[1].items[1].selected);
+    EXPECT_EQ(began, 0);
+}
+
 TEST_F(TimelineTest, ItemsThatOverlapShareTheLaneAndNoneIsHidden) {
     tracks[0].items = {{"Long", 1, 5}, {"Inside", 2, 3}, {"Over its end", 4.5, 6}, {"Alone", 6, 7}, {"Same", 6.5, 6.5}};
     ui.frame().frame();

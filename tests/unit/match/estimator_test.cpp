@@ -8,6 +8,9 @@
 namespace lapfx::match {
 namespace {
 
+// Of the mean veil: painted tissue is none of the renders that its model was learned from, of which it is off by 0.05.
+constexpr double off = 0.06;
+
 cv::Mat even(double veil) {
     return {test::height, test::width, CV_32F, cv::Scalar(veil)};
 }
@@ -21,7 +24,7 @@ TEST(Estimator, MeasuresBloodAndSmokeTogether) {
     for (const double veil : {0.0, 0.2, 0.5}) {
         const FrameAmounts a =
             estimator.measure(test::image_of(test::veiled(bloody, even(veil), test::light_of({}))), 0);
-        EXPECT_NEAR(a.veil.value, veil, 0.03) << veil;
+        EXPECT_NEAR(a.veil.value, veil, off) << veil;
         EXPECT_NEAR(a.blood.value, 3.14159 * radius * radius / (test::width * test::height), 0.015) << veil;
         EXPECT_TRUE(a.measurable());
         EXPECT_EQ(a.blood_measurable(), veil < dense_veil) << veil;
@@ -37,7 +40,7 @@ TEST(Estimator, LearnsTheLightOfTheSmoke) {
     const Image smoky = test::image_of(test::veiled(clear, test::ramp(0.1, 0.7), test::light_of(truth)));
     estimator.survey(smoky);
     EXPECT_NEAR(estimator.surveyed()->light.color.r, truth.color.r, 0.15 * truth.color.r);
-    EXPECT_NEAR(estimator.measure(smoky, 0).veil.value, 0.4, 0.04);
+    EXPECT_NEAR(estimator.measure(smoky, 0).veil.value, 0.4, off);
 }
 
 TEST(Estimator, OfTheSameFramesGivesTheSameAmounts) {
@@ -215,7 +218,10 @@ TEST(Estimator, MeasuresPicturesOfAnySizeAlike) {
     cv::resize(clear, large_clear, {}, 3, 3, cv::INTER_CUBIC);
     cv::resize(smoky, large_smoky, {}, 3, 3, cv::INTER_CUBIC);
     Estimator estimator(test::image_of(cv::max(large_clear, 0.0)), {.survey = std::make_shared<const Survey>()});
-    EXPECT_NEAR(estimator.measure(test::image_of(cv::max(large_smoky, 0.0)), 0).veil.value, 0.4, 0.02);
+    const double veil = estimator.measure(test::image_of(cv::max(large_smoky, 0.0)), 0).veil.value;
+    EXPECT_NEAR(veil, 0.4, off);
+    Estimator small(test::image_of(clear), {.survey = std::make_shared<const Survey>()});
+    EXPECT_NEAR(veil, small.measure(test::image_of(smoky), 0).veil.value, 0.02);
     EXPECT_EQ(estimator.working_size(), cv::Size(256, 205));
 }
 

@@ -30,9 +30,18 @@ struct PreviewOptions {
 
 /// What is in the pixels of a frame, exactly: for measures that have to be checked. Rows from the top.
 struct Layers {
+    std::vector<std::uint8_t> view;   ///< 255 where the organ is seen, not an instrument, within the round view; else 0
     std::vector<std::uint8_t> blood;  ///< 255 where blood changes the light of the tissue by more than a tenth, else 0
     std::vector<float> veil;          ///< 1 - transmission of the smoke, mean of the three colours, 0..1
 };
+
+/// The amounts that are matched with those of a video: what measuring a frame should find.
+struct ShownAmounts {
+    double blood = 0.0;  ///< share of the view that is blood, 0..1
+    double veil = 0.0;   ///< mean over the view, in linear light, 0..1
+    double view = 0.0;   ///< share of the picture that is the view; the others are 0 where it is
+};
+ShownAmounts amounts_of(const Layers& layers);
 
 class Preview {
   public:
@@ -50,8 +59,8 @@ class Preview {
     void draw(double time, glm::ivec2 size, unsigned framebuffer = 0);
     /// The same, read back. Throws Error (runtime) when the driver cannot make the frame.
     Image image(double time, glm::ivec2 size);
-    /// The layers of that image, without the camera's response; the round view is not cut out. Draws the frame four
-    /// times.
+    /// The layers of that image, without the camera's response. Blood and veil are given beyond the view as well. Draws
+    /// the frame six times. Throws Error (runtime) as image().
     Layers layers(double time, glm::ivec2 size);
 
     void set_preset(const Preset& preset);

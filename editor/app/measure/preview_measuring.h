@@ -1,0 +1,129 @@
+// How much blood and smoke the preview shows over the scene's time, measured as the reference is: pictures of the scene
+// are drawn off-screen and given to the same estimator, so like is compared with like. Worked out whenever what it
+// depends on has settled, and only while somebody looks.
+//
+//     measured.want();                                 // in each build that shows them
+//     each frame:  measured.update(now);               // draws a picture or two
+//     plot(measured.frames());
+//
+// Pictures are drawn by the render thread, some milliseconds of each frame; a thread beside it measures them. UI
+// thread, context current.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "app/base/editor_options.h"
+#include "document/document.h"
+#include "lapfx/error.h"
+#include "match/estimator.h"
+
+namespace lapfx {
+class Preview;
+class PreparedOrgan;
+class VideoReader;
+}  // namespace lapfx
+
+namespace lapfx::app {
+
+class Jobs;
+class PreviewHost;
+class Reference;
+class ScenePace;
+
+/// What is in a picture of ours, exactly: means over its view without what the scene leaves out.
+struct TrueAmounts {
+    double time = 0;             ///< s of the scene
+    double blood = 0, veil = 0;  ///< 0..1, as match::FrameAmounts
+};
+
+class PreviewMeasuring {
+  public:
+    static constexpr int side = 256;     ///< px of the longer side of the pictures: the estimator's own
+    static constexpr double step = 0.2;  ///< s between them, in scenes of up to `most` of them
+    static constexpr std::size_t most = 300;
+
+    /// While a person works, a program without a GPU draws no pictures for this. With EditorOptions::exact_scale it
+    /// does not begin: whoever wants coarse pictures does not want them measured. All must outlive it.
+    PreviewMeasuring(const document::Document& document, const PreviewHost& preview, const Reference& reference,
+                     const ScenePace& pace, Jobs& jobs, const EditorOptions& options);
+    ~PreviewMeasuring();
+    PreviewMeasuring(const PreviewMeasuring&) = delete;
+    PreviewMeasuring& operator=(const PreviewMeasuring&) = delete;
+
+    bool truth = false;  ///< the core's own truth is wanted, too: each picture then costs about five
+
+    /// They are looked at in this frame.
+    void want() { wanted_ = true; }
+    /// Once a frame, by the editor. `now`: s, the clock of the UI.
+    void update(double now);
+
+    /// In the order of time; while nothing complete is known, those that have been measured so far. While stale(),
+    /// those of an older state of the document.
+    const std::vector<match::FrameAmounts>& frames() const { return frames_; }
+    const std::vector<TrueAmounts>& truths() const { return truths_; }  ///< empty where they were not asked for
+    bool stale() const { return known_ != wanted_content_ || followed_ != document_.version(); }
+    bool complete() const { return complete_; }  ///< frames() are of the whole scene, else of its beginning
+    bool busy() const { return run_ != nullptr; }
+    double progress() const;                   ///< 0..1, while busy()
+    bool stopped() const { return stopped_; }  ///< by a person, until again() or a change
+    void stop();
+    void again() { known_ = 0, stopped_ = false; }
+    const std::vector<Fault>& faults() const { return faults_; }  ///< why it cannot be measured
+    std::uint64_t version() const { return version_; }            ///< changes with frames() and truths()
+
+    std::size_t memory() const;  ///< bytes of what draws the pictures
+
+    /// A panel that shows them wants another frame, at due(): nothing else would bring it.
+    bool wants_frame() const;
+    double due() const { return due_; }  ///< s
+
+  private:
+    class Run;
+    struct Wanted {
+        document::Content content;   ///< as the document has it
+        document::Content pictures;  ///< the same without what changes no measured picture, to be compared
+        glm::ivec2 size{0};
+        std::uint64_t organ = 0;  ///< version of the host's
+        bool truth = false;
+    };
+    void follow(double now);
+    Wanted wanted_now() const;
+    static bool covers(const Wanted& a, const Wanted& b);
+    void start(double now);
+    bool prepare();
+    void draw(double now);
+    void take();
+    void drop_run();
+    void fail(const std::vector<Fault>& faults);
+
+    const document::Document& document_;
+    const PreviewHost& host_;
+    const Reference& reference_;
+    const ScenePace& pace_;
+    Jobs& jobs_;
+    std::vector<std::filesystem::path> clip_folders_;
+    bool exact_, software_, begins_;
+    bool wanted_ = false, stopped_ = false;
+    std::uint64_t followed_ = 0;                  ///< version of the document
+    std::weak_ptr<const VideoReader> of_opened_;  ///< of the reference
+    Wanted of_;                                   ///< what is wanted of the document
+    std::uint64_t wanted_content_ = 0;            ///< counts such
+    std::uint64_t known_ = 0, asked_ = 0;         ///< that count, for frames_ or faults_, and for run_
+    double changed_at_ = 0, due_ = std::numeric_limits<double>::infinity();
+    std::shared_ptr<const PreparedOrgan> preview_organ_;
+    std::unique_ptr<Preview> preview_;  ///< while somebody looks
+    std::unique_ptr<Run> run_;
+    std::vector<match::FrameAmounts> frames_;
+    std::vector<TrueAmounts> truths_;
+    bool complete_ = false;  ///< frames_ are of a run that came to its end,
+    Wanted complete_of_;     ///< which was of that
+    std::vector<Fault> faults_;
+    std::uint64_t version_ = 1;
+};
+
+}  // namespace lapfx::app

@@ -1,0 +1,19 @@
+// The parts of a picture that `lapfx measure` is told to look at or to leave out. Each is in pixels, or in fractions of
+// the picture if none of its numbers is above 1. All throw Error (bad_input).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "match/estimator.h"
+
+namespace lapfx::commands {
+
+/// --mask: the corners of a polygon, "x,y,x,y,x,y", or a JSON file of polygons, [[[x,y],...],...].
+std::vector<match::Part> masks_of(const std::string& text, glm::ivec2 size);
+/// --roi: "x,y,width,height" as fractions of the picture.
+glm::dvec4 region_of(const std::string& text, glm::ivec2 size);
+/// --view: "x,y,r" as fractions of width, height and height; fractions if neither x nor y is above 1.
+glm::dvec3 round_view_of(const std::string& text, glm::ivec2 size);
+
+}  // namespace lapfx::commands

@@ -1,0 +1,177 @@
+#include "match/veil_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+#include <set>
+
+#include "lapfx/error.h"
+#include "match/embedded_veil_model.h"
+
+namespace lapfx::match {
+
+namespace {
+
+constexpr std::size_t inputs = veil_statistics + 1;
+constexpr std::size_t term_count = inputs + inputs * (inputs + 1) / 2;
+using Terms = std::array<double, term_count>;
+
+constexpr double penalty = 0.01;  // of the ridge, for terms of size 1: the best of .001, .01, .1 on views left out
+constexpr double least_size = 1e-6;
+constexpr std::size_t least_examples = 100, folds = 5;
+
+/// The inputs, then all their products and squares.
+Terms terms_of(const VeilFigures& figures) {
+    std::array<double, inputs> in{};
+    std::copy(figures.statistics.begin(), figures.statistics.end(), in.begin());
+    in.back() = figures.map;
+    Terms terms{};
+    std::copy(in.begin(), in.end(), terms.begin());
+    std::size_t next = inputs;
+    for (std::size_t i = 0; i < inputs; ++i)
+        for (std::size_t j = i; j < inputs; ++j) terms[next++] = in[i] * in[j];
+    return terms;
+}
+
+Error refused(const std::string& file, const std::string& place, const std::string& reason) {
+    return {Failure::bad_input, Fault{.file = file, .place = place, .reason = reason}};
+}
+
+VeilModelError error_of(std::span<const VeilExample> examples, const std::vector<double>& said) {
+    VeilModelError e;
+    double x = 0, y = 0, xx = 0, yy = 0, xy = 0;
+    for (std::size_t i = 0; i < examples.size(); ++i) {
+        const double was = examples[i].veil, is = said[i];
+        e.mean_absolute += std::abs(is - was);
+        e.bias += is - was;
+        x += was, y += is, xx += was * was, yy += is * is, xy += was * is;
+    }
+    const auto n = static_cast<double>(examples.size());
+    e.mean_absolute /= n;
+    e.bias /= n;
+    const double spread = std::sqrt(std::max(xx - x * x / n, 0.0) * std::max(yy - y * y / n, 0.0));
+    e.correlation = spread > 0.0 ? (xy - x * y / n) / spread : 0.0;
+    return e;
+}
+
+std::vector<double> numbers_of(const nlohmann::json& object, const char* key, const std::string& name) {
+    std::vector<double> all;
+    const auto found = object.find(key);
+    if (found == object.end() || !found->is_array() || found->size() != term_count)
+        throw refused(name, key, "is no list of " + std::to_string(term_count) + " numbers");
+    for (const nlohmann::json& value : *found) {
+        if (!value.is_number() || !std::isfinite(value.get<double>()))
+            throw refused(name, key + std::string("/") + std::to_string(all.size()), "is no number");
+        all.push_back(value.get<double>());
+    }
+    return all;
+}
+
+}  // namespace
+
+/// Through the origin: where nothing has changed there is no veil.
+VeilModel VeilModel::fitted(std::span<const VeilExample> examples) {
+    VeilModel model;
+    const auto n = static_cast<double>(examples.size());
+    model.size_.assign(term_count, 0.0);
+    std::vector<Terms> all;
+    for (const VeilExample& example : examples) {
+        all.push_back(terms_of(example.figures));
+        for (std::size_t t = 0; t < term_count; ++t) model.size_[t] += all.back()[t] * all.back()[t] / n;
+    }
+    for (double& size : model.size_) size = std::max(std::sqrt(size), least_size);
+    cv::Mat normal = cv::Mat::zeros(static_cast<int>(term_count), static_cast<int>(term_count), CV_64F);
+    cv::Mat right = cv::Mat::zeros(static_cast<int>(term_count), 1, CV_64F), weights, term(right.size(), CV_64F);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        for (std::size_t t = 0; t < term_count; ++t) term.at<double>(static_cast<int>(t)) = all[i][t] / model.size_[t];
+        normal += term * term.t();
+        right += term * examples[i].veil;
+    }
+    normal += cv::Mat::eye(normal.size(), CV_64F) * (penalty * n);
+    cv::solve(normal, right, weights, cv::DECOMP_CHOLESKY);
+    model.weights_.assign(weights.begin<double>(), weights.end<double>());
+    return model;
+}
+
+VeilModel VeilModel::learn(std::span<const VeilExample> examples, const std::string& origin) {
+    std::set<int> views;
+    for (const VeilExample& example : examples) views.insert(example.view);
+    if (examples.size() < least_examples || views.size() < folds)
+        throw refused("", "",
+                      std::to_string(examples.size()) + " pictures of " + std::to_string(views.size()) +
+                          " views are too few to learn from (at least " + std::to_string(least_examples) + " of " +
+                          std::to_string(folds) + ")");
+    const auto fold_of = [&views](const VeilExample& example) {
+        return static_cast<std::size_t>(std::distance(views.begin(), views.find(example.view))) % folds;
+    };
+    std::vector<double> said(examples.size());
+    for (std::size_t fold = 0; fold < folds; ++fold) {
+        std::vector<VeilExample> others;
+        std::copy_if(examples.begin(), examples.end(), std::back_inserter(others),
+                     [&](const VeilExample& e) { return fold_of(e) != fold; });
+        const VeilModel without = fitted(others);
+        for (std::size_t i = 0; i < examples.size(); ++i)
+            if (fold_of(examples[i]) == fold) said[i] = without.veil_of(examples[i].figures);
+    }
+    VeilModel model = fitted(examples);
+    model.origin_ = origin;
+    model.examples_ = static_cast<int>(examples.size());
+    model.views_ = static_cast<int>(views.size());
+    model.error_ = error_of(examples, said);
+    return model;
+}
+
+double VeilModel::veil_of(const VeilFigures& figures) const {
+    const Terms terms = terms_of(figures);
+    double veil = 0.0;
+    for (std::size_t t = 0; t < term_count; ++t) veil += weights_[t] * terms[t] / size_[t];
+    return std::clamp(veil, 0.0, 1.0);
+}
+
+std::string VeilModel::json() const {
+    const nlohmann::ordered_json all{
+        {"learned_from", origin_},
+        {"pictures", examples_},
+        {"views", views_},
+        {"error_on_views_left_out",
+         {{"mean_absolute", error_.mean_absolute}, {"bias", error_.bias}, {"correlation", error_.correlation}}},
+        {"size", size_},
+        {"weights", weights_}};
+    return all.dump(1) + "\n";
+}
+
+VeilModel VeilModel::read(std::string_view json, const std::string& name) {
+    const nlohmann::json all = nlohmann::json::parse(json, nullptr, false);
+    if (!all.is_object()) throw refused(name, "", "is no JSON object");
+    VeilModel model;
+    model.size_ = numbers_of(all, "size", name);
+    model.weights_ = numbers_of(all, "weights", name);
+    for (const double size : model.size_)
+        if (size < least_size) throw refused(name, "size", std::to_string(size) + " is below the minimum 1e-6");
+    const auto number = [&name](const nlohmann::json& of, const char* key, double least, double most) {
+        const auto found = of.find(key);
+        if (found == of.end() || !found->is_number() ||
+            !(found->get<double>() >= least && found->get<double>() <= most))
+            throw refused(name, key, "is no number of " + std::to_string(least) + " to " + std::to_string(most));
+        return found->get<double>();
+    };
+    constexpr double most_pictures = 1e9;
+    model.examples_ = static_cast<int>(number(all, "pictures", 0.0, most_pictures));
+    model.views_ = static_cast<int>(number(all, "views", 0.0, most_pictures));
+    const auto origin = all.find("learned_from"), error = all.find("error_on_views_left_out");
+    if (origin == all.end() || !origin->is_string()) throw refused(name, "learned_from", "is no text");
+    model.origin_ = origin->get<std::string>();
+    if (error == all.end() || !error->is_object()) throw refused(name, "error_on_views_left_out", "is no object");
+    model.error_ = {.mean_absolute = number(*error, "mean_absolute", 0.0, 1.0),
+                    .bias = number(*error, "bias", -1.0, 1.0),
+                    .correlation = number(*error, "correlation", -1.0, 1.0)};
+    return model;
+}
+
+const VeilModel& VeilModel::shipped() {
+    static const VeilModel model = read(embedded_veil_model, "veil_model.json");
+    return model;
+}
+
+}  // namespace lapfx::match

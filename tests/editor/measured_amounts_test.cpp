@@ -1,0 +1,241 @@
+// The amounts panel, where it shows what is in the view: reference and preview, measured alike, over each other on the
+// scene's time.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include "app/base/layouts.h"
+#include "app/measure/amounts.h"
+#include "app/measure/measuring.h"
+#include "app/measure/preview_measuring.h"
+#include "app/reference/reference.h"
+#include "editor/support/editor_test.h"
+#include "match/measure.h"
+#include "support/wait_until.h"
+
+namespace lapfx::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr double settled = 1;  // s: longer than a change takes to be followed
+const std::string bar = "Workspace/Amounts/Plots/", plots = "**/Measured plots/";
+
+/// What a plot gives as CSV: a column for each series, nothing where it has no value.
+struct Table {
+    std::vector<std::string> names;
+    std::vector<std::vector<std::optional<double>>> rows;
+
+    /// Times and values of the series whose name begins so.
+    std::vector<std::pair<double, double>> of(const std::string& name) const {
+        std::vector<std::pair<double, double>> points;
+        for (std::size_t c = 1; c < names.size(); ++c) {
+            if (!names[c].starts_with(name)) continue;
+            for (const auto& row : rows)
+                if (row[c]) points.emplace_back(*row[0], *row[c]);
+        }
+        return points;
+    }
+};
+
+Table read_table(const std::string& csv) {
+    Table table;
+    std::istringstream lines(csv);
+    for (std::string line; std::getline(lines, line);) {
+        std::vector<std::string> cells;
+        std::size_t from = 0;
+        for (std::size_t comma = 0; comma != std::string::npos; from = comma + 1)
+            comma = line.find(',', from), cells.push_back(line.substr(from, comma - from));
+        if (table.names.empty()) {
+            table.names = cells;
+            continue;
+        }
+        auto& row = table.rows.emplace_back();
+        for (const std::string& cell : cells)
+            row.push_back(cell.empty() ? std::nullopt : std::optional(std::stod(cell)));
+    }
+    return table;
+}
+
+class MeasuredAmounts : public EditorTest {
+  protected:
+    MeasuredAmounts() { scene_scale = 1; }  // else the preview is not measured
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        start({1000, 700});
+        show();
+    }
+    void show() {
+        open_sample();
+        editor().document.change("Short", [](document::Content& c) { c.scene.duration = 5; });
+        editor().timeline.speed = 0;
+        layout("Compare");
+    }
+    void settle() { ui().frame(settled).frame().frame(settled).frame().settle(); }
+    app::Measuring& measuring() { return editor().measuring(); }
+    app::PreviewMeasuring& preview() { return editor().preview_measuring(); }
+    Table table(const std::string& plot) {
+        ui().click(plots + plot, {.at = {0.5F, 0.6F}}).key('C', ui::Mods::command).frame();
+        return read_table(ui().clipboard().text);
+    }
+    bool says(const std::string& text) { return ui().dump().find(text) != std::string::npos; }
+    void wait_for(const std::function<bool()>& so) {
+        ASSERT_TRUE(wait_until(so, [&] { ui().frame().frame(); }));
+    }
+};
+
+TEST_F(MeasuredAmounts, BothAreDrawnOnTheScenesTime) {
+    settle();
+    EXPECT_TRUE(says("The reference is not measured yet"));
+    EXPECT_TRUE(table("Veil").of("Ref").empty());
+    ui().click(bar + "Measure").frame().frame();
+    ASSERT_NE(measuring().found(), nullptr);
+    settle();
+    EXPECT_TRUE(says("Both measured alike")) << ui().dump();
+    const double offset = editor().document.scene().reference.offset, length = editor().timeline.duration();
+    ASSERT_EQ(offset, 0.5);
+    for (const bool blood : {true, false}) {
+        const Table shown = table(blood ? "Blood" : "Veil");
+        std::vector<std::pair<double, double>> theirs, ours;
+        for (const match::FrameAmounts& f : measuring().found()->frames)
+            if (f.time - offset >= 0 && f.time - offset <= length && (blood ? f.blood_measurable() : f.measurable()))
+                theirs.emplace_back(f.time - offset, 100 * (blood ? f.blood.value : f.veil.value));
+        for (const match::FrameAmounts& f : preview().frames())
+            if (blood ? f.blood_measurable() : f.measurable())
+                ours.emplace_back(f.time, 100 * (blood ? f.blood.value : f.veil.value));
+        EXPECT_GT(theirs.size(), 100U);
+        EXPECT_GT(ours.size(), 20U);
+        EXPECT_THAT(shown.of("Ref"), testing::Pointwise(testing::Eq(), theirs));
+        EXPECT_THAT(shown.of("Pre"), testing::Pointwise(testing::Eq(), ours));
+    }
+    editor().document.change("Offset", [](document::Content& c) { c.scene.reference.offset = 1.5; });
+    const std::uint64_t before = preview().version();
+    settle();
+    const auto moved = table("Veil").of("Ref");
+    ASSERT_FALSE(moved.empty());
+    const auto& first = *std::find_if(measuring().found()->frames.begin(), measuring().found()->frames.end(),
+                                      [](const match::FrameAmounts& f) { return f.time >= 1.5 && f.measurable(); });
+    EXPECT_NEAR(moved.front().first, first.time - 1.5, 1e-9);
+    EXPECT_EQ(moved.front().second, 100 * first.veil.value);
+    EXPECT_EQ(preview().version(), before) << "the preview is the same";
+}
+
+TEST_F(MeasuredAmounts, ThePreviewIsMeasuredNearTheTruthThatIsAskedFor) {
+    settle();
+    ASSERT_FALSE(preview().frames().empty());
+    EXPECT_TRUE(preview().truths().empty());
+    EXPECT_TRUE(table("Veil").of("Tru").empty());
+    ui().click(bar + "Truth");
+    settle();
+    const auto& measured = preview().frames();
+    const auto& truth = preview().truths();
+    ASSERT_EQ(truth.size(), measured.size());
+    EXPECT_EQ(table("Veil").of("Tru").size(), truth.size());
+    double most = 0, veil_off = 0, blood_off = 0, count = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        EXPECT_EQ(truth[i].time, measured[i].time);
+        most = std::max(most, truth[i].veil);
+        if (!measured[i].blood_measurable()) continue;
+        veil_off += std::abs(measured[i].veil.value - truth[i].veil);
+        blood_off += std::abs(measured[i].blood.value - truth[i].blood);
+        ++count;
+    }
+    EXPECT_GT(most, 0.1) << "there is smoke to be measured";
+    EXPECT_LT(veil_off / count, 0.05);
+    EXPECT_LT(blood_off / count, 0.05);
+    const std::uint64_t version = preview().version();
+    ui().click(bar + "Truth");
+    settle();
+    EXPECT_FALSE(preview().stale()) << "less costs nothing";
+    EXPECT_EQ(preview().version(), version);
+}
+
+TEST_F(MeasuredAmounts, TheSameSceneIsMeasuredTheSame) {
+    settle();
+    const std::vector<match::FrameAmounts> first = preview().frames();
+    ASSERT_GT(first.size(), 20U);
+    EXPECT_EQ(first.front().time, 0.0);
+    EXPECT_EQ(first.back().time, editor().timeline.duration());
+    editor().document.change("Exposure", [](document::Content& c) { c.scene.camera.exposure *= 0.7; });
+    settle();
+    EXPECT_NE(preview().frames()[first.size() / 2].veil.value, first[first.size() / 2].veil.value);
+    start({1000, 700});
+    show();
+    settle();
+    ASSERT_EQ(preview().frames().size(), first.size());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        EXPECT_EQ(preview().frames()[i].blood.value, first[i].blood.value) << i;
+        EXPECT_EQ(preview().frames()[i].veil.value, first[i].veil.value) << i;
+        EXPECT_EQ(preview().frames()[i].flags, first[i].flags) << i;
+    }
+}
+
+TEST_F(MeasuredAmounts, NothingIsMeasuredWhileNobodyLooksOrChangesSettle) {
+    layout("Tune");
+    ui().frame(settled).frame().frame(settled).settle();
+    EXPECT_TRUE(preview().frames().empty());
+    layout("Compare");
+    settle();
+    EXPECT_FALSE(preview().frames().empty());
+    ui().click("**/Amounts/On organ");
+    editor().document.change("Exposure", [](document::Content& c) { c.scene.camera.exposure *= 0.7; });
+    const std::uint64_t version = preview().version();
+    settle();
+    EXPECT_EQ(preview().version(), version) << "what the organ has is looked at";
+    ui().click("**/Amounts/In view").frame();
+    EXPECT_TRUE(says("The preview's curve is from before the last change")) << ui().dump();
+    settle();
+    EXPECT_NE(preview().version(), version);
+    EXPECT_FALSE(says("from before the last change"));
+}
+
+TEST_F(MeasuredAmounts, AClickGoesToThatTime) {
+    settle();
+    ui().click(plots + "Blood", {.at = {0.5F, 0.6F}}).frame();
+    EXPECT_GT(editor().timeline.time, 0.3 * editor().timeline.duration());
+    EXPECT_LT(editor().timeline.time, 0.8 * editor().timeline.duration());
+}
+
+TEST_F(MeasuredAmounts, WhatIsWrongIsToldInPlace) {
+    settle();
+    editor().document.change("Organ", [](document::Content& c) { c.scene.organ.file = "gone.glb"; });
+    settle();
+    EXPECT_TRUE(preview().frames().empty());
+    EXPECT_TRUE(says("gone.glb"));
+    editor().document.undo();
+    settle();
+    EXPECT_FALSE(preview().frames().empty());
+    EXPECT_FALSE(says("gone.glb"));
+}
+
+TEST_F(MeasuredAmounts, BesideTheUiItIsStoppedAndBegunAgain) {
+    start({1440, 900}, false);
+    show();
+    wait_for([&] { return !preview().frames().empty() && preview().busy(); });
+    EXPECT_TRUE(says("Measuring: "));
+    ui().click(bar + "Stop measuring").frame();
+    EXPECT_FALSE(preview().busy());
+    EXPECT_TRUE(preview().frames().empty()) << "a part of a curve";
+    for (int i = 0; i < 60; ++i) ui().frame();
+    EXPECT_FALSE(preview().busy());
+    EXPECT_FALSE(measuring().running());
+    EXPECT_TRUE(says("Measuring the preview was stopped")) << ui().dump();
+    ui().click(bar + "Again");
+    wait_for([&] { return !preview().stale() && !preview().busy(); });
+    const std::vector<match::FrameAmounts> alone = preview().frames();
+    editor().document.change("Exposure", [](document::Content& c) { c.scene.camera.exposure *= 0.7; });
+    wait_for([&] { return preview().busy(); });
+    EXPECT_EQ(preview().frames().size(), alone.size()) << "what is known stays until it can be replaced";
+    EXPECT_TRUE(preview().stale());
+    editor().document.undo();
+    ui().frame();
+    EXPECT_FALSE(preview().busy()) << "a change cancels it";
+    EXPECT_FALSE(preview().stale()) << "this is known";
+}
+
+}  // namespace
+}  // namespace lapfx::test
