@@ -28,12 +28,14 @@ class TimelineTest : public testing::Test {
     std::vector<TimelineTrack> tracks{{"Events", {{"Cut", 2, 4}, {"Bleed", 6, 7}}}, {"Marks", {{"Start", 5, 5}}}};
     TimelineOptions options{.length = 10, .rate = 25, .tip = "When what happens"};
     TimelineEdit last;
+    std::optional<TimelineEdit::Taken> taken;  ///< in any frame
     int began = 0, committed = 0, cancelled = 0;
     bool open = false, mistaken = false;  ///< a gesture is open; one began within another or ended twice
     bool disabled = false;
     Harness ui{[this](Ui& u) {
                    u.push_disabled(disabled);
                    last = timeline(u, "Time", state, tracks, options);
+                   if (last.taken) taken = last.taken;
                    u.pop_disabled();
                    for (const Edit& e : {last.time, last.range, last.items}) {
                        began += e.began, committed += e.committed, cancelled += e.cancelled;
@@ -57,9 +59,7 @@ class TimelineTest : public testing::Test {
 TEST_F(TimelineTest, AGhostIsTakenByAClickAndNothingElse) {
     tracks[1].items.push_back({.name = "Proposed", .start = 3, .end = 3, .ghost = true});
     ui.frame().frame();
-    std::optional<TimelineEdit::Taken> taken;
     press_at(ui.rect("Time/Marks/Proposed").center());
-    taken = last.taken;
     ui.release();
     ASSERT_TRUE(taken);
     EXPECT_EQ(taken->track, 1U);
