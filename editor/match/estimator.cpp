@@ -370,8 +370,8 @@ FrameAmounts Estimator::State::amounts_of(double time, bool moved) {
         amounts.blood.value = share_of(blood.blood(), valid);
         see_veil();
         const VeilModel& model = options.veil_model ? *options.veil_model : VeilModel::shipped();
-        amounts.veil.value = model.veil_of(figures);
-        veil.scale_to(amounts.veil.value, valid);
+        veil.scale_to(model.veil_of(figures), valid);
+        amounts.veil.value = cv::mean(veil.veil(), valid)[0];
     }
     judge(amounts, moved);
     set_intervals(amounts);

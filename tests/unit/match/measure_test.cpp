@@ -92,7 +92,7 @@ TEST_F(MeasureTest, GivesEachFrameWithItsLayersAndIsNotChangedByWhatIsDrawn) {
     ASSERT_EQ(plain.frames.size(), found.frames.size());
     for (std::size_t i = 0; i < times.size(); ++i) {
         EXPECT_EQ(times[i], found.frames[i].time);
-        EXPECT_NEAR(veils[i], found.frames[i].veil.value, 1e-5);
+        EXPECT_EQ(veils[i], found.frames[i].veil.value);
         EXPECT_EQ(plain.frames[i].veil.value, found.frames[i].veil.value);
     }
 }
