@@ -10,7 +10,6 @@ class GlitterTest : public test::SceneTest {
     static constexpr glm::ivec2 frame{200, 200};
 
     GlitterTest() {
-        test::write_obj(folder / "sheet.obj", test::plane(80.0, 60));
         preset.smoke.clips.clear();
         preset.bleeding.max_extent = 30.0;
         scene.events.resize(1);

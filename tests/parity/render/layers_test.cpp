@@ -9,7 +9,6 @@ class LayersTest : public test::SceneTest {
     static constexpr glm::ivec2 frame{160, 120};
 
     LayersTest() {
-        test::write_obj(folder / "sheet.obj", test::plane(80.0, 60));
         preset.smoke.clips.clear();
         scene.events.clear();
     }
