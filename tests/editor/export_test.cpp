@@ -1,12 +1,14 @@
 // The export dialog: what it proposes, what it refuses, what it makes.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "app/files/exports.h"
 #include "app/files/files.h"
+#include "app/measure/measuring.h"
 #include "editor/support/editor_test.h"
 #include "editor/support/held_jobs.h"
 #include "lapfx/authoring/documents.h"
@@ -310,6 +312,14 @@ class LoadingExport : public ExportTest {
 
 TEST_F(LoadingExport, IsToldOnceAndGoesOnWhenAllIsThere) {
     layout("Compare");  // without the view
+    // As soon as the reference is there it is measured, by a thread of its own.
+    ASSERT_TRUE(wait_until([&] { return editor().measuring().running(); }, [&] { ui().frame(); }));
+    const auto running = editor().jobs.running();
+    const auto place = [&](std::string_view name) {
+        return std::ranges::find_if(running, [&](const auto& job) { return job->name() == name; });
+    };
+    ASSERT_NE(place("Measuring operation.mp4"), running.end());
+    EXPECT_LT(place("Loading lagb.glb"), place("Measuring operation.mp4")) << "the older, though it waits";
     HeldJobs::keep_only(editor().jobs, "Loading ");
     ui().frame();
     EXPECT_TRUE(editor().exports().loading());

@@ -139,7 +139,10 @@ TEST_F(MeasurePanel, CancelledItLeavesWhatWasFoundBefore) {
 
 TEST_F(MeasurePanel, AFrameWhoseMeasuringWasCancelledIsMeasuredWhenOneAsks) {
     show_with_threads();
+    // What the measuring of the whole video finds is a reason to measure the frame anew.
+    wait_for([&] { return measuring().found() != nullptr && !measuring().running(); });
     const auto cancel_at = [&](double time) {
+        wait_for([&] { return bench().ready() && !bench().busy() && !bench().stale(); });
         HeldJobs held(editor().jobs);
         editor().timeline.seek(time);
         wait_for([&] { return bench().busy(); });

@@ -20,11 +20,17 @@ Jobs::~Jobs() {
     for (std::thread& thread : threads_) thread.join();
 }
 
-std::shared_ptr<Job> Jobs::start(std::string name, Work work, Failed failed) {
+std::shared_ptr<Jobs::Entry> Jobs::entry_of(std::string name, Failed failed) {
     auto entry = std::make_shared<Entry>();
     entry->job = std::make_shared<Job>(std::move(name));
-    entry->work = std::move(work);
     entry->failed = std::move(failed);
+    entry->number = begun_++;
+    return entry;
+}
+
+std::shared_ptr<Job> Jobs::start(std::string name, Work work, Failed failed) {
+    const auto entry = entry_of(std::move(name), std::move(failed));
+    entry->work = std::move(work);
     {
         const std::lock_guard lock(mutex_);
         waiting_.push_back(entry);
@@ -34,9 +40,7 @@ std::shared_ptr<Job> Jobs::start(std::string name, Work work, Failed failed) {
 }
 
 std::shared_ptr<Job> Jobs::open(std::string name, Failed failed) {
-    auto entry = std::make_shared<Entry>();
-    entry->job = std::make_shared<Job>(std::move(name));
-    entry->failed = std::move(failed);
+    const auto entry = entry_of(std::move(name), std::move(failed));
     const std::lock_guard lock(mutex_);
     running_.push_back(entry);
     return entry->job;
@@ -118,9 +122,11 @@ void Jobs::wake() {
 
 std::vector<std::shared_ptr<Job>> Jobs::running() const {
     const std::lock_guard lock(mutex_);
+    std::vector<std::shared_ptr<Entry>> entries = running_;
+    entries.insert(entries.end(), waiting_.begin(), waiting_.end());
+    std::ranges::sort(entries, {}, &Entry::number);  // those of threads of their own pass those that wait
     std::vector<std::shared_ptr<Job>> jobs;
-    for (const auto& entry : running_) jobs.push_back(entry->job);
-    for (const auto& entry : waiting_) jobs.push_back(entry->job);
+    for (const auto& entry : entries) jobs.push_back(entry->job);
     std::erase_if(jobs, [](const std::shared_ptr<Job>& job) { return job->cancelled(); });
     return jobs;
 }

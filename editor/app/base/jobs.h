@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -77,11 +78,13 @@ class Jobs {
   private:
     struct Entry {
         std::shared_ptr<Job> job;
+        std::uint64_t number = 0;  ///< in the order in which they were begun
         Work work;
         Failed failed;
         Apply apply;
         std::vector<Fault> faults;
     };
+    std::shared_ptr<Entry> entry_of(std::string name, Failed failed);
     void run();
     static void carry_out(Entry& entry);
 
@@ -89,6 +92,7 @@ class Jobs {
     std::condition_variable wanted_, ended_;
     std::deque<std::shared_ptr<Entry>> waiting_;
     std::vector<std::shared_ptr<Entry>> running_, done_;
+    std::uint64_t begun_ = 0;  ///< UI thread
     bool stopping_ = false;
     std::function<void()> wake_;
     std::vector<std::thread> threads_;
