@@ -77,7 +77,7 @@ void texture_of(const cv::Mat& code, cv::Mat& texture) {
     variance += texture_noise * texture_noise;
     cv::sqrt(variance, variance);
     cv::divide(luma, variance, luma, texture_strength);
-    luma.convertTo(texture, CV_8U, 1.0, 128.0);
+    luma.convertTo(texture, CV_8U, 1.0, plain_texture);
 }
 
 }  // namespace lapfx::match

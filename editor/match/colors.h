@@ -39,7 +39,10 @@ constexpr Number redness_of_code(Number red, Number green, Number blue) {
 /// Redness of linear light, CV_32FC3 to CV_32F.
 void redness_of(const cv::Mat& linear, cv::Mat& redness);
 
-/// Luma without what is wider than some pixels, divided by its own strength near by: CV_8U around 128. A veil takes
+/// What a plain picture has.
+inline constexpr int plain_texture = 128;
+/// Luma without what is wider than some pixels, divided by its own strength near by: CV_8U around
+/// plain_texture. A veil takes
 /// contrast away and adds light; both cancel out here.
 void texture_of(const cv::Mat& code, cv::Mat& texture);
 

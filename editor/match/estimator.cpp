@@ -9,6 +9,7 @@
 #include "lapfx/error.h"
 #include "match/blood.h"
 #include "match/colors.h"
+#include "match/dense_flow.h"
 #include "match/interval.h"
 #include "match/overlay.h"
 #include "match/placement.h"
@@ -30,8 +31,10 @@ constexpr float foreign_rest = 5.0F;     // residual in units of noise
 constexpr double view_slack = 0.02;      // of the longer side, around the view of the baseline
 
 // What makes a frame not measurable; found on real clips (tests/unit/match/real_frames_test.cpp).
-constexpr double most_rest = 0.18, least_valid = 0.3;
-constexpr double least_red = 0.35, most_foreign = 0.35, unlike = 0.25;
+constexpr double most_rest = 0.18, well_placed = 0.6, least_valid = 0.3;
+constexpr double least_red = 0.35, most_foreign = 0.35, unlike = 0.35;
+constexpr double another = 0.25;     // likeness by the camera's motion alone: less may be another view
+constexpr double surely_laid = 0.9;  // likeness beyond which there is nothing to gain
 constexpr float metal_red = 1.3F;    // redness of instruments at most
 constexpr float tissue_red = 1.18F;  // redness of tissue, also behind smoke
 
@@ -109,6 +112,8 @@ struct Estimator::State {
     Survey known;
     bool overlay_known = true;  ///< of all frames that were surveyed
     Placement placement;
+    DenseFlow dense_flow;
+    cv::Mat own_texture, placed_texture;
     cv::Rect box;       // around the view
     cv::Mat light_map;  // CV_32FC3
 
@@ -122,6 +127,7 @@ struct Estimator::State {
     VeilFigures figures;
     cv::Mat frame_code, frame_linear, frame_redness, texture, last_texture, counts, rest, valid, foreign, white_part,
         aside, brighter;
+    double likeness = 1.0;
     bool has_last = false, last_alike = false, laid = false;
     cv::Matx33d laid_at;
 
@@ -130,12 +136,14 @@ struct Estimator::State {
         return options.round_view ? disc_of(*options.round_view, size) : view_of(of);
     }
     void lay_over();
+    void see_likeness();
     void see_light(const HazeLight& found);
     void take(const Image& frame);
     void see_view();
     void see_overlay();
     void count();
     void find_foreign();
+    void find_blood(const cv::Mat& within);
     void explain();
     FrameAmounts amounts_of(double time, bool moved);
     bool pale() const;
@@ -168,9 +176,8 @@ Estimator::State::State(const Image& baseline, const EstimatorOptions& given)
     if (options.survey) known = *options.survey;
     if (known.brightest.empty()) code.copyTo(known.brightest);
     see_view();
-    cv::Mat of_baseline;
-    texture_of(code, of_baseline);
-    placement = Placement(of_baseline, counted);
+    texture_of(code, own_texture);
+    placement = Placement(own_texture, counted);
     lay_over();
     see_light(known.light);
 }
@@ -194,6 +201,16 @@ void Estimator::State::lay_over() {
     }
     to_linear(placed_code, placed_linear);
     redness_of(placed_linear, placed_redness);
+}
+
+/// Whether the tissue of the baseline is there, though it moved otherwise than the camera. Amounts are looked for where
+/// the camera's motion lays it: the flow would draw what bled wider than it was, as if it had grown with the tissue.
+void Estimator::State::see_likeness() {
+    likeness = placement.likeness();
+    if (likeness > surely_laid) return dense_flow.forget();
+    cv::warpPerspective(own_texture, placed_texture, placement.place(), size, cv::INTER_LINEAR, cv::BORDER_CONSTANT,
+                        plain_texture);
+    if (dense_flow.find(placed_texture, placed_counted, texture, likeness)) likeness = dense_flow.likeness();
 }
 
 void Estimator::State::take(const Image& frame) {
@@ -255,14 +272,20 @@ void Estimator::State::find_foreign() {
     cv::morphologyEx(foreign, foreign, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
 }
 
+void Estimator::State::find_blood(const cv::Mat& within) {
+    blood.find(placed_linear, placed_redness, frame_linear, veil.veil(), light_map, within, options.blood,
+               placement.likeness() >= well_placed);
+}
+
 /// Veil and blood depend on each other: blood is no smoke, and its colour shows without the smoke. First what
 /// most of the picture says about the veil; then what is red behind that, unless a veil of its own explains it as well.
+/// The mean veil is the model's, before blood is looked for behind it.
 void Estimator::State::explain() {
     count();
     foreign.create(size, CV_8U);
     foreign.setTo(0);
     veil.solve_wide(placed_linear, frame_linear, counts, light_map, wide_passes);
-    blood.find(placed_linear, placed_redness, frame_linear, veil.veil(), light_map, placed_counted, options.blood);
+    find_blood(placed_counted);
     find_foreign();
     free_veil.solve_narrow(placed_linear, frame_linear, counts, light_map, veil.veil());
     free_veil.residual(placed_linear, frame_linear, light_map, rest);
@@ -271,18 +294,23 @@ void Estimator::State::explain() {
     counts.setTo(0.0F, aside);
     veil.refine(placed_linear, frame_linear, counts, light_map);
     valid = placed_counted & ~foreign;
-    blood.find(placed_linear, placed_redness, frame_linear, veil.veil(), light_map, valid, options.blood);
+    if (cv::countNonZero(valid) > 0) {
+        see_veil();
+        const VeilModel& model = options.veil_model ? *options.veil_model : VeilModel::shipped();
+        veil.scale_to(model.veil_of(figures), valid);
+    }
+    find_blood(valid);
 }
 
 /// Whether the frame has neither the texture nor the colour of tissue. Dense smoke hides the texture as well, but some
 /// of the colour comes through.
 bool Estimator::State::pale() const {
-    return placement.likeness() < unlike && share_of(frame_redness >= tissue_red, placed_counted) < least_red;
+    return likeness < unlike && share_of(frame_redness >= tissue_red, placed_counted) < least_red;
 }
 
 /// Where both frames show the baseline, the camera moved.
 bool Estimator::State::cut_from_last() const {
-    return has_last && (!last_alike || placement.likeness() < unlike) && another_view(last_texture, texture, view);
+    return has_last && (!last_alike || placement.likeness() < another) && another_view(last_texture, texture, view);
 }
 
 /// Light that is left over the valid view without blood, in shares of its light.
@@ -363,14 +391,11 @@ FrameAmounts Estimator::State::amounts_of(double time, bool moved) {
     amounts.time = time;
     const double area = cv::countNonZero(valid);
     amounts.valid = area / size.area();
-    amounts.likeness = placement.likeness();
+    amounts.likeness = likeness;
     amounts.rest = rest_share();
     amounts.hidden = share_of(blood.hidden(), valid);
     if (area > 0.0) {
         amounts.blood.value = share_of(blood.blood(), valid);
-        see_veil();
-        const VeilModel& model = options.veil_model ? *options.veil_model : VeilModel::shipped();
-        veil.scale_to(model.veil_of(figures), valid);
         amounts.veil.value = cv::mean(veil.veil(), valid)[0];
     }
     judge(amounts, moved);
@@ -394,6 +419,7 @@ bool Estimator::survey(const Image& frame) {
     s.take(frame);
     s.placement.follow(s.texture);
     s.lay_over();
+    s.likeness = s.placement.likeness();  // the flow makes also what is foreign a little alike
     s.count();
     // What no veil explains says nothing yet: the light of the veil is what is looked for.
     if (s.dark() || s.bleached() || s.pale()) return false;
@@ -426,11 +452,12 @@ FrameAmounts Estimator::measure(const Image& frame, double time) {
     s.take(frame);
     const bool moved = s.placement.follow(s.texture);
     s.lay_over();
+    s.see_likeness();
     s.explain();
     const FrameAmounts amounts = s.amounts_of(time, moved);
     s.texture.copyTo(s.last_texture);
     s.has_last = true;
-    s.last_alike = amounts.likeness >= unlike;
+    s.last_alike = s.placement.likeness() >= another;
     return amounts;
 }
 
@@ -438,6 +465,7 @@ void Estimator::forget(const cv::Matx33d& place) {
     const double width = state_->size.width;
     state_->placement.forget(cv::Matx33d::diag({width, width, 1}) * place *
                              cv::Matx33d::diag({1 / width, 1 / width, 1}));
+    state_->dense_flow.forget();
     state_->has_last = false;
 }
 

@@ -5,7 +5,8 @@
 //     match::FrameAmounts amounts = estimator.measure(frame, 12.5);
 //     draw(estimator.blood(), estimator.veil());  // the layers of the frame measured last
 //
-// Blood: share of the valid view whose colour became redder than the qualifier asks, with the veil removed.
+// Blood: share of the valid view where a film of it explains what changed, with the veil removed; where the baseline
+// does not lie well, whose colour became redder than the qualifier asks.
 // Veil: 1 - transmission of the smoke, mean over the valid view. The model is that of scattering: a frame is
 // baseline * (1 - veil) + light * veil, where `light` is the colour of dense smoke at each place (haze_light.h).
 // The mean is told by a model that was learned (veil_model.h), which also knows frames over which the baseline does not
@@ -92,7 +93,7 @@ struct FrameAmounts {
     Amount blood = {};      ///< area fraction of the valid view
     Amount veil = {};       ///< mean over the valid view of 1 - transmission of the smoke
     double valid = 0.0;     ///< share of the picture that is the valid view, 0..1
-    double likeness = 0.0;  ///< how much of the baseline's texture is there, 0 none .. 1 all
+    double likeness = 0.0;  ///< how much of the baseline's texture is there, also where it moved; 0 none .. 1 all
     double rest = 0.0;      ///< share of the frame's light that neither tissue, smoke nor blood explain
     double hidden = 0.0;    ///< share of the valid view where smoke or the dark hides the colour
     unsigned flags = 0;     ///< bits of told::

@@ -6,6 +6,8 @@
 #include <optional>
 #include <random>
 
+#include "match/colors.h"
+
 namespace lapfx::match {
 
 namespace {
@@ -116,7 +118,7 @@ void Placement::forget(const cv::Matx33d& place) {
 }
 
 double Placement::likeness_at(const cv::Matx33d& place, const cv::Mat& texture) {
-    cv::warpPerspective(texture_, warped_, place, texture.size(), cv::INTER_LINEAR, cv::BORDER_CONSTANT, 128);
+    cv::warpPerspective(texture_, warped_, place, texture.size(), cv::INTER_LINEAR, cv::BORDER_CONSTANT, plain_texture);
     cv::warpPerspective(counts_, warped_counts_, place, texture.size(), cv::INTER_NEAREST);
     double bf = 0.0, bb = 0.0, ff = 0.0;
     for (int y = 0; y < texture.rows; ++y) {
@@ -124,7 +126,7 @@ double Placement::likeness_at(const cv::Matx33d& place, const cv::Mat& texture) 
         const auto* counted = warped_counts_.ptr<std::uint8_t>(y);
         for (int x = 0; x < texture.cols; ++x) {
             if (counted[x] == 0) continue;
-            const double p = b[x] - 128.0, q = f[x] - 128.0;
+            const double p = b[x] - plain_texture, q = f[x] - plain_texture;
             bf += p * q;
             bb += p * p;
             ff += q * q;

@@ -9,11 +9,11 @@ namespace {
 
 struct Found {
     explicit Found(const cv::Mat& frame, const cv::Mat& veil, const BloodQualifier& qualifier = {},
-                   const cv::Mat& clear = test::tissue()) {
+                   const cv::Mat& clear = test::tissue(), bool well_placed = false) {
         cv::Mat redness;
         redness_of(clear, redness);
         finder.find(clear, redness, frame, veil, test::light_of({}),
-                    cv::Mat(test::height, test::width, CV_8U, cv::Scalar(255)), qualifier);
+                    cv::Mat(test::height, test::width, CV_8U, cv::Scalar(255)), qualifier, well_placed);
     }
     BloodFinder finder;
     double blood() const { return cv::countNonZero(finder.blood()) / static_cast<double>(test::width * test::height); }
@@ -38,6 +38,47 @@ cv::Mat even(double veil) {
 TEST(Blood, OfADiscHasItsArea) {
     EXPECT_NEAR(Found(bloody(), even(0)).blood(), disc, 0.05 * disc);
     EXPECT_EQ(Found(test::tissue(), even(0)).blood(), 0.0);
+}
+
+/// A film of that thickness over the disc, by the law of Beer and Lambert.
+cv::Mat filmed(double thickness, const cv::Mat& clear = test::tissue()) {
+    cv::Mat frame = clear.clone(), part = cv::Mat::zeros(clear.size(), CV_8U);
+    cv::circle(part, {150, 130}, radius, 255, cv::FILLED);
+    const cv::Vec3d powers = cv::Vec3d(7.5, 8.0, 2.6) * thickness;
+    frame.forEach<cv::Vec3f>([&](cv::Vec3f& p, const int* at) {
+        if (part.at<std::uint8_t>(at[0], at[1]) == 0) return;
+        for (int k = 0; k < 3; ++k) p[k] *= static_cast<float>(std::exp2(-powers[k]));
+    });
+    return frame;
+}
+
+TEST(Blood, OfAThinFilmHasItsArea) {
+    for (const double thickness : {0.15, 0.3, 0.6})
+        EXPECT_NEAR(Found(filmed(thickness), even(0), {}, test::tissue(), true).blood(), disc, 0.06 * disc)
+            << thickness;
+    EXPECT_LT(Found(filmed(0.15), even(0)).blood(), 0.5 * disc) << "which redness alone does not tell";
+    EXPECT_EQ(Found(test::tissue(), even(0), {}, test::tissue(), true).blood(), 0.0);
+}
+
+TEST(Blood, IsFoundThoughTheCameraGainedItsChannels) {
+    cv::Mat frame = filmed(0.3);
+    frame = frame.mul(cv::Scalar(0.9, 0.85, 1.1));
+    EXPECT_NEAR(Found(frame, even(0), {}, test::tissue(), true).blood(), disc, 0.06 * disc);
+    frame = test::tissue().mul(cv::Scalar(0.9, 0.85, 1.1));
+    EXPECT_EQ(Found(frame, even(0), {}, test::tissue(), true).blood(), 0.0);
+}
+
+TEST(Blood, OfAFilmFollowsTheQualifier) {
+    const auto found = [](const BloodQualifier& qualifier) {
+        return Found(filmed(0.3), even(0), qualifier, test::tissue(), true).blood();
+    };
+    EXPECT_EQ(found({.redness = 15}), 0.0);
+    EXPECT_EQ(found({.rise = 5}), 0.0);
+    EXPECT_EQ(found({.brightness = 0.05}), 0.0);
+}
+
+TEST(Blood, IsNoFilmWhereAllIsDarker) {
+    EXPECT_EQ(Found(0.6 * test::tissue(), even(0), {}, test::tissue(), true).blood(), 0.0);
 }
 
 TEST(Blood, BehindSmokeHasTheSameArea) {
