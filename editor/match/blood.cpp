@@ -11,9 +11,7 @@ namespace lapfx::match {
 
 namespace {
 
-constexpr double surer = 1.15;          // factor on redness and rise for what is surely blood
-constexpr float least_through = 0.2F;   // transmission below which colour cannot be read
-constexpr float darkest_red = 0.0024F;  // linear; code value 9: colour cannot be read below
+constexpr double surer = 1.15;  // factor on redness and rise for what is surely blood
 // Blood takes light from the tissue that it covers, so it is not far brighter: what was dark and is not has smoke
 // before it.
 constexpr float most_lit = 3.0F, least_lit = 0.01F;  // linear red

@@ -42,8 +42,7 @@ void redness_of(const cv::Mat& linear, cv::Mat& redness);
 /// What a plain picture has.
 inline constexpr int plain_texture = 128;
 /// Luma without what is wider than some pixels, divided by its own strength near by: CV_8U around
-/// plain_texture. A veil takes
-/// contrast away and adds light; both cancel out here.
+/// plain_texture. A veil takes contrast away and adds light; both cancel out here.
 void texture_of(const cv::Mat& code, cv::Mat& texture);
 
 }  // namespace lapfx::match

@@ -1,28 +1,15 @@
 #include "match/dense_flow.h"
 
-#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "match/colors.h"
+#include "match/placement.h"
 
 namespace lapfx::match {
 
 namespace {
 
 constexpr double least_gain = 0.02;  // likeness: less is noise
-
-double likeness_of(const cv::Mat& a, const cv::Mat& b, const cv::Mat& counts) {
-    double ab = 0.0, aa = 0.0, bb = 0.0;
-    for (int y = 0; y < a.rows; ++y) {
-        const auto *p = a.ptr<std::uint8_t>(y), *q = b.ptr<std::uint8_t>(y), *counted = counts.ptr<std::uint8_t>(y);
-        for (int x = 0; x < a.cols; ++x) {
-            if (counted[x] == 0) continue;
-            const int i = p[x] - plain_texture, j = q[x] - plain_texture;
-            ab += i * j, aa += i * i, bb += j * j;
-        }
-    }
-    return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
-}
 
 }  // namespace
 

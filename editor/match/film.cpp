@@ -16,9 +16,7 @@ namespace {
 /// shaders/bleeding.glsl, there powers of a half.
 constexpr std::array<float, 3> absorption{7.5F * 0.693147F, 8.0F * 0.693147F, 2.6F * 0.693147F};
 
-constexpr float least_through = 0.2F;   // transmission below which colour cannot be read
-constexpr float darkest_red = 0.0024F;  // linear; code value 9: colour cannot be read below
-constexpr float dark_offset = 0.003F;   // linear: the noise of black
+constexpr float dark_offset = 0.003F;  // linear: the noise of black
 
 // Standard deviations. They were tuned on known blood over real and rendered tissue (`lapfx bench measure`), seed 1.
 constexpr float code_noise = 2.5F;      // code values: camera and encoder
@@ -221,12 +219,10 @@ void FilmSolver::see_doubt(const cv::Mat& valid) {
     const cv::Scalar all = cv::sum(lighter_);
     const auto usual = static_cast<float>(all[0] / std::max(all[1], least_lighter * cv::countNonZero(valid)));
     cv::blur(lighter_, lighter_, {around, around});
-    doubt_.create(lighter_.size(), CV_32F);
     for (int y = 0; y < lighter_.rows; ++y)
         for (int x = 0; x < lighter_.cols; ++x) {
             const cv::Vec2f& lighter = lighter_.at<cv::Vec2f>(y, x);
             const float there = (lighter[0] + prior_doubt * usual) / (lighter[1] + prior_doubt);
-            doubt_.at<float>(y, x) = std::sqrt(there);
             sureness_.at<float>(y, x) = thickness_.at<float>(y, x) / std::sqrt(uncertain_.at<float>(y, x) + there);
         }
 }

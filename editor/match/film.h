@@ -15,6 +15,9 @@
 
 namespace lapfx::match {
 
+inline constexpr float least_through = 0.2F;   ///< transmission below which colour cannot be read
+inline constexpr float darkest_red = 0.0024F;  ///< linear; code value 9: colour cannot be read below
+
 /// One thread; no picture is allocated after the first of a size.
 class FilmSolver {
   public:
@@ -25,11 +28,8 @@ class FilmSolver {
     /// CV_32F, 1 is a film that takes all but 1/256 of the green; negative where the tissue became less red.
     const cv::Mat& thickness() const { return thickness_; }
     const cv::Mat& sureness() const { return sureness_; }  ///< CV_32F: thickness in units of its standard deviation
-    /// CV_32F: standard deviation of the thickness by what is not in its place: how much tissue near by became less
-    /// red.
-    const cv::Mat& doubt() const { return doubt_; }
-    const cv::Mat& clear() const { return clear_; }    ///< the frame without smoke, linear, CV_32FC3
-    const cv::Mat& hidden() const { return hidden_; }  ///< CV_8U, 255 in the valid view where no colour can be read
+    const cv::Mat& clear() const { return clear_; }        ///< the frame without smoke, linear, CV_32FC3
+    const cv::Mat& hidden() const { return hidden_; }      ///< CV_8U, 255 in the valid view where no colour can be read
     /// Factors on linear light, BGR, since the baseline.
     const cv::Vec3f& gains() const { return gains_; }
 
@@ -42,7 +42,7 @@ class FilmSolver {
     void see_doubt(const cv::Mat& valid);
 
     cv::Vec3f gains_{1.0F, 1.0F, 1.0F};
-    cv::Mat clear_, hidden_, thickness_, sureness_, doubt_;
+    cv::Mat clear_, hidden_, thickness_, sureness_;
     cv::Mat log_, mean_, square_;       // of the baseline's light
     cv::Mat change_, variance_, sums_;  // variance_: of change_, CV_32FC3
     cv::Mat uncertain_;                 // variance of the thickness

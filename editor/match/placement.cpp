@@ -117,22 +117,23 @@ void Placement::forget(const cv::Matx33d& place) {
     still_ = texture_.empty() || distance(place_, cv::Matx33d::eye(), texture_.size()) <= still_within;
 }
 
+double likeness_of(const cv::Mat& a, const cv::Mat& b, const cv::Mat& counts) {
+    double ab = 0.0, aa = 0.0, bb = 0.0;
+    for (int y = 0; y < a.rows; ++y) {
+        const auto *p = a.ptr<std::uint8_t>(y), *q = b.ptr<std::uint8_t>(y), *counted = counts.ptr<std::uint8_t>(y);
+        for (int x = 0; x < a.cols; ++x) {
+            if (counted[x] == 0) continue;
+            const int i = p[x] - plain_texture, j = q[x] - plain_texture;
+            ab += i * j, aa += i * i, bb += j * j;
+        }
+    }
+    return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
+}
+
 double Placement::likeness_at(const cv::Matx33d& place, const cv::Mat& texture) {
     cv::warpPerspective(texture_, warped_, place, texture.size(), cv::INTER_LINEAR, cv::BORDER_CONSTANT, plain_texture);
     cv::warpPerspective(counts_, warped_counts_, place, texture.size(), cv::INTER_NEAREST);
-    double bf = 0.0, bb = 0.0, ff = 0.0;
-    for (int y = 0; y < texture.rows; ++y) {
-        const auto *b = warped_.ptr<std::uint8_t>(y), *f = texture.ptr<std::uint8_t>(y);
-        const auto* counted = warped_counts_.ptr<std::uint8_t>(y);
-        for (int x = 0; x < texture.cols; ++x) {
-            if (counted[x] == 0) continue;
-            const double p = b[x] - plain_texture, q = f[x] - plain_texture;
-            bf += p * q;
-            bb += p * p;
-            ff += q * q;
-        }
-    }
-    return bb > 0.0 && ff > 0.0 ? bf / std::sqrt(bb * ff) : 0.0;
+    return likeness_of(warped_, texture, warped_counts_);
 }
 
 cv::Matx33d Placement::found_in(const cv::Mat& texture, const cv::Matx33d& start) {

@@ -6,6 +6,10 @@
 
 namespace lapfx::match {
 
+/// How alike two textures of texture_of are where `counts` (CV_8U) is not 0: 1 the same, 0 as two pictures of other
+/// things; below 0 where one is the other's negative.
+double likeness_of(const cv::Mat& a, const cv::Mat& b, const cv::Mat& counts);
+
 /// The baseline's own texture (texture_of) and the points in it that can be found again.
 class Placement {
   public:
