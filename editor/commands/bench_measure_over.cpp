@@ -10,6 +10,7 @@
 #include "lapfx/error.h"
 #include "match/colors.h"
 #include "match/estimator.h"
+#include "match/instruments.h"
 #include "match/view.h"
 
 namespace lapfx::commands {

@@ -10,6 +10,7 @@
 #include "match/blood.h"
 #include "match/colors.h"
 #include "match/dense_flow.h"
+#include "match/instruments.h"
 #include "match/interval.h"
 #include "match/overlay.h"
 #include "match/placement.h"

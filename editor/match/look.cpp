@@ -7,6 +7,7 @@
 
 #include "lapfx/preset.h"
 #include "match/colors.h"
+#include "match/instruments.h"
 #include "match/view.h"
 
 namespace lapfx::match {

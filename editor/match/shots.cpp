@@ -10,10 +10,10 @@
 
 #include "lapfx/error.h"
 #include "match/colors.h"
+#include "match/instruments.h"
 #include "match/looks.h"
 #include "match/measure.h"
 #include "match/placement.h"
-#include "match/view.h"
 
 namespace lapfx::match {
 

@@ -1,5 +1,5 @@
-// Which pixels of a frame are looked at: the endoscope's picture without its black surround, burnt-in text, instruments
-// and the parts that a user left out.
+// Which pixels of a frame are looked at: the endoscope's picture without its black surround and the parts that
+// a user left out.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -13,9 +13,6 @@ namespace lapfx::match {
 /// The picture of the endoscope, CV_8U 255 inside: round, or cut off at the sides. `code`: CV_8UC3 BGR. Dark hollows
 /// inside belong to it. All 0 for a black picture.
 cv::Mat view_of(const cv::Mat& code);
-
-/// Instruments and burnt-in text of a clear picture: grey or white parts of some size within `view`, CV_8U 255.
-cv::Mat instruments_of(const cv::Mat& code, const cv::Mat& view);
 
 /// The region and the parts that are left out, as pixels: CV_8U 255 where it may be measured.
 cv::Mat wanted_part(cv::Size size, const glm::dvec4& region, std::span<const Part> masks);

@@ -41,35 +41,6 @@ TEST(MeasuredView, IsAWholePictureWithoutSurroundAndNothingOfABlackOne) {
     EXPECT_EQ(cv::countNonZero(view_of(cv::Mat(100, 100, CV_8UC3, cv::Scalar::all(3)))), 0);
 }
 
-TEST(MeasuredView, FindsAGreyInstrumentAndNoTissue) {
-    cv::Mat picture = test::code_picture(test::tissue());
-    const cv::Mat view = view_of(picture);
-    EXPECT_LT(share(instruments_of(picture, view)), 0.005);
-    cv::line(picture, {0, 40}, {160, 120}, {150, 152, 149}, 18);
-    const cv::Mat found = instruments_of(picture, view);
-    EXPECT_EQ(found.at<std::uint8_t>(80, 80), 255);
-    EXPECT_EQ(found.at<std::uint8_t>(200, 200), 0);
-}
-
-TEST(MeasuredView, FindsAnInstrumentBeforePaleTissueToo) {
-    // Saturation 0.25, as of peritoneum near the lamp.
-    const cv::Mat red = test::code_picture(test::tissue());
-    cv::Mat grey, pale;
-    cv::cvtColor(red, grey, cv::COLOR_BGR2GRAY);
-    cv::merge(std::vector<cv::Mat>{0.78 * grey, 0.75 * grey, grey}, pale);
-    const cv::Mat view = view_of(pale);
-    EXPECT_LT(share(instruments_of(pale, view)), 0.01);
-    cv::line(pale, {0, 40}, {160, 120}, {150, 152, 149}, 18);
-    EXPECT_EQ(instruments_of(pale, view).at<std::uint8_t>(80, 80), 255);
-}
-
-TEST(MeasuredView, FindsABlackShaftThatShinesRed) {
-    cv::Mat picture = test::code_picture(test::tissue());
-    const cv::Mat view = view_of(picture);
-    cv::line(picture, {0, 40}, {160, 120}, {54, 54, 67}, 18);
-    EXPECT_EQ(instruments_of(picture, view).at<std::uint8_t>(80, 80), 255);
-}
-
 TEST(MeasuredView, RegionAndPartsAreFractionsOfThePicture) {
     const cv::Mat wanted = wanted_part({100, 80}, {0.1, 0.25, 0.5, 0.5},
                                        std::vector<Part>{{{0.1, 0.25}, {0.3, 0.25}, {0.3, 0.5}, {0.1, 0.5}}});
