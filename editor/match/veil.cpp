@@ -118,6 +118,11 @@ void VeilSolver::solve_narrow(const cv::Mat& baseline, const cv::Mat& frame, con
     solve_window(narrow, hold_middle);
 }
 
+void VeilSolver::clear(cv::Size size) {
+    veil_.create(size, CV_32F);
+    veil_.setTo(0.0F);
+}
+
 void VeilSolver::scale_to(double mean, const cv::Mat& part) {
     const double was = cv::mean(veil_, part)[0];
     const double factor = was > 0.0 ? std::min(mean / was, most_scaled) : 1.0;
@@ -136,6 +141,17 @@ void VeilSolver::residual(const cv::Mat& baseline, const cv::Mat& frame, const c
             to[x] = std::sqrt(off.dot(off)) / noise_of(b[x], f[x]);
         }
     }
+}
+
+double VeilSolver::misfit(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& counts, const cv::Mat& light) {
+    residual(baseline, frame, light, residual_);
+    double all = 0.0;
+    for (int y = 0; y < counts.rows; ++y)
+        for (int x = 0; x < counts.cols; ++x) {
+            const float rest = std::min(residual_.at<float>(y, x), outlier);
+            if (counts.at<float>(y, x) > 0.0F) all += static_cast<double>(rest * rest);
+        }
+    return all;
 }
 
 }  // namespace lapfx::match

@@ -215,6 +215,17 @@ TEST(Estimator, TakesThinSmokeForNoOtherWhiteBalance) {
             << veil;
 }
 
+TEST(Estimator, TakesACameraThatChangesForNoSmoke) {
+    const cv::Mat clear = test::tissue();
+    Estimator estimator(test::image_of(clear), {.survey = std::make_shared<const Survey>()});
+    cv::Mat gained;
+    cv::multiply(clear, cv::Scalar(1.25, 1.2, 1.1), gained);
+    EXPECT_EQ(estimator.measure(test::image_of(gained), 0).veil.value, 0.0);
+    // Thin smoke lifts what is dark by more than what is bright.
+    const Image smoky = test::image_of(test::veiled(gained, even(0.06), test::light_of({})));
+    EXPECT_NEAR(estimator.measure(smoky, 0).veil.value, 0.06, 0.015);
+}
+
 TEST(Estimator, RefusesABaselineThatShowsNothing) {
     const Image black = test::image_of(cv::Mat(test::height, test::width, CV_32FC3, cv::Scalar::all(0)));
     EXPECT_EQ(lapfx::test::faults_of([&] { Estimator(black, {}); }),
