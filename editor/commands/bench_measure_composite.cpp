@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "match/colors.h"
+#include "match/film.h"
 
 namespace lapfx::commands::composite {
 
@@ -142,7 +143,7 @@ cv::Mat lay_blood(cv::Mat& picture, const cv::Mat& thickness) {
             const float light = std::max({here[0], here[1], here[2], least_light});
             float most = 0.0F;
             for (int k = 0; k < 3; ++k) {
-                const float passed = here[k] * std::exp2(-absorption[k] * film);
+                const float passed = here[k] * std::exp2(-match::blood_absorption[k] * film);
                 most = std::max(most, here[k] - passed);
                 here[k] = passed;
             }

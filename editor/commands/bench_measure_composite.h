@@ -13,9 +13,6 @@
 
 namespace lapfx::commands::composite {
 
-/// Powers of a half by which a film of blood of thickness 1 weakens blue, green and red: lapfx_blood_absorption of
-/// shaders/bleeding.glsl.
-inline const cv::Vec3f absorption(7.5F, 8.0F, 2.6F);
 /// Of a film at its edge, as there: it can just be seen.
 inline constexpr float least_thickness = 0.06F;
 

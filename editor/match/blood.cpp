@@ -26,13 +26,13 @@ constexpr float maybe_film = 0.05F, maybe_certain = 1.5F, sure_film = 0.1F, sure
 constexpr float redder_film = 0.035F, redder_certain = 1.0F;
 constexpr float thin_redness = 0.7F, thin_rise = 0.15F, surely_red = 1.1F;
 constexpr double sure_share_of_film = 0.25;
-constexpr float code_power = 2.2F;  // of light, by its code value
-constexpr int fill_reach = 10;      // px from which hidden places are filled
-constexpr float redder_rise = 1.1F;
-constexpr double drift_share = 0.35;   // of the tissue: blood may cover the rest
-constexpr double drift_of_veil = 0.6;  // most drift, per veil
-constexpr float least_drop = 3.0F;     // code values that blood takes from green and blue, or it cannot be read
-constexpr float sure_drop = 25.0F;     // the same of what is surely blood, where no smoke is before it
+constexpr float code_power = 2.2F;                          // of light, by its code value
+constexpr int fill_reach = 10;                              // px from which hidden places are filled
+constexpr float redder_rise = 1.1F, redder_redness = 0.8F;  // of what is left out when the veil is looked for
+constexpr double drift_share = 0.35;                        // of the tissue: blood may cover the rest
+constexpr double drift_of_veil = 0.6;                       // most drift, per veil
+constexpr float least_drop = 3.0F;  // code values that blood takes from green and blue, or it cannot be read
+constexpr float sure_drop = 25.0F;  // the same of what is surely blood, where no smoke is before it
 
 }  // namespace
 
@@ -92,7 +92,8 @@ void BloodFinder::find_redder(const cv::Mat& baseline, const cv::Mat& baseline_r
             const bool strong = drop_.at<float>(y, x) >= sure_drop * open * open;
             sure_.at<std::uint8_t>(y, x) =
                 can && strong && red >= surer * redness && red >= surer * rise * was ? 255 : 0;
-            redder_.at<std::uint8_t>(y, x) = can && red >= redder_rise * drift * was && red >= 0.8F * redness ? 255 : 0;
+            redder_.at<std::uint8_t>(y, x) =
+                can && red >= redder_rise * drift * was && red >= redder_redness * redness ? 255 : 0;
         }
 }
 
@@ -120,7 +121,7 @@ void BloodFinder::find_film(const cv::Mat& baseline, const cv::Mat& baseline_red
             const bool can = valid.at<std::uint8_t>(y, x) != 0 && hidden_.at<std::uint8_t>(y, x) == 0 &&
                              clear_.at<cv::Vec3f>(y, x)[2] <= brightest;
             const auto mark = [&](cv::Mat& into, bool so) { into.at<std::uint8_t>(y, x) = can && so ? 255 : 0; };
-            mark(redder_, film >= redder_film && certain >= redder_certain && red >= 0.8F * redness);
+            mark(redder_, film >= redder_film && certain >= redder_certain && red >= redder_redness * redness);
             mark(maybe_, film >= maybe_film && certain >= maybe_certain && red >= redness && red >= rise * was);
             mark(sure_, film >= sure_film && certain >= sure_certain && red >= surely_red * redness &&
                             red >= (2.0F * rise - 1.0F) * drift * near_.at<float>(y, x));

@@ -23,7 +23,7 @@ class BloodFinder {
     const cv::Mat& blood() const { return blood_; }      ///< CV_8U, 255 where there is blood
     const cv::Mat& redness() const { return redness_; }  ///< of the frame without smoke, CV_32F
     const cv::Mat& hidden() const { return hidden_; }    ///< CV_8U, 255 where the colour cannot be read
-    /// 255 where the frame is redder than the baseline could be behind any veil: not to be taken for smoke.
+    /// CV_8U, 255 where blood may be, thinner or less sure than blood(): left out when the veil is looked for.
     const cv::Mat& redder() const { return redder_; }
 
   private:

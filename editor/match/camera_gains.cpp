@@ -9,7 +9,7 @@ namespace lapfx::match {
 namespace {
 
 constexpr float least_light = 0.01F;  // linear: below, noise decides
-constexpr float most_change = 0.4F;   // natural logarithm
+constexpr float most_change = 0.8F;   // natural logarithm
 constexpr int every = 2;              // px
 constexpr std::size_t least_pixels = 100, fewest = 50;
 
@@ -30,7 +30,7 @@ float mode_of(const std::vector<float>& sorted) {
 
 }  // namespace
 
-cv::Vec3f camera_gains(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& counts) {
+cv::Vec3f camera_gains(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& part) {
     cv::Vec3f gains(1.0F, 1.0F, 1.0F);
     std::vector<float> changes;
     changes.reserve(static_cast<std::size_t>((frame.cols / every + 1) * (frame.rows / every + 1)));
@@ -39,7 +39,7 @@ cv::Vec3f camera_gains(const cv::Mat& baseline, const cv::Mat& frame, const cv::
         for (int y = 0; y < frame.rows; y += every)
             for (int x = 0; x < frame.cols; x += every) {
                 const float b = baseline.at<cv::Vec3f>(y, x)[k], f = frame.at<cv::Vec3f>(y, x)[k];
-                if (counts.at<float>(y, x) > 0.0F && b > least_light && f > 0.0F) changes.push_back(std::log(f / b));
+                if (part.at<std::uint8_t>(y, x) != 0 && b > least_light && f > 0.0F) changes.push_back(std::log(f / b));
             }
         if (changes.size() < least_pixels) continue;
         std::sort(changes.begin(), changes.end());

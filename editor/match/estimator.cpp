@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -33,8 +34,9 @@ constexpr float foreign_rest = 5.0F;     // residual in units of noise
 constexpr double view_slack = 0.02;      // of the longer side, around the view of the baseline
 
 // What makes a frame not measurable; found on real clips (tests/unit/match/real_frames_test.cpp).
-constexpr double most_rest = 0.18, well_placed = 0.6, least_valid = 0.3;
+constexpr double most_rest = 0.18, least_valid = 0.3, least_compared = 0.05;
 constexpr double least_red = 0.35, most_foreign = 0.35, unlike = 0.35;
+constexpr double well_placed = 0.6;  // likeness by the camera's motion from which single pixels are compared
 constexpr double another = 0.25;     // likeness by the camera's motion alone: less may be another view
 constexpr double surely_laid = 0.9;  // likeness beyond which there is nothing to gain
 constexpr float metal_red = 1.3F;    // redness of instruments at most
@@ -42,6 +44,9 @@ constexpr float tissue_red = 1.18F;  // redness of tissue, also behind smoke
 
 constexpr float clear_veil = 0.08F, lit = 0.06F;  // linear
 constexpr double least_tint_share = 0.02, other_tint = 0.18;
+
+const cv::Vec3f ungained(1.0F, 1.0F, 1.0F);
+constexpr double least_gained = 0.02;  // of a channel: less is no change of the camera
 
 constexpr int wide_passes = 3;
 constexpr double telling_veil = 0.03;
@@ -100,14 +105,6 @@ cv::Mat disc_of(const glm::dvec3& round, cv::Size size) {
     return disc;
 }
 
-/// The veil of a frame that the camera gained. Of 77 such pictures without smoke the statistic was .016 at most; with
-/// smoke of .01 to .16 it was off by .06 at most, but once.
-double veil_beside_gains(const VeilStatistics& statistics) {
-    constexpr double least = 0.02;
-    const double veil = statistics[offset_statistic];
-    return veil < least ? 0.0 : std::min(veil, 1.0);
-}
-
 [[noreturn]] void refuse(const std::string& place, const std::string& reason) {
     throw Error(Failure::bad_input, Fault{.file = "", .place = place, .reason = reason});
 }
@@ -129,14 +126,15 @@ struct Estimator::State {
 
     // the baseline as it is, and as it lies over the frame
     cv::Mat code, wanted, whole, view, reach, instruments, counted;  // whole: the view, with what is not wanted of it
-    cv::Mat placed_code, placed_linear, placed_redness, placed_counted;
+    cv::Mat laid_code, placed_code, placed_linear, placed_redness, placed_counted;
+    cv::Vec3f gains{1.0F, 1.0F, 1.0F};  // of the camera, by which placed_* are multiplied and laid_code is not
 
-    VeilSolver veil, free_veil, no_veil;
+    VeilSolver veil, free_veil;
     BloodFinder blood;
     AppearanceFinder appearance;
     VeilFigures figures;
     cv::Mat frame_code, frame_linear, frame_redness, texture, last_texture, counts, rest, valid, foreign, white_part,
-        aside, brighter, gained;
+        aside, brighter, readable;
     double likeness = 1.0;
     bool has_last = false, last_alike = false, laid = false;
     cv::Matx33d laid_at;
@@ -156,11 +154,13 @@ struct Estimator::State {
     void find_blood(const cv::Mat& within);
     void explain();
     FrameAmounts amounts_of(double time, bool moved);
-    bool pale() const;
+    bool pale(double least) const;
     bool bleached() const { return share_of(white_part, view) > bleached_share; }
     bool dark() const { return bright_level(frame_code, view) < dark_view; }
     bool cut_from_last() const;
-    bool camera_explains();
+    void gain(const cv::Vec3f& by);
+    std::optional<cv::Vec3f> gains_that_explain() const;
+    void find_amounts();
     void see_veil();
     double rest_share() const;
     double tint() const;
@@ -199,16 +199,34 @@ void Estimator::State::see_light(const HazeLight& found) {
 }
 
 void Estimator::State::lay_over() {
-    if (laid && placement.place() == laid_at) return;
+    if (laid && placement.place() == laid_at) {
+        if (gains != ungained) gain(ungained);
+        return;
+    }
     laid = true;
     laid_at = placement.place();
     if (placement.still()) {
-        code.copyTo(placed_code);
+        code.copyTo(laid_code);
         counted.copyTo(placed_counted);
     } else {
-        cv::warpPerspective(code, placed_code, placement.place(), size, cv::INTER_LINEAR);
+        cv::warpPerspective(code, laid_code, placement.place(), size, cv::INTER_LINEAR);
         cv::warpPerspective(counted, placed_counted, placement.place(), size, cv::INTER_NEAREST);
         placed_counted &= view;
+    }
+    gain(ungained);
+}
+
+void Estimator::State::gain(const cv::Vec3f& by) {
+    gains = by;
+    if (by == ungained) {
+        laid_code.copyTo(placed_code);
+    } else {
+        cv::Mat table(1, 256, CV_8UC3);
+        for (int c = 0; c < 256; ++c)
+            for (int k = 0; k < 3; ++k)
+                table.at<cv::Vec3b>(0, c)[k] =
+                    cv::saturate_cast<std::uint8_t>(code_of(by[k] * linear_of(static_cast<float>(c))));
+        cv::LUT(laid_code, table, placed_code);
     }
     to_linear(placed_code, placed_linear);
     redness_of(placed_linear, placed_redness);
@@ -249,6 +267,7 @@ void Estimator::State::see_overlay() {
 
 void Estimator::State::count() {
     counts.create(size, CV_32F);
+    readable.create(size, CV_8U);
     white_part.create(size, CV_8U);
     aside.create(size, CV_8U);
     for (int y = 0; y < size.height; ++y)
@@ -263,7 +282,9 @@ void Estimator::State::count() {
             bool dark = false;
             for (int k = 0; k < 3; ++k) dark = dark || f[k] < darker * std::min(b[k], h[k]) - dark_noise;
             aside.at<std::uint8_t>(y, x) = red || dark ? 255 : 0;
-            counts.at<float>(y, x) = placed_counted.at<std::uint8_t>(y, x) != 0 && !bright ? 1.0F : 0.0F;
+            const bool read = placed_counted.at<std::uint8_t>(y, x) != 0 && !bright;
+            readable.at<std::uint8_t>(y, x) = read ? 255 : 0;
+            counts.at<float>(y, x) = read ? 1.0F : 0.0F;
         }
     cv::dilate(aside, aside, cv::Mat());
     counts.setTo(0.0F, aside);
@@ -288,11 +309,32 @@ void Estimator::State::find_blood(const cv::Mat& within) {
                placement.likeness() >= well_placed);
 }
 
+/// A camera that changes makes neither smoke nor blood: then both are looked for over the baseline as it would be now.
+void Estimator::State::explain() {
+    find_amounts();
+    const std::optional<cv::Vec3f> found = gains_that_explain();
+    if (!found) return;
+    gain(*found);
+    find_amounts();
+}
+
+/// The gains of the camera's channels, if they explain more of the frame than a whole map of veil does.
+std::optional<cv::Vec3f> Estimator::State::gains_that_explain() const {
+    if (placement.likeness() < well_placed) return {};
+    const cv::Vec3f found = camera_gains(placed_linear, frame_linear, readable);
+    if (cv::norm(found, ungained, cv::NORM_INF) < least_gained) return {};
+    if (misfit_of_gains(placed_linear, found, frame_linear, readable) >=
+        veil.misfit(placed_linear, frame_linear, readable, light_map))
+        return {};
+    return found;
+}
+
 /// Veil and blood depend on each other: blood is no smoke, and its colour shows without the smoke. First what
 /// most of the picture says about the veil; then what is red behind that, unless a veil of its own explains it as well.
 /// The mean veil is the model's, before blood is looked for behind it.
-void Estimator::State::explain() {
+void Estimator::State::find_amounts() {
     count();
+    figures = {};
     foreign.create(size, CV_8U);
     foreign.setTo(0);
     veil.solve_wide(placed_linear, frame_linear, counts, light_map, wide_passes);
@@ -306,29 +348,17 @@ void Estimator::State::explain() {
     veil.refine(placed_linear, frame_linear, counts, light_map);
     valid = placed_counted & ~foreign;
     if (cv::countNonZero(valid) > 0) {
-        const bool by_camera = camera_explains();
-        if (by_camera) veil.clear(size);
         see_veil();
         const VeilModel& model = options.veil_model ? *options.veil_model : VeilModel::shipped();
-        veil.scale_to(by_camera ? veil_beside_gains(figures.statistics) : model.veil_of(figures), valid);
+        veil.scale_to(model.veil_of(figures), valid);
     }
     find_blood(valid);
 }
 
-/// Whether three gains explain the frame better than a whole map of veil does: then the camera changed.
-bool Estimator::State::camera_explains() {
-    if (placement.likeness() < well_placed) return false;
-    const cv::Vec3f gains = camera_gains(placed_linear, frame_linear, counts);
-    cv::multiply(placed_linear, cv::Scalar(gains[0], gains[1], gains[2]), gained);
-    no_veil.clear(size);
-    return no_veil.misfit(gained, frame_linear, counts, light_map) <
-           veil.misfit(placed_linear, frame_linear, counts, light_map);
-}
-
 /// Whether the frame has neither the texture nor the colour of tissue. Dense smoke hides the texture as well, but some
 /// of the colour comes through.
-bool Estimator::State::pale() const {
-    return likeness < unlike && share_of(frame_redness >= tissue_red, placed_counted) < least_red;
+bool Estimator::State::pale(double least) const {
+    return likeness < least && share_of(frame_redness >= tissue_red, placed_counted) < least_red;
 }
 
 /// Where both frames show the baseline, the camera moved.
@@ -367,7 +397,7 @@ double Estimator::State::tint() const {
     if (pixels < least_tint_share * size.area()) return 0.0;
     double least = 1e9, most = -1e9;
     for (int k = 0; k < 3; ++k) {
-        const double gain = std::log(std::max(now[k], 1e-6) / std::max(before[k], 1e-6));
+        const double gain = std::log(gains[k] * std::max(now[k], 1e-6) / std::max(before[k], 1e-6));
         least = std::min(least, gain);
         most = std::max(most, gain);
     }
@@ -389,8 +419,10 @@ void Estimator::State::judge(FrameAmounts& amounts, bool moved) const {
         amounts.flags |= trap == Trap::bag ? told::bag : told::trocar;
         return;
     }
-    const bool covered = share_of(valid, placed_counted) < least_valid || share_of(counted, view) < least_valid;
-    const bool strange = pale() || (amounts.likeness < unlike && share_of(foreign, placed_counted) > most_foreign);
+    const bool covered = share_of(valid, placed_counted) < least_valid || share_of(counted, view) < least_valid ||
+                         cv::countNonZero(counts) < least_compared * cv::countNonZero(placed_counted);
+    const bool strange =
+        pale(unlike) || (amounts.likeness < unlike && share_of(foreign, placed_counted) > most_foreign);
     if (strange || covered || amounts.valid < 0.05) amounts.flags |= told::not_measurable;
     if (amounts.measurable() && amounts.rest > most_rest) amounts.flags |= told::unregistered;
     if (amounts.measurable() && amounts.veil.value > dense_veil) amounts.flags |= told::dense;
@@ -445,7 +477,7 @@ bool Estimator::survey(const Image& frame) {
     s.likeness = s.placement.likeness();  // the flow makes also what is foreign a little alike
     s.count();
     // What no veil explains says nothing yet: the light of the veil is what is looked for.
-    if (s.dark() || s.bleached() || s.pale()) return false;
+    if (s.dark() || s.bleached() || s.pale(another)) return false;
     s.overlay_survey.add(frame);
     s.overlay_known = false;
     cv::max(s.known.brightest, s.frame_code, s.brighter);

@@ -31,8 +31,9 @@
 
 namespace lapfx::match {
 
-/// A measured share, 0..1, and its interval: it holds the true one in nine of ten frames of our own renders, to which
-/// it was fitted (interval.cpp). How often it does in real videos, whose true amounts nobody knows, is not known.
+/// A measured share, 0..1, and its interval: it holds the true one in about nine of ten pictures whose amounts are
+/// known, renders and known smoke and blood over real frames, to which it was fitted (interval.cpp). How often it does
+/// for smoke and blood of real videos, which nobody knows, is not known.
 struct Amount {
     double value = 0.0, low = 0.0, high = 0.0;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -11,10 +12,6 @@
 namespace lapfx::match {
 
 namespace {
-
-/// Natural logarithms by which a film of thickness 1 weakens blue, green and red: lapfx_blood_absorption of
-/// shaders/bleeding.glsl, there powers of a half.
-constexpr std::array<float, 3> absorption{7.5F * 0.693147F, 8.0F * 0.693147F, 2.6F * 0.693147F};
 
 constexpr float dark_offset = 0.003F;  // linear: the noise of black
 
@@ -26,16 +23,16 @@ constexpr int texture_reach = 2;        // px
 constexpr float shade_deviation = 0.1F;
 constexpr float least_veil_left = 0.012F, veil_left_of_veil = 0.03F;
 constexpr int near = 3;              // px across that are solved together
-constexpr float independent = 3.0F;  // of the near * near pixels: noise of an encoder is common to neighbours
+constexpr float independent = 3.0F;  // of the near * near pixels count: noise of an encoder is common to neighbours
 constexpr float most_gain = 0.35F, gain_deviation = 0.2F;  // logarithms
 
 // Of what became less red within so many px.
 constexpr int around = 61;
-constexpr double least_lighter = 0.3;  // of the valid view: where all is blood nothing can become less red
-constexpr float highlight = 0.4F;      // change of green: what shines says nothing
-constexpr float usual_excess = 3.0F;   // variances: less is the noise that is known
-constexpr float most_excess = 0.25F;   // squared thickness
-constexpr float prior_doubt = 0.1F;    // weight of the whole view
+constexpr double least_less_red = 0.3;  // of the valid view: where all is blood nothing can become less red
+constexpr float highlight = 0.4F;       // change of green: what shines says nothing
+constexpr float usual_excess = 3.0F;    // variances: less is the noise that is known
+constexpr float most_excess = 0.25F;    // squared thickness
+constexpr float prior_doubt = 0.1F;     // weight of the whole view
 
 /// ln(light + dark_offset) from a table, as QuickCode.
 class QuickLog {
@@ -132,7 +129,7 @@ void FilmSolver::see_changes(const cv::Mat& baseline, const cv::Mat& frame, cons
 cv::Vec3f FilmSolver::common_change(const cv::Mat& valid) const {
     constexpr int bins = 80, reach = 8;
     constexpr float width = 0.02F, spread = 4.0F;  // of a bin; in bins
-    constexpr float even = 0.0025F;                // variance: those that are surer count the same
+    constexpr float even = 0.0025F;                // added to each variance: very sure pixels do not decide alone
     std::array<std::array<float, bins>, 3> counts{};
     for (int y = 0; y < valid.rows; ++y)
         for (int x = 0; x < valid.cols; x += 2) {
@@ -168,6 +165,7 @@ cv::Vec3f FilmSolver::common_change(const cv::Mat& valid) const {
 }
 
 void FilmSolver::sum(const cv::Mat& baseline, const cv::Mat& veil, const cv::Mat& light, const cv::Vec3f& gain) {
+    const cv::Vec3f absorption = blood_absorption * std::numbers::ln2_v<float>;
     sums_.create(baseline.size(), CV_MAKETYPE(CV_32F, sum_count));
     for (int y = 0; y < baseline.rows; ++y) {
         const auto *b = baseline.ptr<cv::Vec3f>(y), *h = light.ptr<cv::Vec3f>(y), *clear = clear_.ptr<cv::Vec3f>(y),
@@ -178,8 +176,7 @@ void FilmSolver::sum(const cv::Mat& baseline, const cv::Mat& veil, const cv::Mat
             Sums& n = sums[x];
             n = Sums::all(0.0F);
             for (int k = 0; k < 3; ++k) {
-                const float weight = independent / variance[x][k], a = absorption[static_cast<std::size_t>(k)],
-                            d = change[x][k] - gain[k],
+                const float weight = independent / variance[x][k], a = absorption[k], d = change[x][k] - gain[k],
                             q = h[x][k] / (through * (0.5F * (clear[x][k] + b[x][k]) + dark_offset));
                 n[w] += weight;
                 n[wa] += weight * a;
@@ -200,29 +197,29 @@ void FilmSolver::solve_places(const cv::Mat& veil, const cv::Mat& valid) {
     thickness_.create(veil.size(), CV_32F);
     sureness_.create(veil.size(), CV_32F);
     uncertain_.create(veil.size(), CV_32F);
-    lighter_.create(veil.size(), CV_32FC2);
+    less_red_.create(veil.size(), CV_32FC2);
     for (int y = 0; y < veil.rows; ++y)
         for (int x = 0; x < veil.cols; ++x) {
             const Film film = film_of(sums_.at<Sums>(y, x), veil.at<float>(y, x));
             thickness_.at<float>(y, x) = film.thickness;
             uncertain_.at<float>(y, x) = 1.0F / film.information;
-            const bool lighter = valid.at<std::uint8_t>(y, x) != 0 && hidden_.at<std::uint8_t>(y, x) == 0 &&
-                                 film.thickness < 0.0F && change_.at<cv::Vec3f>(y, x)[1] < highlight;
+            const bool less_red = valid.at<std::uint8_t>(y, x) != 0 && hidden_.at<std::uint8_t>(y, x) == 0 &&
+                                  film.thickness < 0.0F && change_.at<cv::Vec3f>(y, x)[1] < highlight;
             const float excess = film.thickness * film.thickness - usual_excess / film.information;
-            lighter_.at<cv::Vec2f>(y, x) =
-                lighter ? cv::Vec2f(std::clamp(excess, 0.0F, most_excess), 1.0F) : cv::Vec2f(0.0F, 0.0F);
+            less_red_.at<cv::Vec2f>(y, x) =
+                less_red ? cv::Vec2f(std::clamp(excess, 0.0F, most_excess), 1.0F) : cv::Vec2f(0.0F, 0.0F);
         }
 }
 
 /// Blood makes no tissue less red, but tissue that is not in its place does, as often as it seems redder.
 void FilmSolver::see_doubt(const cv::Mat& valid) {
-    const cv::Scalar all = cv::sum(lighter_);
-    const auto usual = static_cast<float>(all[0] / std::max(all[1], least_lighter * cv::countNonZero(valid)));
-    cv::blur(lighter_, lighter_, {around, around});
-    for (int y = 0; y < lighter_.rows; ++y)
-        for (int x = 0; x < lighter_.cols; ++x) {
-            const cv::Vec2f& lighter = lighter_.at<cv::Vec2f>(y, x);
-            const float there = (lighter[0] + prior_doubt * usual) / (lighter[1] + prior_doubt);
+    const cv::Scalar all = cv::sum(less_red_);
+    const auto usual = static_cast<float>(all[0] / std::max({all[1], least_less_red * cv::countNonZero(valid), 1.0}));
+    cv::blur(less_red_, less_red_, {around, around});
+    for (int y = 0; y < less_red_.rows; ++y)
+        for (int x = 0; x < less_red_.cols; ++x) {
+            const cv::Vec2f& less_red = less_red_.at<cv::Vec2f>(y, x);
+            const float there = (less_red[0] + prior_doubt * usual) / (less_red[1] + prior_doubt);
             sureness_.at<float>(y, x) = thickness_.at<float>(y, x) / std::sqrt(uncertain_.at<float>(y, x) + there);
         }
 }

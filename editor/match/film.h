@@ -15,6 +15,9 @@
 
 namespace lapfx::match {
 
+/// Powers of a half by which a film of blood of thickness 1 weakens blue, green and red: lapfx_blood_absorption of
+/// shaders/bleeding.glsl.
+inline const cv::Vec3f blood_absorption(7.5F, 8.0F, 2.6F);
 inline constexpr float least_through = 0.2F;   ///< transmission below which colour cannot be read
 inline constexpr float darkest_red = 0.0024F;  ///< linear; code value 9: colour cannot be read below
 
@@ -46,7 +49,7 @@ class FilmSolver {
     cv::Mat log_, mean_, square_;       // of the baseline's light
     cv::Mat change_, variance_, sums_;  // variance_: of change_, CV_32FC3
     cv::Mat uncertain_;                 // variance of the thickness
-    cv::Mat lighter_;  // CV_32FC2: squared thickness where the tissue became less red, and whether it did
+    cv::Mat less_red_;  // CV_32FC2: squared thickness where the tissue became less red, and whether it did
 };
 
 }  // namespace lapfx::match

@@ -27,6 +27,23 @@ float noise_of(const cv::Vec3f& baseline, const cv::Vec3f& frame) {
     return code_noise * std::sqrt(std::max(f, 0.0F)) + shift_noise * std::min(b, f) + floor_noise;
 }
 
+/// `expected`: the frame's linear light at a place, by the baseline's.
+template <class Expected>
+double misfit_of(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& part, const Expected& expected) {
+    double all = 0.0;
+    for (int y = 0; y < frame.rows; ++y) {
+        const auto *b = baseline.ptr<cv::Vec3f>(y), *f = frame.ptr<cv::Vec3f>(y);
+        const auto* in = part.ptr<std::uint8_t>(y);
+        for (int x = 0; x < frame.cols; ++x) {
+            if (in[x] == 0) continue;
+            const float noise = noise_of(b[x], f[x]);
+            const cv::Vec3f off = f[x] - expected(b[x], y, x);
+            all += static_cast<double>(std::min(off.dot(off) / (noise * noise), outlier * outlier));
+        }
+    }
+    return all;
+}
+
 }  // namespace
 
 void VeilSolver::weigh(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& counts, const cv::Mat& light,
@@ -118,11 +135,6 @@ void VeilSolver::solve_narrow(const cv::Mat& baseline, const cv::Mat& frame, con
     solve_window(narrow, hold_middle);
 }
 
-void VeilSolver::clear(cv::Size size) {
-    veil_.create(size, CV_32F);
-    veil_.setTo(0.0F);
-}
-
 void VeilSolver::scale_to(double mean, const cv::Mat& part) {
     const double was = cv::mean(veil_, part)[0];
     const double factor = was > 0.0 ? std::min(mean / was, most_scaled) : 1.0;
@@ -143,15 +155,15 @@ void VeilSolver::residual(const cv::Mat& baseline, const cv::Mat& frame, const c
     }
 }
 
-double VeilSolver::misfit(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& counts, const cv::Mat& light) {
-    residual(baseline, frame, light, residual_);
-    double all = 0.0;
-    for (int y = 0; y < counts.rows; ++y)
-        for (int x = 0; x < counts.cols; ++x) {
-            const float rest = std::min(residual_.at<float>(y, x), outlier);
-            if (counts.at<float>(y, x) > 0.0F) all += static_cast<double>(rest * rest);
-        }
-    return all;
+double VeilSolver::misfit(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& part,
+                          const cv::Mat& light) const {
+    return misfit_of(baseline, frame, part, [&](const cv::Vec3f& b, int y, int x) {
+        return b + (light.at<cv::Vec3f>(y, x) - b) * veil_.at<float>(y, x);
+    });
+}
+
+double misfit_of_gains(const cv::Mat& baseline, const cv::Vec3f& gains, const cv::Mat& frame, const cv::Mat& part) {
+    return misfit_of(baseline, frame, part, [&](const cv::Vec3f& b, int, int) { return b.mul(gains); });
 }
 
 }  // namespace lapfx::match

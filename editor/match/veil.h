@@ -29,8 +29,6 @@ class VeilSolver {
     void solve_narrow(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& counts, const cv::Mat& light,
                       const cv::Mat& start);
 
-    /// A map without veil.
-    void clear(cv::Size size);
     /// Gives the map this mean (0..1) over `part` (CV_8U, 255): by a factor, and what that cannot do evenly.
     void scale_to(double mean, const cv::Mat& part);
 
@@ -38,8 +36,8 @@ class VeilSolver {
     const cv::Mat& weight() const { return weight_; }  ///< CV_32F, how much each pixel counted at last
     /// What the model leaves unexplained: distance of frame and model over what their noise allows, CV_32F.
     void residual(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& light, cv::Mat& into) const;
-    /// The same over all that counts: sum of squares, of which none is more than an outlier's.
-    double misfit(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& counts, const cv::Mat& light);
+    /// The sum over `part` (CV_8U, 255) of the squared residual, each cut off at an outlier's.
+    double misfit(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& part, const cv::Mat& light) const;
 
   private:
     void weigh(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& counts, const cv::Mat& light, bool robust);
@@ -48,9 +46,12 @@ class VeilSolver {
     void solve_widest();
 
     double scale_;
-    cv::Mat veil_, weight_, residual_;
+    cv::Mat veil_, weight_;
     cv::Mat smooth_, bound_;  // the frame, and the most that the veil can be
     cv::Mat normal_, sums_;   // CV_32FC2: weighted (light - baseline)^2 and (frame - baseline) * (light - baseline)
 };
+
+/// VeilSolver::misfit of a frame that is the baseline with its channels multiplied, without veil.
+double misfit_of_gains(const cv::Mat& baseline, const cv::Vec3f& gains, const cv::Mat& frame, const cv::Mat& part);
 
 }  // namespace lapfx::match

@@ -36,7 +36,7 @@ class AppearanceFinder {
     cv::Mat least_, luma_, dx_, dy_, inner_;
 };
 
-inline constexpr std::size_t veil_statistics = 8, offset_statistic = 0;
+inline constexpr std::size_t veil_statistics = 8;
 /// The veil that each property tells, -0.6..1.1: line through the quantiles, by its offset (a change of exposure
 /// cancels) and by its slope; dark channel; low quantile; saturation; chroma; detail; spread.
 using VeilStatistics = std::array<double, veil_statistics>;

@@ -103,7 +103,7 @@ TEST(Classes, EachHasARowAlsoWithoutPictures) {
         ++with_verdict;
         EXPECT_EQ(row.measured.at("met"), 0.0) << row.of.at("class");
     }
-    EXPECT_EQ(with_verdict, 8U + 2U);  // and the intervals of both amounts
+    EXPECT_EQ(with_verdict, 8U + 4U);  // and the intervals of both amounts, as they are and scaled
 }
 
 TEST(Classes, IntervalsAreTriedOnTheOrganThatWasLeftOut) {
@@ -117,9 +117,23 @@ TEST(Classes, IntervalsAreTriedOnTheOrganThatWasLeftOut) {
     const auto row = std::ranges::find(report.rows, std::string("veil_intervals_organ"),
                                        [](const BenchRow& made) { return made.of.at("class"); });
     ASSERT_NE(row, report.rows.end());
-    EXPECT_THAT(row->measured, testing::IsSupersetOf({Pair("count", 10.0), Pair("coverage_as_shipped", 1.0),
-                                                      Pair("bound_least_coverage", 0.85)}));
+    EXPECT_THAT(row->measured, testing::IsSupersetOf({Pair("count", 10.0), Pair("bound_least_coverage", 0.85)}));
     EXPECT_THAT(report.table, HasSubstr("without liver"));
+}
+
+TEST(Classes, IntervalsThatAreTooWideAreTold) {
+    std::vector<MeasuredPicture> pictures;
+    const auto coverage = [&pictures] {
+        BenchReport report;
+        add_classes(report, pictures, false);
+        return std::ranges::find(report.rows, std::string("veil_intervals_as_shipped"),
+                                 [](const BenchRow& made) { return made.of.at("class"); })
+            ->measured;
+    };
+    for (int i = 0; i < 10; ++i) pictures.push_back(picture(0.05, 0.02 * i));
+    EXPECT_THAT(coverage(), testing::IsSupersetOf({Pair("coverage", 1.0), Pair("met", 0.0)}));
+    pictures[0].true_veil = 0.07;
+    EXPECT_THAT(coverage(), testing::IsSupersetOf({Pair("coverage", 0.9), Pair("met", 1.0)}));
 }
 
 }  // namespace

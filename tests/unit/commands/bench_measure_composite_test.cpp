@@ -8,6 +8,7 @@
 #include "commands/bench_measure_over.h"
 #include "lapfx/effects.h"
 #include "match/colors.h"
+#include "match/film.h"
 
 namespace lapfx::commands {
 namespace {
@@ -42,7 +43,7 @@ TEST(Composite, AFilmPassesByItsThickness) {
 }
 
 TEST(Composite, AbsorptionIsThatOfTheShader) {
-    EXPECT_EQ(composite::absorption, cv::Vec3f(7.5F, 8.0F, 2.6F));  // blue, green, red
+    EXPECT_EQ(match::blood_absorption, cv::Vec3f(7.5F, 8.0F, 2.6F));  // blue, green, red
     EXPECT_NE(bleeding_shader().find("lapfx_blood_absorption = vec3(2.6, 8.0, 7.5)"), std::string::npos);
     EXPECT_NE(bleeding_shader().find("(share * (1.0 + b.clot) + 0.06)"), std::string::npos);
     EXPECT_EQ(least_thickness, 0.06F);

@@ -60,6 +60,17 @@ TEST(Blood, OfAThinFilmHasItsArea) {
     EXPECT_EQ(Found(test::tissue(), even(0), {}, test::tissue(), true).blood(), 0.0);
 }
 
+TEST(Blood, OfAFilmBehindSmokeHasItsArea) {
+    for (const double veil : {0.2, 0.4}) {
+        const auto behind = [veil](const cv::Mat& tissue) {
+            return Found(test::veiled(tissue, even(veil), test::light_of({})), even(veil), {}, test::tissue(), true)
+                .blood();
+        };
+        EXPECT_NEAR(behind(filmed(0.4)), disc, 0.1 * disc) << veil;
+        EXPECT_EQ(behind(test::tissue()), 0.0) << veil;
+    }
+}
+
 TEST(Blood, IsFoundThoughTheCameraGainedItsChannels) {
     cv::Mat frame = filmed(0.3);
     frame = frame.mul(cv::Scalar(0.9, 0.85, 1.1));

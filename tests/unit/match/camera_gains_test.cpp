@@ -14,7 +14,7 @@ cv::Mat gained(const cv::Mat& picture, const cv::Vec3f& by) {
 }
 
 cv::Mat all() {
-    return {test::height, test::width, CV_32F, cv::Scalar(1)};
+    return {test::height, test::width, CV_8U, cv::Scalar(255)};
 }
 
 TEST(CameraGains, AreFoundBesideBlood) {
@@ -29,16 +29,16 @@ TEST(CameraGains, AreFoundBesideBlood) {
 TEST(CameraGains, AreWhatACameraDoesAtMost) {
     const cv::Mat clear = test::tissue();
     const cv::Vec3f found = camera_gains(clear, gained(clear, {5.0F, 0.1F, 1.0F}), all());
-    EXPECT_NEAR(found[0], std::exp(0.4), 1e-4);
-    EXPECT_NEAR(found[1], std::exp(-0.4), 1e-4);
+    EXPECT_NEAR(found[0], std::exp(0.8), 1e-4);
+    EXPECT_NEAR(found[1], std::exp(-0.8), 1e-4);
     EXPECT_NEAR(found[2], 1.0, 1e-4);
 }
 
 TEST(CameraGains, OfTooLittleAreNone) {
-    cv::Mat counts = cv::Mat::zeros(test::height, test::width, CV_32F);
-    counts(cv::Rect(100, 100, 12, 12)) = 1.0F;
+    cv::Mat part = cv::Mat::zeros(test::height, test::width, CV_8U);
+    part(cv::Rect(100, 100, 12, 12)) = 255;
     const cv::Mat clear = test::tissue();
-    EXPECT_EQ(camera_gains(clear, gained(clear, {1.3F, 1.3F, 1.3F}), counts), cv::Vec3f(1.0F, 1.0F, 1.0F));
+    EXPECT_EQ(camera_gains(clear, gained(clear, {1.3F, 1.3F, 1.3F}), part), cv::Vec3f(1.0F, 1.0F, 1.0F));
 }
 
 }  // namespace

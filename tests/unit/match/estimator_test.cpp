@@ -215,15 +215,51 @@ TEST(Estimator, TakesThinSmokeForNoOtherWhiteBalance) {
             << veil;
 }
 
+cv::Mat gained(const cv::Mat& picture, const cv::Scalar& by) {
+    cv::Mat made;
+    cv::multiply(picture, by, made);
+    return made;
+}
+
+/// A plume of this veil over the left quarter.
+cv::Mat plume(double veil) {
+    cv::Mat map = even(0.0);
+    map(cv::Rect(0, 0, test::width / 4, test::height)) = veil;
+    return map;
+}
+
 TEST(Estimator, TakesACameraThatChangesForNoSmoke) {
     const cv::Mat clear = test::tissue();
+    cv::Mat bloody = clear.clone();
+    constexpr int radius = 30;
+    test::bleed(bloody, {150, 130}, radius);
     Estimator estimator(test::image_of(clear), {.survey = std::make_shared<const Survey>()});
-    cv::Mat gained;
-    cv::multiply(clear, cv::Scalar(1.25, 1.2, 1.1), gained);
-    EXPECT_EQ(estimator.measure(test::image_of(gained), 0).veil.value, 0.0);
-    // Thin smoke lifts what is dark by more than what is bright.
-    const Image smoky = test::image_of(test::veiled(gained, even(0.06), test::light_of({})));
-    EXPECT_NEAR(estimator.measure(smoky, 0).veil.value, 0.06, 0.015);
+    for (const double by : {0.7, 0.8, 1.1, 1.3}) {
+        const FrameAmounts a = estimator.measure(test::image_of(gained(bloody, {by, by, by})), 0);
+        EXPECT_LT(a.veil.value, 0.01) << by;
+        EXPECT_NEAR(a.blood.value, 3.14159 * radius * radius / (test::width * test::height), 0.01) << by;
+        EXPECT_EQ(a.flags, 0U) << by;
+    }
+}
+
+TEST(Estimator, TakesADarkerPictureForNoBlood) {
+    for (const int seed : {1, 3}) {
+        const cv::Mat clear = test::tissue(seed);
+        Estimator estimator(test::image_of(clear), {.survey = std::make_shared<const Survey>()});
+        for (const double by : {0.2, 0.3, 0.4, 0.5, 0.55, 0.6, 0.65}) {
+            const FrameAmounts a = estimator.measure(test::image_of(gained(clear, {by, by, by})), 0);
+            EXPECT_TRUE(!a.blood_measurable() || a.blood.value < 0.01) << seed << " " << by << " " << a.blood.value;
+        }
+    }
+}
+
+TEST(Estimator, FindsSmokeThoughTheCameraChanged) {
+    const cv::Mat clear = test::tissue(), brighter = gained(clear, {1.2, 1.2, 1.2});
+    Estimator estimator(test::image_of(clear), {.survey = std::make_shared<const Survey>(), .veil_model = map_alone()});
+    for (const cv::Mat& veil : {plume(0.2), plume(0.5)}) {
+        const Image picture = test::image_of(test::veiled(brighter, veil, test::light_of({})));
+        EXPECT_NEAR(estimator.measure(picture, 0).veil.value, cv::mean(veil)[0], 0.02) << cv::mean(veil)[0];
+    }
 }
 
 TEST(Estimator, RefusesABaselineThatShowsNothing) {
