@@ -1,7 +1,6 @@
 #include "match/episode.h"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 #include "match/estimator.h"
@@ -66,6 +65,17 @@ std::optional<double> falls_past(const std::vector<Point>& points, std::size_t p
     return {};
 }
 
+/// Mean of what the points that are no higher than `level` have; there is one at least.
+double mean_up_to(double level, const std::vector<Point>& points, const std::vector<double>& of) {
+    double sum = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].value > level) continue;
+        sum += of[i];
+        count += 1.0;
+    }
+    return sum / count;
+}
+
 }  // namespace
 
 bool measurable(const FrameAmounts& frame, Curve curve) {
@@ -82,12 +92,13 @@ bool measurable(const FrameAmounts& frame, Curve curve) {
 
 Episode episode_of(std::span<const FrameAmounts> frames, Curve curve) {
     std::vector<Point> raw;
-    std::vector<double> halves;  // of the intervals
+    std::vector<double> below, above;  // from the amount to the ends of its interval
     for (const FrameAmounts& frame : frames) {
         if (!measurable(frame, curve)) continue;
         const Amount& amount = amount_of(frame, curve);
         raw.push_back({frame.time, amount.value, static_cast<std::size_t>(&frame - frames.data())});
-        halves.push_back(0.5 * (amount.high - amount.low));
+        below.push_back(amount.value - amount.low);
+        above.push_back(amount.high - amount.value);
     }
     Episode episode;
     if (raw.empty()) return episode;
@@ -111,8 +122,7 @@ Episode episode_of(std::span<const FrameAmounts> frames, Curve curve) {
     const double floor = values[static_cast<std::size_t>(floor_share * static_cast<double>(values.size() - 1))];
     const double height = highest->value - floor;
     const auto peak = static_cast<std::size_t>(highest - points.begin());
-    const double usual = std::accumulate(halves.begin(), halves.end(), 0.0) / static_cast<double>(halves.size());
-    if (height <= halves[peak] + usual) return episode;  // the intervals of floor and peak overlap
+    if (height <= below[peak] + mean_up_to(floor, points, above)) return episode;  // floor and peak overlap
     episode.peak_at = highest->time;
     episode.onset = rises_past(points, peak, floor + start * height);
     const auto risen = rises_past(points, peak, floor + done * height);

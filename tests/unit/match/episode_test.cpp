@@ -61,6 +61,18 @@ TEST(Episode, IsNoneWhereTheIntervalsOfFloorAndPeakOverlap) {
     EXPECT_NEAR(*e.peak, 0.5, 0.02) << "the amount itself is told";
 }
 
+TEST(Episode, IsToldByTheIntervalsOfItsOwnFloorAndPeak) {
+    // Dense smoke is less sure than none.
+    std::vector<FrameAmounts> frames = frames_of(tent);
+    for (FrameAmounts& f : frames) {
+        f.veil.low = std::max(f.veil.value - 0.02 - 0.7 * f.veil.value, 0.0);
+        f.veil.high = f.veil.value + 0.02 + 0.7 * f.veil.value;
+    }
+    EXPECT_NEAR(*episode_of(frames, Curve::veil).peak_at, 4.0, 0.1);
+    for (FrameAmounts& f : frames) f.veil.high += 0.15;
+    EXPECT_FALSE(episode_of(frames, Curve::veil).peak_at) << "the floor may be as high as the peak may be low";
+}
+
 TEST(Episode, ThatFallsFromTheStartHasNoOnset) {
     const Episode e = episode_of(frames_of([](double time) { return 0.5 - 0.05 * time; }), Curve::veil);
     EXPECT_TRUE(e.peak_at);
