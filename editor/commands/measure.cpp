@@ -30,14 +30,23 @@ struct Options {
     BloodQualifier blood;
 };
 
-void print(const char* name, const match::Episode& episode, bool course_only) {
+/// What is far below all noise is nothing.
+double shown(double amount) {
+    constexpr double least = 1e-6;
+    return amount < least ? 0.0 : amount;
+}
+
+void print(const char* name, const match::Measurement& found, match::Curve curve) {
+    const bool course_only = curve == match::Curve::veil && found.course_only;
+    const match::Episode& episode = curve == match::Curve::veil ? found.veil : found.blood;
     std::cout << name << ": ";
     if (course_only)
         std::cout << "course only, no level" << (episode.peak_at ? "" : ", no change");
     else if (episode.peak)
-        std::cout << "peak " << *episode.peak << ", mean " << *episode.mean << ", area " << *episode.area << " s";
+        std::cout << "peak " << shown(*episode.peak) << ", mean " << shown(*episode.mean) << ", area "
+                  << shown(*episode.area) << " s";
     else
-        std::cout << "not measurable";
+        std::cout << match::without_episode(found, curve);
     const std::pair<const char*, const std::optional<double>*> times[] = {
         {"onset", &episode.onset}, {"rise", &episode.rise}, {"peak at", &episode.peak_at}, {"decay", &episode.decay}};
     for (const auto& [word, time] : times)
@@ -60,8 +69,8 @@ void print(const match::Measurement& found) {
         else
             std::cout << "no baseline: " << match::row_of(shot.why).help << '\n';
     }
-    print("blood", found.blood, false);
-    print("veil", found.veil, found.course_only);
+    print("blood", found, match::Curve::blood);
+    print("veil", found, match::Curve::veil);
 }
 
 /// What library faults call by the name of a member is an option here.
@@ -208,6 +217,7 @@ void add_blood(CLI::App& verb, const char* key, double& value) {
     if (help.ends_with('.')) help.remove_suffix(1);  // the default follows
     verb.add_option("--" + std::string(key), value, std::string(help))
         ->option_text("NUMBER")
+        ->check(finite_number())
         ->check(CLI::Range(row.minimum, row.maximum))
         ->capture_default_str();
 }
@@ -257,10 +267,14 @@ void add_measure(CLI::App& app) {
         ->option_text("FILE")
         ->required();
     verb->footer(
-        "Blood is the share of the view that is blood, veil how much of the light smoke takes: 1 - transmission,\n"
-        "mean over the view. Both are 0 to 1, with an interval that holds the true one in nine of ten frames of our\n"
-        "renders (lapfx bench measure); real videos can be farther off. The black surround, instruments and\n"
-        "burnt-in text are left out.\n\n"
+        "Blood is the share of the view that is blood now and was not in the baseline, veil how much of the light\n"
+        "smoke takes: 1 - transmission, mean over the view. Both are 0 to 1, with an interval that holds the true one\n"
+        "in about nine of ten pictures whose amounts are known (lapfx bench measure); real videos can be farther off.\n"
+        "The black surround, instruments and burnt-in text are left out.\n\n"
+        "Peak, mean, area under the curve, onset (10 % of the way to the peak), rise (10 % to 90 %) and decay (until\n"
+        "half is gone) are those of the curve smoothed over 0.2 s. They are told where at least half of the frames "
+        "have\n"
+        "the amount, and times where the change is beyond the error of measuring.\n\n"
         "The columns of the CSV are time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags. What is not\n"
         "measurable is empty, and the flags say why, words with one space between them:\n  " +
         flag_words() +

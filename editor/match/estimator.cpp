@@ -177,7 +177,9 @@ Estimator::State::State(const Image& baseline, const EstimatorOptions& given)
     if (cv::countNonZero(view) < least) refuse("baseline", "has no view to measure: it is black");
     reach = around(view);
     view &= wanted;
-    if (cv::countNonZero(view) < least) refuse("roi", "leaves nothing of the view, with the parts that are left out");
+    if (cv::countNonZero(view) < least)
+        refuse(options.masks.empty() ? "roi" : "mask",
+               "leaves nothing of the view (less than 1 % of the picture), with the parts that are left out");
     instruments = instruments_of(code, view);
     HazeLight assumed;
     const double bright = linear_of(static_cast<float>(bright_level(code, view & ~instruments)));

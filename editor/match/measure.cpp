@@ -335,6 +335,13 @@ double suggest_baseline(VideoReader& video, double from, double to, const Progre
     throw refused("", "has no frame that is measurable: " + std::string(row_of(shot.why).help));
 }
 
+std::string without_episode(const Measurement& measurement, Curve curve) {
+    const std::ptrdiff_t count = count_of(measurement, curve);
+    if (count == 0 || !measurement.veil.peak) return "not measurable";  // of the veil, a note says why
+    return "measurable in " + std::to_string(count) + " of " + std::to_string(measurement.frames.size()) +
+           " frames, too few for a peak";
+}
+
 Measurement measure(VideoReader& video, const MeasureOptions& options, const Progress& progress) {
     check(video, options);
     Measurement found;

@@ -64,6 +64,9 @@ std::string seconds_text(double time);
 /// without a measurable frame; runtime when `progress` stopped it.
 Measurement measure(VideoReader& video, const MeasureOptions& options, const Progress& progress = {});
 
+/// Why an amount has no peak and mean: "not measurable", or in how few frames it is.
+std::string without_episode(const Measurement& measurement, Curve curve);
+
 /// One row a frame: "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags". What is not measurable is empty,
 /// and the flags, words with one space between them, say why.
 std::string csv_of(const Measurement& measurement);

@@ -119,8 +119,9 @@ void draw_course(cv::Mat& on, const Axes& axes, std::span<const FrameAmounts> ru
     write(on, "course only, no scale", {axes.x(run.front().time) + 6, panel_height - bottom - 8}, 0.42, ink);
 }
 
-void draw_episode(cv::Mat& on, const Axes& axes, const Panel& panel, const Episode& episode, bool course_only) {
-    std::string text = course_only ? "course only, no level" : "not measurable";
+void draw_episode(cv::Mat& on, const Axes& axes, const Panel& panel, const Measurement& found, bool course_only) {
+    const Episode& episode = found.*panel.episode;
+    std::string text = course_only ? "course only, no level" : without_episode(found, panel.curve);
     if (episode.peak) text = number("peak %.3f", *episode.peak) + number("   area %.3f s", *episode.area);
     const auto mark = [&](const char* name, const std::optional<double>& at) {
         if (!at) return;
@@ -163,7 +164,7 @@ cv::Mat draw(const Panel& panel, const Measurement& found) {
             if (has_any) draw_course(on, axes, run);
         });
     write(on, panel.title, {left, 24}, 0.6, ink);
-    draw_episode(on, axes, panel, found.*panel.episode, course_only);
+    draw_episode(on, axes, panel, found, course_only);
     return on;
 }
 

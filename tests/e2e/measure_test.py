@@ -153,6 +153,7 @@ def check_faults(lapfx, reference, folder):
         ([reference, "--roi", "1,2,3", "-o", out], '--roi: "1,2,3" is not x,y,width,height'),
         ([reference, "--roi", "0,0,9000,20", "-o", out], '--roi: "0,0,9000,20" is not inside the picture of 640x512'),
         ([reference, "--redness", "0", "-o", out], "--redness: "),
+        ([reference, "--redness", "nan", "-o", out], '--redness: "nan" is not a number'),
         ([reference, "--rise", "6", "-o", out], "--rise: "),
         ([reference, "--brightness", "0", "-o", out], "--brightness: "),
         ([reference, "--view", "1,2", "-o", out], '--view: "1,2" is not x,y,r'),
@@ -165,6 +166,7 @@ def check_faults(lapfx, reference, folder):
          '--mask: "0,0,9000,20,3,3" is not inside the picture of 640x512'),
         ([reference, "-o", reference], '--output: "' + reference + '" ends neither in .csv nor in .json'),
         ([reference, "--roi", "0,0,4,4", "-o", out], "--roi: leaves nothing of the view"),
+        ([reference, "--mask", "0,0,1,0,1,1,0,1", "-o", out], "--mask: leaves nothing of the view"),
         ([reference], "--output is required"),
     ]
     for arguments, line in cases:

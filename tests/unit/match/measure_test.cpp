@@ -62,6 +62,7 @@ TEST_F(MeasureTest, GivesNoEpisodeOfBloodThatDenseSmokeHidesMostly) {
     VideoReader reader(video());
     const Measurement found = measure(reader, {.baseline = 0.0});
     EXPECT_FALSE(found.blood.peak);
+    EXPECT_EQ(without_episode(found, Curve::blood), "measurable in 3 of 10 frames, too few for a peak");
     EXPECT_TRUE(found.veil.peak_at);
     EXPECT_EQ(found.notes, std::vector<std::string>{"7 of 10 frames: blood is not measurable, because the veil before "
                                                     "it is denser than 40 %"});
