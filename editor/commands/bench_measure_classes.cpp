@@ -156,7 +156,7 @@ void add_left_out(BenchReport& report, const char* amount, const std::string& la
     }
 }
 
-/// How often the intervals hold the true amount as they are, not scaled.
+/// How often the intervals hold the true amount as shipped, not scaled.
 void add_as_shipped(BenchReport& report, const char* amount, std::span<const Reading> readings, bool real) {
     Figures figures{{"count", static_cast<double>(readings.size())}};
     if (!readings.empty()) figures["coverage"] = figures_of(readings).at("interval_coverage");
@@ -167,9 +167,8 @@ void add_as_shipped(BenchReport& report, const char* amount, std::span<const Rea
     add_bounds(row, interval_bounds, met);
     report.rows.push_back(std::move(row));
     char line[120];
-    std::snprintf(line, sizeof line, "%s%s intervals as they are: coverage %.3f; .85 to .95: %s\n",
-                  real ? "real: " : "", amount, figures.contains("coverage") ? figures["coverage"] : 0.0,
-                  met ? "yes" : "NO");
+    std::snprintf(line, sizeof line, "%s%s intervals as shipped: coverage %.3f; .85 to .95: %s\n", real ? "real: " : "",
+                  amount, figures.contains("coverage") ? figures["coverage"] : 0.0, met ? "yes" : "NO");
     report.table += line;
 }
 

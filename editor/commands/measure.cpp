@@ -272,9 +272,8 @@ void add_measure(CLI::App& app) {
         "in about nine of ten pictures whose amounts are known (lapfx bench measure); real videos can be farther off.\n"
         "The black surround, instruments and burnt-in text are left out.\n\n"
         "Peak, mean, area under the curve, onset (10 % of the way to the peak), rise (10 % to 90 %) and decay (until\n"
-        "half is gone) are those of the curve smoothed over 0.2 s. They are told where at least half of the frames "
-        "have\n"
-        "the amount, and times where the change is beyond the error of measuring.\n\n"
+        "half is gone) are those of the curve smoothed over 0.2 s. Where fewer than half of the frames have an amount\n"
+        "it has none of them, and where it changes by no more than the error of measuring it has no times.\n\n"
         "The columns of the CSV are time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags. What is not\n"
         "measurable is empty, and the flags say why, words with one space between them:\n  " +
         flag_words() +

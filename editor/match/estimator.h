@@ -7,12 +7,13 @@
 //
 // Blood: share of the valid view where a film of it explains what changed, with the veil removed; where the baseline
 // does not lie well, whose colour became redder than the qualifier asks.
-// Veil: 1 - transmission of the smoke, mean over the valid view. The model is that of scattering: a frame is
-// baseline * (1 - veil) + light * veil, where `light` is the colour of dense smoke at each place (haze_light.h).
-// The mean is told by a model that was learned (veil_model.h), which also knows frames over which the baseline does not
-// lie exactly; the map has its mean.
-// The valid view has no black surround, no instruments, no masked parts and no burnt-in text.
-// One thread at a time, any thread; no OpenGL. Pictures are measured at working_size(), whatever their own size.
+// What the camera changed, exposure and white balance, is no amount: where that explains the frame better than smoke,
+// both are looked for over the baseline as it would be now (camera_gains.h). Veil: 1 - transmission of the smoke, mean
+// over the valid view. The model is that of scattering: a frame is baseline * (1 - veil) + light * veil, where `light`
+// is the colour of dense smoke at each place (haze_light.h). The mean is told by a model that was learned
+// (veil_model.h), which also knows frames over which the baseline does not lie exactly; the map has its mean. The valid
+// view has no black surround, no instruments, no masked parts and no burnt-in text. One thread at a time, any thread;
+// no OpenGL. Pictures are measured at working_size(), whatever their own size.
 #pragma once
 
 #include <cstdint>
@@ -78,7 +79,7 @@ inline constexpr ToldRow told_rows[] = {
     {told::missing, "missing", "not measurable, because the file cannot give them"},
     {told::bleached, "bleached", "a quarter or more of the view is at full white, where nothing can be read"},
     {told::tinted, "tinted",
-     "the white balance differs from that of the baseline, which a measure of colour takes for smoke or blood"},
+     "the white balance differs from that of the baseline, which may be taken for smoke or blood"},
     {told::dense, "dense", "blood is not measurable, because the veil before it is denser than 40 %"},
     {told::bag, "bag",
      "not measurable, because no tissue is in view: a bag, a cloth, a title card or another plain thing fills it"},

@@ -5,6 +5,8 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "match/view.h"
+
 namespace lapfx::match {
 
 namespace {
@@ -26,10 +28,6 @@ constexpr double least_shaft = 0.003;                       // of the view; less
 constexpr double most_of_width = 1.5;                       // of half of what is found of the width
 constexpr int least_side = 6;                               // px, to which it may grow however narrow it is
 constexpr double most_grown = 2.5;                          // of its area: if it is more, it grew over tissue
-
-cv::Mat disc(int radius) {
-    return cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * radius + 1, 2 * radius + 1});
-}
 
 struct Color {
     int most;                      // code value of the brightest channel

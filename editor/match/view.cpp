@@ -12,10 +12,6 @@ constexpr double least_view = 0.02;    // share of the picture
 constexpr double hollow_share = 0.25;  // of the hull: the view may be so much darker than black inside
 constexpr int rim = 3;                 // px: the edge of the view is blurred
 
-cv::Mat disc(int radius) {
-    return cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * radius + 1, 2 * radius + 1});
-}
-
 std::vector<cv::Point> largest_of(const cv::Mat& mask) {
     std::vector<std::vector<cv::Point>> shapes;
     cv::findContours(mask.clone(), shapes, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
@@ -26,6 +22,10 @@ std::vector<cv::Point> largest_of(const cv::Mat& mask) {
 }
 
 }  // namespace
+
+cv::Mat disc(int radius) {
+    return cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * radius + 1, 2 * radius + 1});
+}
 
 cv::Mat view_of(const cv::Mat& code) {
     cv::Mat channels[3], brightest;

@@ -10,6 +10,9 @@
 
 namespace lapfx::match {
 
+/// For cv::dilate and its kind: all within so many px.
+cv::Mat disc(int radius);
+
 /// The picture of the endoscope, CV_8U 255 inside: round, or cut off at the sides. `code`: CV_8UC3 BGR. Dark hollows
 /// inside belong to it. All 0 for a black picture.
 cv::Mat view_of(const cv::Mat& code);

@@ -103,7 +103,7 @@ TEST(Classes, EachHasARowAlsoWithoutPictures) {
         ++with_verdict;
         EXPECT_EQ(row.measured.at("met"), 0.0) << row.of.at("class");
     }
-    EXPECT_EQ(with_verdict, 8U + 4U);  // and the intervals of both amounts, as they are and scaled
+    EXPECT_EQ(with_verdict, 8U + 4U);  // and the intervals of both amounts, as shipped and scaled
 }
 
 TEST(Classes, IntervalsAreTriedOnTheOrganThatWasLeftOut) {

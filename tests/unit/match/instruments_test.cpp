@@ -10,10 +10,6 @@
 namespace lapfx::match {
 namespace {
 
-double share(const cv::Mat& mask) {
-    return static_cast<double>(cv::countNonZero(mask)) / static_cast<double>(mask.total());
-}
-
 /// A shaft from the left edge, 18 px wide, and its sides, as wide, in `side`.
 cv::Mat shaft(const cv::Scalar& side) {
     cv::Mat picture = test::code_picture(test::tissue());
@@ -25,7 +21,7 @@ cv::Mat shaft(const cv::Scalar& side) {
 TEST(Instruments, FindsAGreyInstrumentAndNoTissue) {
     cv::Mat picture = test::code_picture(test::tissue());
     const cv::Mat view = view_of(picture);
-    EXPECT_LT(share(instruments_of(picture, view)), 0.005);
+    EXPECT_LT(test::share(instruments_of(picture, view)), 0.005);
     cv::line(picture, {0, 40}, {160, 120}, {150, 152, 149}, 18);
     const cv::Mat found = instruments_of(picture, view);
     EXPECT_EQ(found.at<std::uint8_t>(80, 80), 255);
@@ -39,7 +35,7 @@ TEST(Instruments, FindsAnInstrumentBeforePaleTissueToo) {
     cv::cvtColor(red, grey, cv::COLOR_BGR2GRAY);
     cv::merge(std::vector<cv::Mat>{0.78 * grey, 0.75 * grey, grey}, pale);
     const cv::Mat view = view_of(pale);
-    EXPECT_LT(share(instruments_of(pale, view)), 0.01);
+    EXPECT_LT(test::share(instruments_of(pale, view)), 0.01);
     cv::line(pale, {0, 40}, {160, 120}, {150, 152, 149}, 18);
     EXPECT_EQ(instruments_of(pale, view).at<std::uint8_t>(80, 80), 255);
 }
@@ -84,7 +80,7 @@ TEST(Instruments, BluePlasticIsOne) {
     cv::circle(picture, {80, 80}, 12, {255, 160, 140}, cv::FILLED);  // saturation .45
     const cv::Mat found = instruments_of(picture, view);
     EXPECT_EQ(found.at<std::uint8_t>(80, 80), 255);
-    EXPECT_NEAR(share(found) * static_cast<double>(found.total()), 3.14159 * 14 * 14, 60);
+    EXPECT_NEAR(test::share(found) * static_cast<double>(found.total()), 3.14159 * 14 * 14, 60);
 }
 
 }  // namespace

@@ -26,6 +26,11 @@ inline cv::Mat tissue(int seed = 1) {
     return cv::max(picture, 0.002);
 }
 
+/// Of its pixels, those that are not 0.
+inline double share(const cv::Mat& mask) {
+    return static_cast<double>(cv::countNonZero(mask)) / static_cast<double>(mask.total());
+}
+
 inline cv::Rect box() {
     return {0, 0, width, height};
 }

@@ -14,15 +14,11 @@ cv::Mat disc_picture(int radius) {
     return picture;
 }
 
-double share(const cv::Mat& mask) {
-    return static_cast<double>(cv::countNonZero(mask)) / static_cast<double>(mask.total());
-}
-
 TEST(MeasuredView, IsTheDiscWithoutItsSurround) {
     const int radius = 110;
     const cv::Mat view = view_of(disc_picture(radius));
     const double disc = 3.14159 * radius * radius / (test::width * test::height);
-    EXPECT_NEAR(share(view), disc, 0.05 * disc);
+    EXPECT_NEAR(test::share(view), disc, 0.05 * disc);
     EXPECT_EQ(view.at<std::uint8_t>(5, 5), 0);
     EXPECT_EQ(view.at<std::uint8_t>(test::height / 2, test::width / 2), 255);
 }
@@ -37,7 +33,7 @@ TEST(MeasuredView, LeavesOutTextInTheSurroundAndKeepsDarkHollows) {
 }
 
 TEST(MeasuredView, IsAWholePictureWithoutSurroundAndNothingOfABlackOne) {
-    EXPECT_GT(share(view_of(test::code_picture(test::tissue()))), 0.95);
+    EXPECT_GT(test::share(view_of(test::code_picture(test::tissue()))), 0.95);
     EXPECT_EQ(cv::countNonZero(view_of(cv::Mat(100, 100, CV_8UC3, cv::Scalar::all(3)))), 0);
 }
 
