@@ -1,0 +1,114 @@
+#include "match/fit/certainty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <random>
+
+namespace lapfx::match {
+
+namespace {
+
+constexpr int drawn_references = 400;
+constexpr double low_share = 0.05, high_share = 0.95;
+constexpr double deviates = 1.645;        // half a 90 % interval, in standard errors
+constexpr double determined_below = 0.4;  // coordinates: a standard error of 40 %
+constexpr double alike_above = 0.95;      // correlation
+
+/// Rows [first, last) of the blocks' times, for blood and veil alike.
+struct Block {
+    std::size_t first, last;
+};
+
+std::vector<Block> blocks_of(std::span<const TargetPoint> target) {
+    std::vector<Block> blocks;
+    for (std::size_t i = 0; i < target.size(); ++i) {
+        if (blocks.empty() || target[i].time - target[blocks.back().first].time >= Objective::block - 1e-9)
+            blocks.push_back({i, i});
+        blocks.back().last = i + 1;
+    }
+    return blocks;
+}
+
+/// Of some rows: J^T J and J^T r.
+struct Normal {
+    cv::Mat matrix, side;
+    explicit Normal(std::size_t columns)
+        : matrix(cv::Mat::zeros(static_cast<int>(columns), static_cast<int>(columns), CV_64F)),
+          side(cv::Mat::zeros(static_cast<int>(columns), 1, CV_64F)) {}
+    void add_row(const Linearised& at, std::size_t row) {
+        for (std::size_t a = 0; a < at.columns; ++a) {
+            const double slope = at.slopes[row * at.columns + a];
+            side.at<double>(static_cast<int>(a)) += slope * at.residuals[row];
+            for (std::size_t b = 0; b < at.columns; ++b)
+                matrix.at<double>(static_cast<int>(a), static_cast<int>(b)) += slope * at.slopes[row * at.columns + b];
+        }
+    }
+};
+
+/// The steps that correct the fit for each drawn reference: steps[parameter][reference].
+std::vector<std::vector<double>> corrections(const Objective& objective, const Linearised& at, std::uint32_t seed) {
+    const std::vector<Block> blocks = blocks_of(objective.target());
+    std::vector<Normal> parts;
+    for (const Block& block : blocks) {
+        Normal& part = parts.emplace_back(at.columns);
+        for (std::size_t i = block.first; i < block.last; ++i)
+            part.add_row(at, i), part.add_row(at, objective.times() + i);
+    }
+    Normal known(at.columns);  // of the priors
+    for (std::size_t row = 2 * objective.times(); row < objective.size(); ++row) known.add_row(at, row);
+    std::mt19937 random(seed);
+    std::vector<std::vector<double>> steps(at.columns - 1);
+    for (int n = 0; n < drawn_references; ++n) {
+        cv::Mat matrix = known.matrix.clone(), side = known.side.clone(), step;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const Normal& part = parts[random() % parts.size()];
+            matrix += part.matrix, side += part.side;
+        }
+        cv::solve(matrix, side, step, cv::DECOMP_SVD);
+        for (std::size_t k = 0; k < steps.size(); ++k) steps[k].push_back(-step.at<double>(static_cast<int>(k)));
+    }
+    return steps;
+}
+
+double quantile(std::vector<double>& values, double share) {
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+}
+
+cv::Mat covariance_of(const Linearised& at, std::size_t rows) {
+    Normal all(at.columns);
+    for (std::size_t row = 0; row < rows; ++row) all.add_row(at, row);
+    cv::Mat covariance;
+    cv::invert(all.matrix, covariance, cv::DECOMP_SVD);
+    return covariance;
+}
+
+}  // namespace
+
+std::vector<Certainty> certainty_of(const Objective& objective, const Linearised& at,
+                                    std::span<const double> coordinates, std::uint32_t seed) {
+    const cv::Mat covariance = covariance_of(at, objective.size());
+    std::vector<std::vector<double>> steps = corrections(objective, at, seed);
+    std::vector<Certainty> all(coordinates.size());
+    const auto error = [&](std::size_t k) {
+        const int i = static_cast<int>(k);
+        return std::sqrt(std::max(covariance.at<double>(i, i), 0.0));
+    };
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        Certainty& c = all[k];
+        c.error = error(k);
+        c.low = coordinates[k] + std::min(quantile(steps[k], low_share), -deviates * c.error);
+        c.high = coordinates[k] + std::max(quantile(steps[k], high_share), deviates * c.error);
+        c.determined = c.error < determined_below;
+        for (std::size_t other = 0; other < all.size(); ++other) {
+            if (other == k) continue;
+            const double both = covariance.at<double>(static_cast<int>(k), static_cast<int>(other));
+            if (std::abs(both) > alike_above * error(k) * error(other)) c.alike = static_cast<int>(other);
+        }
+    }
+    return all;
+}
+
+}  // namespace lapfx::match

@@ -1,0 +1,33 @@
+// The core's own amounts of a scene at given times, without drawing: milliseconds for a whole scene.
+//
+//     CoreAmounts core(organ);
+//     std::vector<Amounts> amounts = core.at(tuned, times);
+//
+// One thread at a time, any.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "lapfx/amounts.h"
+#include "match/fit/free_parameter.h"
+
+namespace lapfx::match {
+
+class CoreAmounts {
+  public:
+    explicit CoreAmounts(std::shared_ptr<const PreparedOrgan> organ) : organ_(std::move(organ)) {}
+
+    /// `times`: s, ascending. Throws Error (bad_input) for values that are not allowed.
+    std::vector<Amounts> at(const Tuned& tuned, std::span<const double> times);
+    int evaluations() const { return evaluations_; }
+
+  private:
+    std::shared_ptr<const PreparedOrgan> organ_;
+    std::unique_ptr<AmountsModel> model_;
+    glm::dvec3 gravity_{0.0};  ///< of model_
+    int evaluations_ = 0;
+};
+
+}  // namespace lapfx::match

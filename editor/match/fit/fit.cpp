@@ -1,0 +1,210 @@
+#include "match/fit/fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "match/fit/certainty.h"
+#include "match/fit/search.h"
+#include "match/fit/undetermined.h"
+
+namespace lapfx::match {
+
+namespace {
+
+constexpr std::size_t other_places = 24;  // of the first search
+constexpr double learning_step = 0.25;    // coordinates: how far a parameter is moved that the core knows nothing of
+constexpr double enough = 0.02;           // of the cost: a curve that gains less is the last
+constexpr double narrower = 0.4;          // of the last step, where a curve came out worse
+constexpr double bound_near = 1e-3;       // coordinates
+
+/// A drawn place.
+struct Drawn {
+    std::vector<double> coordinates;
+    std::vector<FrameAmounts> frames;
+    double cost = 0.0;
+};
+
+class Fit {
+  public:
+    explicit Fit(const FitInput& input)
+        : input_(input),
+          start_(coordinates_of(input)),
+          objective_(input.target, input.weights, start_),
+          carried_(start_.size(), input.share_per_mm2),
+          core_(input.organ) {
+        for (const TargetPoint& aim : input.target) times_.push_back(aim.time);
+        best_.coordinates = start_;
+    }
+
+    FitResult run() {
+        if (draw(start_)) {
+            first_ = best_;
+            if (learn_unknown()) search_rounds();
+            hold_undetermined();
+        }
+        return result();
+    }
+
+  private:
+    static std::vector<double> coordinates_of(const FitInput& input) {
+        std::vector<double> coordinates;
+        for (const FreeParameter& p : input.parameters) coordinates.push_back(p.coordinate(p.get(input.start)));
+        return coordinates;
+    }
+    SearchSpace space() {
+        return {.base = input_.start,
+                .parameters = input_.parameters,
+                .times = times_,
+                .objective = objective_,
+                .carried = carried_,
+                .core = core_};
+    }
+    static bool known_to_core(const FreeParameter& p) { return (p.row->redo & redo::amounts) != 0; }
+    int most_curves() const {
+        const auto unknown = std::count_if(input_.parameters.begin(), input_.parameters.end(),
+                                           [](const FreeParameter& p) { return !known_to_core(p); });
+        return 2 + input_.rounds + static_cast<int>(unknown);
+    }
+    bool goes_on() {
+        if (early_) return false;
+        if (input_.progress)
+            early_ = !input_.progress({.share = std::min(static_cast<double>(curves_) / most_curves(), 1.0),
+                                       .best = best_.frames.empty() ? nullptr : &best_.frames});
+        return !early_;
+    }
+    std::optional<Drawn> curve(const std::vector<double>& coordinates) {
+        if (!goes_on()) return {};
+        std::optional<std::vector<FrameAmounts>> frames = input_.draw(space().tuned(coordinates), times_);
+        if (!frames) {
+            early_ = true;
+            return {};
+        }
+        ++curves_;
+        Drawn drawn{coordinates, std::move(*frames), 0.0};
+        drawn.cost = objective_.cost(curves_of(drawn.frames), coordinates);
+        return drawn;
+    }
+    /// Draws, learns from it, and keeps it if it is the nearest. False: it was ended.
+    bool draw(const std::vector<double>& coordinates) {
+        std::optional<Drawn> drawn = curve(coordinates);
+        if (!drawn) return false;
+        carried_.drawn(coordinates, space().core_at(coordinates), curves_of(drawn->frames));
+        last_cost_ = drawn->cost;
+        if (best_.frames.empty() || drawn->cost < best_.cost) best_ = std::move(*drawn);
+        return true;
+    }
+    /// One curve for each parameter that the core's amounts do not depend on.
+    bool learn_unknown() {
+        for (std::size_t k = 0; k < start_.size(); ++k) {
+            const FreeParameter& p = input_.parameters[k];
+            if (known_to_core(p)) continue;
+            const double room = p.coordinate(p.maximum) - start_[k];
+            const double step = room > learning_step ? learning_step : -learning_step;
+            std::vector<double> moved = start_;
+            moved[k] += step;
+            const std::optional<Drawn> drawn = curve(moved);
+            if (!drawn) return false;
+            carried_.learn(k, step, curves_of(drawn->frames));
+        }
+        return true;
+    }
+    void search_rounds() {
+        SearchOptions options{.others = other_places, .seed = input_.seed, .goes_on = [this] { return goes_on(); }};
+        for (int round = 0; round < input_.rounds && goes_on(); ++round) {
+            const std::vector<double> from = best_.coordinates;
+            const double before = best_.cost;
+            const std::vector<double> next = search(space(), from, options);
+            options.others = 0;
+            double moved = 0.0;
+            for (std::size_t k = 0; k < next.size(); ++k) moved = std::max(moved, std::abs(next[k] - from[k]));
+            if (moved < bound_near || !draw(next)) return;
+            if (last_cost_ < before && before - last_cost_ < enough * before) return;
+            options.radius = last_cost_ < before ? std::max(options.radius, 2.0 * moved) : narrower * moved;
+            if (last_cost_ >= before)  // from the best place again, knowing more
+                carried_.stand_at(from, space().core_at(from), curves_of(best_.frames));
+        }
+    }
+    std::vector<Certainty> certainties() {
+        return certainty_of(objective_, linearised(space(), best_.coordinates), best_.coordinates, input_.seed);
+    }
+    /// What the reference does not tell keeps its value, and the others are found once more beside it.
+    void hold_undetermined() {
+        std::vector<bool> held;
+        std::vector<double> next = best_.coordinates;
+        certainties_ = certainties();
+        for (std::size_t k = 0; k < next.size(); ++k) {
+            held.push_back(!certainties_[k].determined);
+            if (held[k]) next[k] = start_[k];
+        }
+        if (early_ || next == best_.coordinates) return;
+        next = search(space(), next, {.held = held, .seed = input_.seed, .goes_on = [this] { return goes_on(); }});
+        const Drawn nearest = std::move(best_);
+        best_ = {};
+        if (!draw(next)) best_ = nearest;
+    }
+    FitResult result() {
+        FitResult result{.tuned = space().tuned(best_.coordinates),
+                         .before = first_.frames,
+                         .after = best_.frames,
+                         .ended_early = early_,
+                         .curves = curves_,
+                         .evaluations = core_.evaluations()};
+        result.blood_before = misfit(input_.target, result.before, &TargetPoint::blood);
+        result.blood_after = misfit(input_.target, result.after, &TargetPoint::blood);
+        result.veil_before = misfit(input_.target, result.before, &TargetPoint::veil);
+        result.veil_after = misfit(input_.target, result.after, &TargetPoint::veil);
+        for (std::size_t k = 0; k < start_.size() && !certainties_.empty(); ++k) result.parameters.push_back(fitted(k));
+        return result;
+    }
+    FittedParameter fitted(std::size_t k) const {
+        const FreeParameter& p = input_.parameters[k];
+        const Certainty& c = certainties_[k];
+        const double at = best_.coordinates[k];
+        FittedParameter fitted{.parameter = p,
+                               .before = p.get(input_.start),
+                               .after = p.value(at),
+                               .low = p.value(c.low),
+                               .high = p.value(c.high),
+                               .determined = c.determined};
+        if (!c.determined) {
+            fitted.after = fitted.before;
+            fitted.why = why_undetermined(k, input_.parameters, certainties_, input_.target);
+        } else {
+            fitted.at_bound = at - p.coordinate(p.minimum) < bound_near || p.coordinate(p.maximum) - at < bound_near;
+        }
+        return fitted;
+    }
+
+    const FitInput& input_;
+    const std::vector<double> start_;
+    std::vector<double> times_;
+    Objective objective_;
+    Carried carried_;
+    CoreAmounts core_;
+    Drawn first_, best_;
+    std::vector<Certainty> certainties_;
+    double last_cost_ = 0.0;
+    int curves_ = 0;
+    bool early_ = false;
+};
+
+void require_something(const FitInput& input) {
+    const auto refuse = [](const std::string& reason) {
+        throw Error(Failure::bad_input, Fault{.file = "", .place = "", .reason = reason});
+    };
+    if (input.parameters.empty()) refuse("no parameter is free: there is nothing to fit");
+    if (input.target.size() < 2)
+        refuse("the reference has fewer than two measured moments within the scene: nothing to fit to");
+    const bool any = std::any_of(input.target.begin(), input.target.end(),
+                                 [](const TargetPoint& aim) { return aim.blood || aim.veil; });
+    if (!any) refuse("neither blood nor veil of the reference is measurable within the scene: nothing to fit to");
+}
+
+}  // namespace
+
+FitResult fit(const FitInput& input) {
+    require_something(input);
+    return Fit(input).run();
+}
+
+}  // namespace lapfx::match

@@ -1,0 +1,79 @@
+// Finds the values of chosen parameters with which a scene shows as much blood and veil over time as a reference.
+//
+//     FitResult found = fit({.start = {scene, preset}, .parameters = ..., .target = ..., .organ = organ, .draw =
+//     draw}); save_preset(found.tuned.preset);
+//
+// It searches over curves that are told without drawing (carried.h), draws the scene where that ended, measures it as
+// the reference was measured, learns from the difference and searches again: a few drawn curves in all, of which the
+// nearest is the result. Parameters that the reference does not tell keep their value, and it is said why.
+//
+// The thread of `draw`; the same input gives the same result, unless the budget ends it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "match/fit/free_parameter.h"
+#include "match/fit/objective.h"
+#include "match/fit/target.h"
+
+namespace lapfx {
+class PreparedOrgan;
+}
+
+namespace lapfx::match {
+
+/// Draws a scene at these times, s, and measures it; as many frames as times. Nothing: it was cancelled.
+using DrawCurve =
+    std::function<std::optional<std::vector<FrameAmounts>>(const Tuned& tuned, std::span<const double> times)>;
+
+/// How far a fit has come.
+struct FitProgress {
+    double share = 0.0;                               ///< 0..1, of the curves that are drawn at most
+    const std::vector<FrameAmounts>* best = nullptr;  ///< the nearest curve so far; null: none was drawn yet
+};
+
+struct FitInput {
+    Tuned start;
+    std::vector<FreeParameter> parameters = {};  ///< at least one
+    std::vector<TargetPoint> target = {};        ///< at least two
+    std::shared_ptr<const PreparedOrgan> organ = {};
+    DrawCurve draw = {};
+    double share_per_mm2 = 5e-5;  ///< what a mm2 of blood covers of the view, until a drawn curve with blood tells it
+    Weights weights = {};
+    std::uint32_t seed = 1;
+    int rounds =
+        5;  ///< curves that are drawn at most, besides the first and one for each parameter unknown to the core
+    /// Called between steps; false ends the fit with what is the best so far.
+    std::function<bool(const FitProgress&)> progress = {};
+};
+
+struct FittedParameter {
+    FreeParameter parameter;
+    double before = 0.0, after = 0.0;
+    double low = 0.0, high = 0.0;  ///< 90 % interval
+    bool determined = false;       ///< else it has kept its value
+    bool at_bound = false;         ///< the curves would take it farther
+    std::string why = {};          ///< why it is not determined, and what would tell it; else empty
+};
+
+struct FitResult {
+    Tuned tuned;
+    std::vector<FittedParameter> parameters = {};
+    std::vector<FrameAmounts> before = {}, after = {};          ///< as drawn and measured, at the target's times
+    std::optional<double> blood_before = {}, blood_after = {};  ///< root mean square differences
+    std::optional<double> veil_before = {}, veil_after = {};
+    bool ended_early = false;         ///< cancelled, or out of budget
+    int curves = 0, evaluations = 0;  ///< drawn; of the core
+};
+
+/// Throws what `draw` throws, and Error (bad_input): fewer than two times, no parameter, or a reference that shows
+/// neither amount.
+FitResult fit(const FitInput& input);
+
+}  // namespace lapfx::match

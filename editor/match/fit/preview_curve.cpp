@@ -1,0 +1,74 @@
+#include "match/fit/preview_curve.h"
+
+#include <algorithm>
+#include <future>
+
+#include "match/measure.h"
+
+namespace lapfx::match {
+
+namespace {
+
+constexpr int least_side = 16;  // px
+
+}  // namespace
+
+glm::ivec2 preview_size(glm::dvec2 shape) {
+    shape = glm::max(shape, 1.0);
+    shape *= preview_side / std::max(shape.x, shape.y);
+    return glm::max(glm::ivec2(glm::round(shape)), glm::ivec2(least_side));
+}
+
+PreviewCurve::PreviewCurve(std::shared_ptr<const PreparedOrgan> organ, PreviewOptions preview,
+                           EstimatorOptions estimator, glm::ivec2 size)
+    : organ_(std::move(organ)),
+      preview_options_(std::move(preview)),
+      estimator_options_(std::move(estimator)),
+      size_(size) {
+    estimator_options_.survey.reset();
+}
+
+void PreviewCurve::show(const Scene& scene, const Preset& preset) {
+    if (preview_ && preview_->takes(scene)) {
+        preview_->set_scene(scene);
+        preview_->set_preset(preset);
+    } else {
+        preview_.reset();
+        preview_ = std::make_unique<Preview>(scene, preset, organ_, preview_options_);
+    }
+}
+
+std::optional<std::vector<FrameAmounts>> PreviewCurve::measure(const Scene& scene, const Preset& preset,
+                                                               std::span<const double> times,
+                                                               const Progress& progress) {
+    Scene clear = scene;
+    clear.events.clear();
+    show(clear, preset);
+    Estimator estimator(preview_->image(0.0, size_), estimator_options_);
+    preview_->set_contacts(scene.events);
+    std::vector<Image> pictures(times.size());
+    const auto drawn = [&](std::size_t i) -> Image& {
+        if (pictures[i].pixels.empty()) pictures[i] = preview_->image(times[i], size_);
+        return pictures[i];
+    };
+    const std::size_t surveyed = std::min<std::size_t>(surveyed_frames, times.size());
+    for (std::size_t i = 0; i < surveyed; ++i) {
+        if (progress && !progress(static_cast<double>(i) / static_cast<double>(times.size()))) return {};
+        estimator.survey(drawn(i * times.size() / surveyed));
+    }
+    estimator.forget();
+    std::vector<FrameAmounts> frames;
+    std::future<void> measuring;  // one frame, while the next is drawn
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const Image& picture = drawn(i);
+        if (measuring.valid()) measuring.get();
+        if (progress && !progress(static_cast<double>(i) / static_cast<double>(times.size()))) return {};
+        measuring = std::async(std::launch::async,
+                               [&, i, &picture = picture] { frames.push_back(estimator.measure(picture, times[i])); });
+    }
+    if (measuring.valid()) measuring.get();
+    ++curves_;
+    return frames;
+}
+
+}  // namespace lapfx::match

@@ -1,0 +1,50 @@
+// Looks for the parameters whose told curves (carried.h) are nearest to the reference: least squares within bounds,
+// Levenberg and Marquardt's method (Ceres Solver). Nothing is drawn. The same call gives the same result.
+//
+// One thread at a time, any.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "match/fit/core_amounts.h"
+#include "match/fit/objective.h"
+
+namespace lapfx::match {
+
+/// What the search looks through. All must outlive it.
+struct SearchSpace {
+    const Tuned& base;
+    const std::vector<FreeParameter>& parameters;
+    const std::vector<double>& times;  ///< of the target, s
+    const Objective& objective;
+    const Carried& carried;
+    CoreAmounts& core;
+
+    Tuned tuned(std::span<const double> coordinates) const;
+    std::vector<Amounts> core_at(std::span<const double> coordinates) const;
+};
+
+/// Columns are the parameters and, last, the offset of the veil; rows as in Objective::residuals.
+struct Linearised {
+    std::vector<double> residuals, slopes;  ///< slopes[row * columns + column]
+    std::size_t columns = 0;
+};
+
+/// Throws Error (bad_input) where the core refuses the values.
+Linearised linearised(const SearchSpace& space, std::span<const double> coordinates);
+
+struct SearchOptions {
+    std::vector<bool> held = {};         ///< of each parameter: it stays where it is; empty: none does
+    double radius = 1e9;                 ///< coordinates: how far each may move
+    std::size_t others = 0;              ///< besides the start, so many places are tried, spread evenly over the bounds
+    std::uint32_t seed = 1;              ///< of those places
+    std::function<bool()> goes_on = {};  ///< false ends the search with what it has
+};
+
+/// Coordinates of the nearest curves that were found.
+std::vector<double> search(const SearchSpace& space, std::vector<double> start, const SearchOptions& options);
+
+}  // namespace lapfx::match

@@ -1,0 +1,67 @@
+#include "match/fit/target.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "match/episode.h"
+
+namespace lapfx::match {
+
+namespace {
+
+struct Mean {
+    Amount sum;
+    int count = 0;
+    void add(const Amount& amount) {
+        sum.value += amount.value, sum.low += amount.low, sum.high += amount.high;
+        ++count;
+    }
+    std::optional<Amount> get() const {
+        if (count == 0) return {};
+        return Amount{sum.value / count, sum.low / count, sum.high / count};
+    }
+};
+
+}  // namespace
+
+std::vector<TargetPoint> target_of(std::span<const FrameAmounts> reference, const TargetOptions& options) {
+    const double length = options.to - options.from;
+    if (!(length > 0.0) || reference.empty()) return {};
+    const auto steps =
+        std::clamp(static_cast<std::size_t>(std::ceil(length / options.step - 1e-9)), std::size_t{1}, options.most);
+    const double step = length / static_cast<double>(steps);
+    std::vector<TargetPoint> target;
+    for (std::size_t i = 0; i <= steps; ++i) {
+        const double time = options.from + length * static_cast<double>(i) / static_cast<double>(steps);
+        const auto first = std::lower_bound(reference.begin(), reference.end(), time + options.offset - 0.5 * step,
+                                            [](const FrameAmounts& frame, double at) { return frame.time < at; });
+        Mean blood, veil;
+        bool any = false;
+        for (auto frame = first; frame != reference.end() && frame->time <= time + options.offset + 0.5 * step;
+             ++frame) {
+            any = true;
+            if (measurable(*frame, Curve::blood)) blood.add(frame->blood);
+            if (measurable(*frame, Curve::veil)) veil.add(frame->veil);
+        }
+        if (any) target.push_back({.time = time, .blood = blood.get(), .veil = veil.get()});
+    }
+    if (target.size() < 2) target.clear();
+    return target;
+}
+
+std::optional<double> misfit(std::span<const TargetPoint> target, std::span<const FrameAmounts> shown,
+                             std::optional<Amount> TargetPoint::*amount) {
+    const Curve curve = amount == &TargetPoint::blood ? Curve::blood : Curve::veil;
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < target.size() && i < shown.size(); ++i) {
+        const std::optional<Amount>& aim = target[i].*amount;
+        if (!aim || !measurable(shown[i], curve)) continue;
+        const double off = (curve == Curve::blood ? shown[i].blood : shown[i].veil).value - aim->value;
+        sum += off * off, ++count;
+    }
+    if (count == 0) return {};
+    return std::sqrt(sum / count);
+}
+
+}  // namespace lapfx::match

@@ -1,0 +1,37 @@
+// What a fit aims at: the measured amounts of the reference at the times at which the scene is drawn and measured.
+//
+//     Target target = target_of(measured.frames, {.offset = 0.5, .from = 0, .to = 10});
+//
+// Pure functions, any thread.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "match/estimator.h"
+
+namespace lapfx::match {
+
+/// Of one time of the scene. What is not measurable is missing.
+struct TargetPoint {
+    double time = 0.0;  ///< s of the scene
+    std::optional<Amount> blood, veil;
+};
+
+struct TargetOptions {
+    double offset = 0.0;           ///< s; reference time = scene time + offset
+    double from = 0.0, to = 12.0;  ///< s of the scene
+    double step = 0.2;             ///< s between times, longer where there would be more than `most`
+    std::size_t most = 60;
+};
+
+/// Each is the mean of the frames that are not farther than half a step. Times at which the reference has no frame are
+/// left out; fewer than two are none at all.
+std::vector<TargetPoint> target_of(std::span<const FrameAmounts> reference, const TargetOptions& options);
+
+/// Root mean square difference to what a scene shows at the same times; nothing where they share no measurable one.
+std::optional<double> misfit(std::span<const TargetPoint> target, std::span<const FrameAmounts> shown,
+                             std::optional<Amount> TargetPoint::*amount);
+
+}  // namespace lapfx::match

@@ -1,0 +1,65 @@
+#include "match/fit/undetermined.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace lapfx::match {
+
+namespace {
+
+constexpr double telling_decay = 4.0;  // s of clearing that tell how fast it clears
+constexpr double clears_by = 0.15;     // of the peak, below it: clearing has begun
+constexpr double still_grows = 0.9;    // of the peak: blood at the end that is above it still grows
+
+struct Course {
+    double peak = 0.0, peak_at = 0.0, last = 0.0, last_at = 0.0;
+    bool any = false;      ///< the amount is measurable at all
+    bool changes = false;  ///< by more than its error
+};
+
+Course course_of(std::span<const TargetPoint> target, std::optional<Amount> TargetPoint::*amount) {
+    Course course;
+    double highest_low = 0.0, lowest_high = 1.0;
+    for (const TargetPoint& aim : target) {
+        const std::optional<Amount>& at = aim.*amount;
+        if (!at) continue;
+        if (!course.any || at->value > course.peak) course.peak = at->value, course.peak_at = aim.time;
+        course.last = at->value, course.last_at = aim.time;
+        course.any = true;
+        highest_low = std::max(highest_low, at->low), lowest_high = std::min(lowest_high, at->high);
+    }
+    course.changes = course.any && highest_low > lowest_high;
+    return course;
+}
+
+/// Whether a curve says anything, and if not, why.
+std::string without_course(const Course& course, const std::string& amount) {
+    if (!course.any) return amount + " of the reference is not measurable";
+    if (!course.changes) return "the reference shows no " + amount + " beyond the error of measuring";
+    return {};
+}
+
+}  // namespace
+
+std::string why_undetermined(std::size_t parameter, const std::vector<FreeParameter>& parameters,
+                             const std::vector<Certainty>& certainties, std::span<const TargetPoint> target) {
+    const std::string& key = parameters[parameter].key;
+    const Course blood = course_of(target, &TargetPoint::blood), veil = course_of(target, &TargetPoint::veil);
+    if (key.starts_with("bleeding.")) {
+        if (const std::string why = without_course(blood, "blood"); !why.empty()) return why;
+        if (key == "bleeding.max_extent" && blood.last > still_grows * blood.peak)
+            return "blood still spreads when the video ends; a video of its standstill would tell it";
+    }
+    if (key.starts_with("smoke.")) {
+        if (const std::string why = without_course(veil, "veil"); !why.empty()) return why;
+        if (key == "smoke.haze.ventilation" &&
+            (veil.last > (1.0 - clears_by) * veil.peak || veil.last_at - veil.peak_at < telling_decay))
+            return "the video ends while it still smokes or soon after; 4 s of clearing would tell it";
+    }
+    if (const int other = certainties[parameter].alike; other >= 0)
+        return "it does the same to the curves as " + parameters[static_cast<std::size_t>(other)].key +
+               "; hold one of both";
+    return "the curves hardly depend on it";
+}
+
+}  // namespace lapfx::match

@@ -1,0 +1,18 @@
+// Why a reference does not tell a parameter, and what would.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "match/fit/certainty.h"
+#include "match/fit/free_parameter.h"
+#include "match/fit/target.h"
+
+namespace lapfx::match {
+
+/// For people, one sentence without a full stop: "the video ends while it still smokes; 4 s of clearing would tell it".
+std::string why_undetermined(std::size_t parameter, const std::vector<FreeParameter>& parameters,
+                             const std::vector<Certainty>& certainties, std::span<const TargetPoint> target);
+
+}  // namespace lapfx::match

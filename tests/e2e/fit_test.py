@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""fit_test.py LAPFX SCENE: `lapfx fit` as a user runs it: a hidden preset is found again, and bad input is told."""
+import csv
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+COLUMNS = ("time,blood,blood_low,blood_high,blood_before,blood_after,"
+           "veil,veil_low,veil_high,veil_before,veil_after").split(",")
+ACCUMULATION = 0.09  # 1/s, hidden; the scene's preset has another
+
+
+def run(lapfx, *arguments):
+    done = subprocess.run([lapfx, *arguments], capture_output=True, text=True, timeout=1700)
+    return done.returncode, done.stdout, done.stderr
+
+
+def render_hidden(lapfx, scene, folder):
+    video = os.path.join(folder, "hidden.mp4")
+    code, _, told = run(lapfx, "render", scene, "--size", "256x206", "--fps", "5", "--to", "7", "--set",
+                        f"smoke.haze.accumulation={ACCUMULATION}", "-o", video)
+    assert code == 0, told
+    return video
+
+
+def check_found(lapfx, scene, video, folder):
+    fitted, curves = os.path.join(folder, "fitted.json"), os.path.join(folder, "curves.csv")
+    code, said, told = run(lapfx, "fit", scene, "--reference", video, "--offset", "0", "--window", "0,6",
+                           "--parameters", "smoke.haze.accumulation,bleeding.pulse_rate", "-o", fitted, "--csv", curves)
+    assert code == 0, told
+    found = json.load(open(fitted))["smoke"]["haze"]["accumulation"]
+    assert abs(found / ACCUMULATION - 1) < 0.15, (found, said)
+    assert "bleeding.pulse_rate: 0, kept: not determined" in said, said
+    code, _, told = run(lapfx, "check", fitted)
+    assert code == 0, told
+    rows = list(csv.DictReader(open(curves)))
+    assert list(rows[0]) == COLUMNS and len(rows) == 31, (list(rows[0]), len(rows))
+    misfit = {name: sum((float(row["veil_" + name]) - float(row["veil"])) ** 2 for row in rows if row["veil"])
+              for name in ("before", "after")}
+    assert misfit["after"] < misfit["before"] / 9, misfit
+
+
+def check_ended(lapfx, scene, video, folder):
+    """Out of time it gives the best so far, and a fit that is stopped leaves nothing."""
+    short = os.path.join(folder, "short.json")
+    code, said, told = run(lapfx, "fit", scene, "--reference", video, "--budget", "0.01", "-o", short)
+    assert code == 0 and "ended early" in said and os.path.exists(short), (code, said, told)
+    stopped = os.path.join(folder, "stopped.json")
+    fit = subprocess.Popen([lapfx, "fit", scene, "--reference", video, "-o", stopped], stderr=subprocess.PIPE, text=True)
+    time.sleep(2)
+    fit.send_signal(signal.SIGINT)
+    _, told = fit.communicate(timeout=60)
+    assert fit.returncode == 1 and "interrupted" in told, (fit.returncode, told)
+    assert not [name for name in os.listdir(folder) if "stopped" in name], os.listdir(folder)
+
+
+def check_refused(lapfx, scene, video, folder):
+    fitted = os.path.join(folder, "none.json")
+    whole = ["fit", scene, "--reference", video, "-o", fitted]
+    cases = [
+        (["--parameters", "bleeding.sped"], "--parameters: bleeding.sped"),
+        (["--parameters", "bleeding.color_thin"], "is no number"),
+        (["--parameters", ","], "nothing is free"),
+        (["--parameters", "bleeding.speed=8..2"], "not below the upper"),
+        (["--parameters", "events.0.time"], "only a preset is written"),
+        (["--window", "5,3"], "--window"),
+        (["--window", "0,1000"], "--window"),
+        (["--window", "now"], "--window"),
+        (["--offset", "50"], "fewer than two measured moments"),
+        (["--offset", "nan"], "--offset"),
+        (["--budget", "0"], "--budget"),
+        (["--seed", "x"], "--seed"),
+    ]
+    for extra, expected in cases:
+        code, said, told = run(lapfx, *whole, *extra)
+        assert code == 2 and expected in told and said == "", (extra, code, said, told)
+    for changed, expected in ((2, "no.scene.json"), (4, "no.mp4"), (6, "fitted.txt")):
+        arguments = [*whole]
+        arguments[changed - 1] = os.path.join(folder, expected)
+        code, _, told = run(lapfx, *arguments)
+        assert code == 2 and expected in told, (arguments, code, told)
+    assert not os.path.exists(fitted)
+    code, _, told = run(lapfx, *whole[:-1], os.path.join(folder, "none", "fitted.json"))
+    assert code == 1 and "none" in told, (code, told)
+
+
+def main(lapfx, scene):
+    with tempfile.TemporaryDirectory() as folder:
+        video = render_hidden(lapfx, scene, folder)
+        check_refused(lapfx, scene, video, folder)
+        check_ended(lapfx, scene, video, folder)
+        check_found(lapfx, scene, video, folder)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,251 @@
+// Hidden presets, found again in the curves that a made-up camera sees of them.
+#include "match/fit/fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "lapfx/prepared_organ.h"
+#include "match/fit/core_amounts.h"
+#include "support/meshes.h"
+
+namespace lapfx::match {
+namespace {
+
+constexpr double seconds = 14.0;
+
+/// A cut and a burn on a plane.
+Tuned scene() {
+    Tuned tuned;
+    BleedingParameters& b = tuned.preset.bleeding;
+    b.speed = 4.0, b.max_extent = 12.0;
+    b.noise_strength = b.gravity_bias = b.crease_bias = b.rivulets = 0.0;
+    tuned.preset.smoke.haze.accumulation = 0.12, tuned.preset.smoke.haze.ventilation = 0.05;
+    tuned.preset.smoke.clips = {{.file = "smoke.mkv"}};  // without one there is no smoke; it is not opened
+    tuned.scene.duration = seconds;
+    tuned.scene.events = {{.action = ToolAction::cut, .time = 1.0, .duration = 0.0},
+                          {.action = ToolAction::coagulate,
+                           .time = 2.0,
+                           .duration = 4.0,
+                           .position = {25.0, 0.0, 0.0},
+                           .to = {25.0, 0.0, 0.0}}};
+    return tuned;
+}
+
+const std::shared_ptr<const PreparedOrgan>& organ() {
+    static const std::shared_ptr<const PreparedOrgan> one = prepare_organ(test::plane(80.0, 60));
+    return one;
+}
+
+/// A camera that sees 1.3 of the core's haze, a plume, and blood with a share of its own that is less for large areas.
+struct Camera {
+    double noise = 0.0;
+    std::uint32_t seed = 1;
+    CoreAmounts core{organ()};
+
+    std::vector<FrameAmounts> see(const Tuned& tuned, std::span<const double> times) {
+        const std::vector<Amounts> amounts = core.at(tuned, times);
+        std::mt19937 random(seed);
+        std::normal_distribution<double> normal(0.0, 1.0);
+        std::vector<FrameAmounts> frames;
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            FrameAmounts& frame = frames.emplace_back();
+            frame.time = times[i];
+            const double depth = 1.3 * amounts[i].haze + 0.15 * tuned.preset.smoke.plume.density * amounts[i].emission;
+            const double share = 2e-4 * amounts[i].blood_area;
+            const double veil = 1.0 - std::exp(-depth) + 1.0 * noise * normal(random);
+            const double blood = share - 0.5 * share * share + 0.2 * noise * normal(random);
+            frame.veil = {veil, veil - 0.04, veil + 0.04};
+            frame.blood = {blood, blood - 0.01, blood + 0.01};
+        }
+        return frames;
+    }
+};
+
+std::vector<double> all_times(double step = 0.04, double until = seconds) {
+    std::vector<double> times;
+    for (double time = 0.0; time <= until; time += step) times.push_back(time);
+    return times;
+}
+
+struct Known {
+    Tuned hidden = scene();
+    std::vector<std::string> keys = {"bleeding.speed", "bleeding.max_extent", "smoke.haze.accumulation",
+                                     "smoke.haze.ventilation"};
+    double noise = 0.0, until = seconds;
+    std::uint32_t seed = 1;
+};
+
+FitInput input_of(const Known& known, Camera& camera) {
+    const Tuned start = scene();
+    Camera reference{.noise = known.noise, .seed = known.seed + 100};
+    return {.start = start,
+            .parameters = free_parameters(start, known.keys),
+            .target = target_of(reference.see(known.hidden, all_times(0.04, known.until)), {.to = seconds}),
+            .organ = organ(),
+            .draw = [&camera](const Tuned& tuned,
+                              std::span<const double> times) { return std::optional(camera.see(tuned, times)); },
+            .seed = known.seed};
+}
+
+FitResult found_for(const Known& known) {
+    Camera camera;
+    return fit(input_of(known, camera));
+}
+
+const FittedParameter& of(const FitResult& result, const std::string& key) {
+    for (const FittedParameter& p : result.parameters)
+        if (p.parameter.key == key) return p;
+    throw std::out_of_range(key);
+}
+
+Tuned hidden(double speed, double extent, double accumulation, double ventilation) {
+    Tuned tuned = scene();
+    tuned.preset.bleeding.speed = speed, tuned.preset.bleeding.max_extent = extent;
+    tuned.preset.smoke.haze.accumulation = accumulation, tuned.preset.smoke.haze.ventilation = ventilation;
+    return tuned;
+}
+
+TEST(Fit, FindsAHiddenPreset) {
+    for (const Tuned& truth :
+         {hidden(7.0, 8.0, 0.3, 0.15), hidden(2.0, 20.0, 0.05, 0.3), hidden(4.0, 12.0, 0.12, 0.05)}) {
+        const FitResult found = found_for({.hidden = truth});
+        const BleedingParameters& b = found.tuned.preset.bleeding;
+        const HazeParameters& h = found.tuned.preset.smoke.haze;
+        EXPECT_NEAR(b.speed, truth.preset.bleeding.speed, 0.03 * truth.preset.bleeding.speed);
+        EXPECT_NEAR(b.max_extent, truth.preset.bleeding.max_extent, 0.03 * truth.preset.bleeding.max_extent);
+        EXPECT_NEAR(h.accumulation, truth.preset.smoke.haze.accumulation, 0.05 * truth.preset.smoke.haze.accumulation);
+        EXPECT_NEAR(h.ventilation, truth.preset.smoke.haze.ventilation, 0.1 * truth.preset.smoke.haze.ventilation);
+        EXPECT_LT(*found.blood_after, 0.001);
+        EXPECT_LT(*found.veil_after, 0.005);
+        EXPECT_LE(found.curves, 7);
+        for (const FittedParameter& p : found.parameters) EXPECT_TRUE(p.determined) << p.parameter.key << ": " << p.why;
+    }
+}
+
+TEST(Fit, FindsWhatTheCoreKnowsNothingOf) {
+    Tuned truth = scene();
+    truth.preset.smoke.plume.density = 1.2;
+    const FitResult found = found_for({.hidden = truth, .keys = {"smoke.plume.density", "smoke.haze.accumulation"}});
+    EXPECT_NEAR(found.tuned.preset.smoke.plume.density, 1.2, 0.1);
+    EXPECT_NEAR(found.tuned.preset.smoke.haze.accumulation, 0.12, 0.01);
+}
+
+TEST(Fit, FindsWhenAToolBegins) {
+    Tuned truth = scene();
+    truth.scene.events[0].time = 3.4, truth.scene.events[1].time = 0.7;
+    const FitResult found = found_for({.hidden = truth, .keys = {"events.0.time", "events.1.time"}});
+    EXPECT_NEAR(found.tuned.scene.events[0].time, 3.4, 0.1);
+    EXPECT_NEAR(found.tuned.scene.events[1].time, 0.7, 0.1);
+}
+
+TEST(Fit, IsTheSameEachTime) {
+    const Known known{.hidden = hidden(7.0, 8.0, 0.3, 0.15), .noise = 0.02, .seed = 5};
+    const FitResult once = found_for(known), again = found_for(known);
+    EXPECT_EQ(write_preset(once.tuned.preset), write_preset(again.tuned.preset));
+    for (std::size_t k = 0; k < once.parameters.size(); ++k) {
+        EXPECT_EQ(once.parameters[k].low, again.parameters[k].low);
+        EXPECT_EQ(once.parameters[k].high, again.parameters[k].high);
+    }
+}
+
+TEST(Fit, IntervalsHoldTheTruth) {
+    int held = 0, all = 0;
+    for (std::uint32_t seed = 1; seed <= 6; ++seed) {
+        const Tuned truth = hidden(6.0, 9.0, 0.2, 0.12);
+        const FitResult found = found_for({.hidden = truth, .noise = 0.02, .seed = seed});
+        for (const FittedParameter& p : found.parameters) {
+            const double value = p.parameter.get(truth);
+            EXPECT_LT(p.low, p.high) << p.parameter.key;
+            ++all, held += p.low <= value && value <= p.high ? 1 : 0;
+        }
+    }
+    EXPECT_GE(held, all * 8 / 10) << "of " << all;
+}
+
+TEST(Fit, WhatTheReferenceDoesNotTellKeepsItsValue) {
+    // Ends while it still smokes and while blood still spreads.
+    const FitResult found = found_for({.hidden = hidden(2.0, 30.0, 0.3, 0.3), .until = 5.0});
+    const FittedParameter& extent = of(found, "bleeding.max_extent");
+    EXPECT_FALSE(extent.determined);
+    EXPECT_EQ(found.tuned.preset.bleeding.max_extent, 12.0);
+    EXPECT_NE(extent.why.find("still spreads"), std::string::npos) << extent.why;
+    const FittedParameter& ventilation = of(found, "smoke.haze.ventilation");
+    EXPECT_FALSE(ventilation.determined);
+    EXPECT_NE(ventilation.why.find("still smokes"), std::string::npos) << ventilation.why;
+    EXPECT_TRUE(of(found, "bleeding.speed").determined);
+    EXPECT_NEAR(found.tuned.preset.bleeding.speed, 2.0, 0.1);
+}
+
+TEST(Fit, WithoutBloodSaysSo) {
+    Tuned truth = scene();
+    truth.scene.events.erase(truth.scene.events.begin());
+    const FitResult found = found_for({.hidden = truth, .keys = {"smoke.haze.accumulation"}});
+    EXPECT_NEAR(found.tuned.preset.smoke.haze.accumulation, 0.12, 0.01);
+    Tuned smokeless = scene();
+    smokeless.scene.events.pop_back();
+    const FitResult other = found_for({.hidden = smokeless, .keys = {"bleeding.speed", "smoke.haze.suction"}});
+    EXPECT_FALSE(of(other, "smoke.haze.suction").determined);
+    EXPECT_NE(of(other, "smoke.haze.suction").why.find("shows no veil"), std::string::npos);
+}
+
+TEST(Fit, KeepsWithinItsBounds) {
+    const FitResult found =
+        found_for({.hidden = hidden(9.0, 12.0, 0.12, 0.05), .keys = {"bleeding.speed=3..6", "bleeding.max_extent"}});
+    EXPECT_EQ(found.tuned.preset.bleeding.speed, 6.0);
+    EXPECT_TRUE(of(found, "bleeding.speed").at_bound);
+    EXPECT_FALSE(of(found, "bleeding.max_extent").at_bound);
+}
+
+TEST(Fit, ThatIsCancelledGivesTheBestSoFar) {
+    const Tuned truth = hidden(7.0, 8.0, 0.3, 0.15);
+    Camera camera;
+    FitInput input = input_of({.hidden = truth}, camera);
+    int drawn = 0;
+    const auto draw = input.draw;
+    input.draw = [&](const Tuned& tuned, std::span<const double> times) {
+        return ++drawn > 2 ? std::optional<std::vector<FrameAmounts>>() : draw(tuned, times);
+    };
+    const FitResult found = fit(input);
+    EXPECT_TRUE(found.ended_early);
+    EXPECT_EQ(found.curves, 2);
+    EXPECT_LT(*found.veil_after, *found.veil_before) << "one search was drawn";
+    input.progress = [](const FitProgress&) { return false; };
+    drawn = 0;
+    const FitResult none = fit(input);
+    EXPECT_TRUE(none.ended_early);
+    EXPECT_EQ(write_preset(none.tuned.preset), write_preset(scene().preset));
+}
+
+TEST(Fit, ProgressGrowsAndShowsTheBest) {
+    Camera camera;
+    FitInput input = input_of({.hidden = hidden(7.0, 8.0, 0.3, 0.15)}, camera);
+    double last = 0.0;
+    bool shown = false;
+    input.progress = [&](const FitProgress& progress) {
+        EXPECT_GE(progress.share, last);
+        EXPECT_LE(progress.share, 1.0);
+        last = progress.share, shown = shown || progress.best != nullptr;
+        return true;
+    };
+    fit(input);
+    EXPECT_TRUE(shown);
+    EXPECT_GT(last, 0.2);
+}
+
+TEST(Fit, RefusesAReferenceThatTellsNothing) {
+    Camera camera;
+    const FitInput good = input_of({}, camera);
+    FitInput input = good;
+    input.target.clear();
+    EXPECT_THROW(fit(input), Error);
+    input = good, input.parameters.clear();
+    EXPECT_THROW(fit(input), Error);
+    input = good;
+    for (TargetPoint& aim : input.target) aim.blood.reset(), aim.veil.reset();
+    EXPECT_THROW(fit(input), Error);
+}
+
+}  // namespace
+}  // namespace lapfx::match

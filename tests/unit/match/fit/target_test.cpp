@@ -1,0 +1,81 @@
+// The reference's amounts at the scene's times.
+#include "match/fit/target.h"
+
+#include <gtest/gtest.h>
+
+namespace lapfx::match {
+namespace {
+
+/// Blood grows by 0.01 a second, veil by 0.02; 25 frames a second.
+std::vector<FrameAmounts> rising(double seconds) {
+    std::vector<FrameAmounts> frames;
+    for (int i = 0; i <= static_cast<int>(25.0 * seconds); ++i) {
+        FrameAmounts& frame = frames.emplace_back();
+        frame.time = i / 25.0;
+        frame.blood = {0.01 * frame.time, 0.01 * frame.time - 0.005, 0.01 * frame.time + 0.005};
+        frame.veil = {0.02 * frame.time, 0.0, 0.5};
+    }
+    return frames;
+}
+
+TEST(Target, IsTheMeanAroundEachTime) {
+    const auto target = target_of(rising(10.0), {.from = 1.0, .to = 5.0, .step = 0.5});
+    ASSERT_EQ(target.size(), 9U);
+    for (std::size_t i = 0; i < target.size(); ++i) {
+        EXPECT_NEAR(target[i].time, 1.0 + 0.5 * static_cast<double>(i), 1e-12);
+        ASSERT_TRUE(target[i].blood && target[i].veil);
+        EXPECT_NEAR(target[i].blood->value, 0.01 * target[i].time, 2e-4);
+        EXPECT_NEAR(target[i].blood->high - target[i].blood->low, 0.01, 1e-9);
+        EXPECT_NEAR(target[i].veil->value, 0.02 * target[i].time, 4e-4);
+    }
+}
+
+TEST(Target, IsOffsetFromTheScene) {
+    const auto target = target_of(rising(10.0), {.offset = 2.0, .from = 0.0, .to = 4.0});
+    ASSERT_FALSE(target.empty());
+    EXPECT_NEAR(target.front().veil->value, 0.02 * 2.0, 4e-4);
+    EXPECT_NEAR(target.back().veil->value, 0.02 * 6.0, 4e-4);
+}
+
+TEST(Target, LeavesOutWhatTheReferenceDoesNotHave) {
+    auto frames = rising(3.0);
+    for (FrameAmounts& frame : frames)
+        if (frame.time > 1.5) frame.flags = told::dense;
+    const auto target = target_of(frames, {.from = 0.0, .to = 10.0});
+    ASSERT_FALSE(target.empty());
+    EXPECT_LE(target.back().time, 3.2);
+    for (const TargetPoint& aim : target) {
+        EXPECT_EQ(aim.blood.has_value(), aim.time < 1.7) << aim.time;
+        EXPECT_TRUE(aim.veil) << aim.time;
+    }
+}
+
+TEST(Target, OfOneMomentOrNoneIsNothing) {
+    EXPECT_TRUE(target_of(rising(5.0), {.offset = 20.0}).empty());
+    EXPECT_TRUE(target_of(rising(5.0), {.from = 3.0, .to = 3.0}).empty());
+    EXPECT_TRUE(target_of({}, {}).empty());
+    EXPECT_TRUE(target_of(rising(0.0), {.step = 0.5}).empty());
+}
+
+TEST(Target, HasNoMoreTimesThanAreWanted) {
+    const auto target = target_of(rising(100.0), {.from = 0.0, .to = 100.0, .step = 0.2, .most = 50});
+    EXPECT_EQ(target.size(), 51U);
+}
+
+TEST(Target, MisfitIsTheRootMeanSquare) {
+    const auto target = target_of(rising(10.0), {.from = 0.0, .to = 4.0, .step = 1.0});
+    std::vector<FrameAmounts> shown(target.size());
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        shown[i].veil.value = target[i].veil->value + (i % 2 == 0 ? 0.03 : -0.03);
+        shown[i].blood.value = target[i].blood->value + 0.5;
+    }
+    EXPECT_NEAR(*misfit(target, shown, &TargetPoint::veil), 0.03, 1e-12);
+    shown[0].blood.value = target[0].blood->value;
+    for (std::size_t i = 2; i < shown.size(); ++i) shown[i].flags = told::dense;
+    EXPECT_NEAR(*misfit(target, shown, &TargetPoint::blood), 0.5 / std::sqrt(2.0), 1e-12);
+    for (FrameAmounts& frame : shown) frame.flags = told::dense;
+    EXPECT_FALSE(misfit(target, shown, &TargetPoint::blood));
+}
+
+}  // namespace
+}  // namespace lapfx::match
