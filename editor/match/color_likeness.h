@@ -1,0 +1,44 @@
+// How close the colours of blood, smoke and tissue of two measured pictures are.
+//
+//     preview_estimator.measure(preview, 0), reference_estimator.measure(frame, 0);
+//     const match::ColorLikeness likeness = match::likeness_of(match::colors_of(preview, preview_estimator),
+//                                                              match::colors_of(frame, reference_estimator));
+//
+// Pure functions over the layers of estimators; one thread at a time for each estimator.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "match/estimator.h"
+
+namespace lapfx::match {
+
+/// Pixels at the estimator's working size below which a mean colour says nothing.
+inline constexpr int least_pixels = 100;
+/// A veil in which the colour of smoke shows.
+inline constexpr double colored_veil = 0.1;
+
+/// Mean colours, linear light, 0..1, red, green, blue; nothing of what has too few pixels.
+struct MeasuredColors {
+    std::optional<glm::dvec3> blood;   ///< where there is blood, with the veil removed; not behind dense_veil
+    std::optional<glm::dvec3> smoke;   ///< light of dense smoke where the veil is colored_veil or more
+    std::optional<glm::dvec3> tissue;  ///< of the baseline, in the valid view
+};
+
+/// Of one frame, all at one size; types and meaning are those of the estimator's layers.
+struct ColorLayers {
+    cv::Mat blood, veil, valid, light, baseline;
+};
+/// `frame`: that of the layers, at any size.
+MeasuredColors colors_of(const Image& frame, const ColorLayers& layers);
+/// `frame`: the one that `estimator` measured last, at any size, and that was measurable.
+MeasuredColors colors_of(const Image& frame, const Estimator& estimator);
+
+/// CIE Delta E 2000 (color_difference.h); nothing where either picture has too few pixels.
+struct ColorLikeness {
+    std::optional<double> blood, smoke, tissue;
+};
+ColorLikeness likeness_of(const MeasuredColors& preview, const MeasuredColors& reference);
+
+}  // namespace lapfx::match
