@@ -66,7 +66,7 @@ std::vector<std::vector<double>> corrections(const Objective& objective, const L
             matrix += part.matrix, side += part.side;
         }
         cv::solve(matrix, side, step, cv::DECOMP_SVD);
-        for (std::size_t k = 0; k < steps.size(); ++k) steps[k].push_back(-step.at<double>(static_cast<int>(k)));
+        for (std::size_t k = 0; k < steps.size(); ++k) steps[k].push_back(-step.at<double>(static_cast<int>(k) + 1));
     }
     return steps;
 }
@@ -93,7 +93,7 @@ std::vector<Certainty> certainty_of(const Objective& objective, const Linearised
     std::vector<std::vector<double>> steps = corrections(objective, at, seed);
     std::vector<Certainty> all(coordinates.size());
     const auto error = [&](std::size_t k) {
-        const int i = static_cast<int>(k);
+        const int i = static_cast<int>(k) + 1;  // after the offset
         return std::sqrt(std::max(covariance.at<double>(i, i), 0.0));
     };
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -104,7 +104,7 @@ std::vector<Certainty> certainty_of(const Objective& objective, const Linearised
         c.determined = c.error < determined_below;
         for (std::size_t other = 0; other < all.size(); ++other) {
             if (other == k) continue;
-            const double both = covariance.at<double>(static_cast<int>(k), static_cast<int>(other));
+            const double both = covariance.at<double>(static_cast<int>(k) + 1, static_cast<int>(other) + 1);
             if (std::abs(both) > alike_above * error(k) * error(other)) c.alike = static_cast<int>(other);
         }
     }

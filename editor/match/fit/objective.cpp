@@ -58,10 +58,4 @@ double Objective::cost(const ShownCurves& shown, std::span<const double> coordin
     return 0.5 * sum;
 }
 
-void Objective::offset_slopes(std::span<double> slopes) const {
-    std::fill(slopes.begin(), slopes.end(), 0.0);
-    for (std::size_t i = 0; i < times(); ++i) slopes[times() + i] = target_[i].veil ? veil_scale_[i] : 0.0;
-    slopes[size() - 1] = 1.0 / offset_error;
-}
-
 }  // namespace lapfx::match

@@ -40,8 +40,6 @@ class Objective {
     double best_offset(const ShownCurves& shown) const;
     /// Half the sum of squares, with the best offset.
     double cost(const ShownCurves& shown, std::span<const double> coordinates) const;
-    /// What a change of the offset changes in each residual, with its sign.
-    void offset_slopes(std::span<double> slopes) const;
 
   private:
     std::vector<TargetPoint> target_;

@@ -1,11 +1,11 @@
 #include "match/fit/search.h"
 
-#include <ceres/ceres.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
+
+#include "match/least_squares.h"
 
 namespace lapfx::match {
 
@@ -16,6 +16,8 @@ constexpr int most_iterations = 25, few_iterations = 6;
 constexpr double tolerance = 1e-4;   // of the cost: less is no progress
 constexpr std::size_t followed = 3;  // of the places that are tried
 constexpr double spread = 2.5;       // coordinates to either side of the start, where bounds allow
+
+constexpr double most_offset = 0.3;  // of the veil
 
 struct Span {
     double low, high;
@@ -32,75 +34,59 @@ std::vector<Span> spans_of(const SearchSpace& space, std::span<const double> sta
     return spans;
 }
 
-/// The residuals at `coordinates`, and how those of `open` parameters change them: slopes[row * open + column], away
-/// from the upper bound. Throws Error where a rule between values is broken.
-class Slopes {
+/// Unknowns are the veil's offset, then the coordinates of the parameters that are not held.
+class Problem {
   public:
-    explicit Slopes(const SearchSpace& space) : space_(space) {}
-    void residuals(std::span<const double> coordinates, double offset, std::span<double> into) const {
-        space_.objective.residuals(space_.carried.at(coordinates, space_.core_at(coordinates)), offset, coordinates,
-                                   into);
+    Problem(const SearchSpace& space, std::vector<double> coordinates, const std::vector<bool>& held)
+        : space_(space), coordinates_(std::move(coordinates)) {
+        for (std::size_t k = 0; k < coordinates_.size(); ++k)
+            if (held.empty() || !held[k]) open_.push_back(k);
     }
-    void slopes(std::span<const double> coordinates, double offset, std::span<const std::size_t> open,
-                std::span<const double> here, double* into) const {
-        std::vector<double> moved(coordinates.begin(), coordinates.end()), there(here.size());
-        for (std::size_t column = 0; column < open.size(); ++column) {
-            const std::size_t k = open[column];
-            const FreeParameter& p = space_.parameters[k];
-            const double step = coordinates[k] + slope_step > p.coordinate(p.maximum) ? -slope_step : slope_step;
-            moved[k] = coordinates[k] + step;
-            residuals(moved, offset, there);
-            moved[k] = coordinates[k];
-            for (std::size_t i = 0; i < here.size(); ++i) into[i * open.size() + column] = (there[i] - here[i]) / step;
-        }
+    LeastSquares problem(std::span<const Span> spans) {
+        LeastSquares problem{.residuals = space_.objective.size(), .low = {-most_offset}, .high = {most_offset}};
+        for (const std::size_t k : open_) problem.low.push_back(spans[k].low), problem.high.push_back(spans[k].high);
+        problem.evaluate = [this](std::span<const double> x, std::span<double> residuals) {
+            return evaluate(x, residuals);
+        };
+        problem.slope_step = slope_step;
+        return problem;
+    }
+    std::vector<double> unknowns() {
+        std::vector<double> x = {0.0};
+        if (shown_at(coordinates_)) x[0] = std::clamp(space_.objective.best_offset(shown_), -most_offset, most_offset);
+        for (const std::size_t k : open_) x.push_back(coordinates_[k]);
+        return x;
+    }
+    std::vector<double> coordinates_of(std::span<const double> x) const {
+        std::vector<double> coordinates = coordinates_;
+        for (std::size_t i = 0; i < open_.size(); ++i) coordinates[open_[i]] = x[i + 1];
+        return coordinates;
     }
 
   private:
-    const SearchSpace& space_;
-};
-
-/// The same for Ceres; blocks are the open coordinates and the offset.
-class Cost : public ceres::CostFunction {
-  public:
-    Cost(const SearchSpace& space, std::vector<double> coordinates, std::vector<std::size_t> open)
-        : space_(space), slopes_(space), coordinates_(std::move(coordinates)), open_(std::move(open)) {
-        set_num_residuals(static_cast<int>(space.objective.size()));
-        mutable_parameter_block_sizes()->push_back(static_cast<int>(open_.size()));
-        mutable_parameter_block_sizes()->push_back(1);
+    bool evaluate(std::span<const double> x, std::span<double> residuals) {
+        const std::vector<double> coordinates = coordinates_of(x);
+        if (!shown_at(coordinates)) return false;
+        space_.objective.residuals(shown_, x[0], coordinates, residuals);
+        return true;
     }
-    /// False where a rule between values is broken: the search turns back.
-    bool Evaluate(const double* const* blocks, double* residuals, double** jacobians) const override {
-        std::vector<double> coordinates = coordinates_;
-        for (std::size_t i = 0; i < open_.size(); ++i) coordinates[open_[i]] = blocks[0][i];
-        const std::span<double> here(residuals, space_.objective.size());
+    /// False where a rule between values is broken. The offset is the first unknown: what is shown is the same then.
+    bool shown_at(const std::vector<double>& coordinates) {
+        if (known_ == coordinates) return true;
         try {
-            slopes_.residuals(coordinates, blocks[1][0], here);
-            if (jacobians != nullptr && jacobians[0] != nullptr)
-                slopes_.slopes(coordinates, blocks[1][0], open_, here, jacobians[0]);
+            shown_ = space_.carried.at(coordinates, space_.core_at(coordinates));
         } catch (const Error&) {
             return false;
         }
-        if (jacobians != nullptr && jacobians[1] != nullptr)
-            space_.objective.offset_slopes({jacobians[1], here.size()});
+        known_ = coordinates;
         return true;
     }
 
-  private:
     const SearchSpace& space_;
-    Slopes slopes_;
     std::vector<double> coordinates_;
     std::vector<std::size_t> open_;
-};
-
-class GoesOn : public ceres::IterationCallback {
-  public:
-    explicit GoesOn(const std::function<bool()>& goes_on) : goes_on_(goes_on) {}
-    ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-        return !goes_on_ || goes_on_() ? ceres::SOLVER_CONTINUE : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
-    }
-
-  private:
-    const std::function<bool()>& goes_on_;
+    std::vector<double> known_;  ///< coordinates of shown_
+    ShownCurves shown_;
 };
 
 double cost_at(const SearchSpace& space, std::span<const double> coordinates) {
@@ -116,39 +102,14 @@ struct Place {
     double cost;
 };
 
-std::vector<std::size_t> open_of(const SearchSpace& space, const std::vector<bool>& held) {
-    std::vector<std::size_t> open;
-    for (std::size_t k = 0; k < space.parameters.size(); ++k)
-        if (held.empty() || !held[k]) open.push_back(k);
-    return open;
-}
-
-Place descend(const SearchSpace& space, Place from, std::span<const Span> spans, int iterations,
+Place descend(const SearchSpace& space, const Place& from, std::span<const Span> spans, int iterations,
               const SearchOptions& options) {
-    const std::vector<std::size_t> open = open_of(space, options.held);
-    if (open.empty() || !std::isfinite(from.cost)) return from;
-    double offset = space.objective.best_offset(space.carried.at(from.coordinates, space.core_at(from.coordinates)));
-    std::vector<double> x;
-    for (const std::size_t k : open) x.push_back(from.coordinates[k]);
-    ceres::Problem problem;
-    problem.AddResidualBlock(new Cost(space, from.coordinates, open), nullptr, x.data(), &offset);  // which owns it
-    for (std::size_t i = 0; i < open.size(); ++i) {
-        problem.SetParameterLowerBound(x.data(), static_cast<int>(i), spans[open[i]].low);
-        problem.SetParameterUpperBound(x.data(), static_cast<int>(i), spans[open[i]].high);
-    }
-    GoesOn goes_on(options.goes_on);
-    ceres::Solver::Options solver;
-    solver.linear_solver_type = ceres::DENSE_QR;
-    solver.max_num_iterations = iterations;
-    solver.function_tolerance = tolerance;
-    solver.logging_type = ceres::SILENT;
-    solver.num_threads = 1;
-    solver.callbacks.push_back(&goes_on);
-    ceres::Solver::Summary summary;
-    ceres::Solve(solver, &problem, &summary);
-    Place place = from;
-    for (std::size_t i = 0; i < open.size(); ++i) place.coordinates[open[i]] = x[i];
-    place.cost = cost_at(space, place.coordinates);
+    Problem unknowns(space, from.coordinates, options.held);
+    LeastSquares problem = unknowns.problem(spans);
+    problem.iterations = iterations, problem.tolerance = tolerance, problem.goes_on = options.goes_on;
+    std::vector<double> x = unknowns.unknowns();
+    if (!solve(problem, x)) return from;
+    const Place place{unknowns.coordinates_of(x), cost_at(space, unknowns.coordinates_of(x))};
     return place.cost < from.cost ? place : from;
 }
 
@@ -187,20 +148,14 @@ std::vector<Amounts> SearchSpace::core_at(std::span<const double> coordinates) c
 }
 
 Linearised linearised(const SearchSpace& space, std::span<const double> coordinates) {
-    const Slopes slopes(space);
-    const std::size_t rows = space.objective.size(), parameters = space.parameters.size();
-    Linearised at{.residuals = std::vector<double>(rows), .slopes = {}, .columns = parameters + 1};
-    const double offset = space.objective.best_offset(space.carried.at(coordinates, space.core_at(coordinates)));
-    std::vector<double> of_parameters(rows * parameters), of_offset(rows);
-    slopes.residuals(coordinates, offset, at.residuals);
-    slopes.slopes(coordinates, offset, open_of(space, {}), at.residuals, of_parameters.data());
-    space.objective.offset_slopes(of_offset);
-    for (std::size_t i = 0; i < rows; ++i) {
-        const auto row = of_parameters.begin() + static_cast<std::ptrdiff_t>(i * parameters);
-        at.slopes.insert(at.slopes.end(), row, row + static_cast<std::ptrdiff_t>(parameters));
-        at.slopes.push_back(of_offset[i]);
-    }
-    return at;
+    const std::vector<double> at(coordinates.begin(), coordinates.end());
+    Problem unknowns(space, at, {});
+    const LeastSquares problem = unknowns.problem(spans_of(space, at, unlimited));
+    const std::size_t rows = problem.residuals, columns = at.size() + 1;
+    Linearised linear{
+        .residuals = std::vector<double>(rows), .slopes = std::vector<double>(rows * columns), .columns = columns};
+    linearise(problem, unknowns.unknowns(), linear.residuals, linear.slopes);
+    return linear;
 }
 
 std::vector<double> search(const SearchSpace& space, std::vector<double> start, const SearchOptions& options) {
@@ -214,10 +169,10 @@ std::vector<double> search(const SearchSpace& space, std::vector<double> start, 
     places.resize(std::min(places.size(), followed));
     places.insert(places.begin(), {start, cost_at(space, start)});
     if (places.size() > 1)
-        for (Place& place : places) place = descend(space, std::move(place), spans, few_iterations, options);
+        for (Place& place : places) place = descend(space, place, spans, few_iterations, options);
     Place& best =
         *std::min_element(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.cost < b.cost; });
-    return descend(space, std::move(best), spans, most_iterations, options).coordinates;
+    return descend(space, best, spans, most_iterations, options).coordinates;
 }
 
 }  // namespace lapfx::match

@@ -27,18 +27,20 @@ struct SearchSpace {
     std::vector<Amounts> core_at(std::span<const double> coordinates) const;
 };
 
-/// Columns are the parameters and, last, the offset of the veil; rows as in Objective::residuals.
+/// Columns are the offset of the veil and the parameters; rows as in Objective::residuals.
 struct Linearised {
     std::vector<double> residuals, slopes;  ///< slopes[row * columns + column]
     std::size_t columns = 0;
 };
 
-/// Throws Error (bad_input) where the core refuses the values.
+/// Residuals and slopes are 0 where the core refuses the values.
 Linearised linearised(const SearchSpace& space, std::span<const double> coordinates);
+
+inline constexpr double unlimited = 1e9;  ///< coordinates
 
 struct SearchOptions {
     std::vector<bool> held = {};         ///< of each parameter: it stays where it is; empty: none does
-    double radius = 1e9;                 ///< coordinates: how far each may move
+    double radius = unlimited;           ///< coordinates: how far each may move
     std::size_t others = 0;              ///< besides the start, so many places are tried, spread evenly over the bounds
     std::uint32_t seed = 1;              ///< of those places
     std::function<bool()> goes_on = {};  ///< false ends the search with what it has

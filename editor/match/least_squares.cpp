@@ -1,0 +1,86 @@
+#include "match/least_squares.h"
+
+#include <ceres/ceres.h>
+
+namespace lapfx::match {
+
+namespace {
+
+bool add_slopes(const LeastSquares& problem, std::span<const double> x, std::span<const double> here,
+                std::span<double> slopes) {
+    std::vector<double> moved(x.begin(), x.end()), there(here.size());
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        const double step = x[k] + problem.slope_step > problem.high[k] ? -problem.slope_step : problem.slope_step;
+        moved[k] = x[k] + step;
+        if (!problem.evaluate(moved, there)) return false;
+        moved[k] = x[k];
+        for (std::size_t i = 0; i < here.size(); ++i) slopes[i * x.size() + k] = (there[i] - here[i]) / step;
+    }
+    return true;
+}
+
+class Cost : public ceres::CostFunction {
+  public:
+    explicit Cost(const LeastSquares& problem) : problem_(problem) {
+        set_num_residuals(static_cast<int>(problem.residuals));
+        mutable_parameter_block_sizes()->push_back(static_cast<int>(problem.low.size()));
+    }
+    bool Evaluate(const double* const* blocks, double* residuals, double** jacobians) const override {
+        const std::span<const double> x(blocks[0], problem_.low.size());
+        const std::span<double> here(residuals, problem_.residuals);
+        if (!problem_.evaluate(x, here)) return false;
+        if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+        return add_slopes(problem_, x, here, {jacobians[0], here.size() * x.size()});
+    }
+
+  private:
+    const LeastSquares& problem_;
+};
+
+class GoesOn : public ceres::IterationCallback {
+  public:
+    explicit GoesOn(const std::function<bool()>& goes_on) : goes_on_(goes_on) {}
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+        return !goes_on_ || goes_on_() ? ceres::SOLVER_CONTINUE : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+    }
+
+  private:
+    const std::function<bool()>& goes_on_;
+};
+
+}  // namespace
+
+std::optional<double> solve(const LeastSquares& problem, std::vector<double>& x) {
+    std::vector<double> residuals(problem.residuals), at = x;
+    if (!problem.evaluate(x, residuals)) return {};
+    ceres::Problem of_ceres;
+    of_ceres.AddResidualBlock(new Cost(problem), nullptr, at.data());  // which owns it
+    for (std::size_t k = 0; k < at.size(); ++k) {
+        of_ceres.SetParameterLowerBound(at.data(), static_cast<int>(k), problem.low[k]);
+        of_ceres.SetParameterUpperBound(at.data(), static_cast<int>(k), problem.high[k]);
+    }
+    GoesOn goes_on(problem.goes_on);
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::DENSE_QR;
+    options.max_num_iterations = problem.iterations;
+    options.function_tolerance = problem.tolerance;
+    options.logging_type = ceres::SILENT;
+    options.num_threads = 1;
+    options.callbacks.push_back(&goes_on);
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &of_ceres, &summary);
+    if (summary.IsSolutionUsable()) {
+        x = at;
+        return summary.final_cost;
+    }
+    double sum = 0.0;
+    for (const double residual : residuals) sum += residual * residual;
+    return 0.5 * sum;
+}
+
+bool linearise(const LeastSquares& problem, std::span<const double> x, std::span<double> residuals,
+               std::span<double> slopes) {
+    return problem.evaluate(x, residuals) && add_slopes(problem, x, residuals, slopes);
+}
+
+}  // namespace lapfx::match
