@@ -24,15 +24,17 @@
 
 namespace lapfx::match {
 
+/// Given each frame once it was measured, with the layers of the estimator, or null where no baseline serves; it may
+/// draw on the frame. What it throws ends measuring.
+using FrameMeasured = std::function<void(Image& frame, const Estimator* estimator, const FrameAmounts& amounts)>;
+
 struct MeasureOptions {
     EstimatorOptions estimator = {};
     std::optional<double> baseline = {};  ///< s, for the shots that show its tissue; none: all are found (find_shots)
     double from = 0.0;                    ///< s, the first that is measured
     std::optional<double> to = {};        ///< s, the last; none: to the end
     int every = 1;                        ///< measures every n-th frame
-    /// Given each frame once it was measured, with the layers of the estimator, or null where no baseline serves; it
-    /// may draw on the frame. What it throws ends measuring.
-    std::function<void(Image& frame, const Estimator* estimator, const FrameAmounts& amounts)> measured = {};
+    FrameMeasured measured = {};
 };
 
 struct Measurement {

@@ -3,13 +3,22 @@
 #include <algorithm>
 #include <future>
 
-#include "match/measure.h"
+#include "lapfx/error.h"
 
 namespace lapfx::match {
 
 namespace {
 
 constexpr int least_side = 16;  // px
+
+/// Whether any of a grid of pixels shows the organ.
+bool in_view(const Preview& preview, glm::ivec2 size) {
+    constexpr int places = 32;  // of a side
+    for (int y = 0; y < places; ++y)
+        for (int x = 0; x < places; ++x)
+            if (preview.pick((glm::dvec2(x, y) + 0.5) / double{places} * glm::dvec2(size), size)) return true;
+    return false;
+}
 
 }  // namespace
 
@@ -39,11 +48,13 @@ void PreviewCurve::show(const Scene& scene, const Preset& preset) {
 }
 
 std::optional<std::vector<FrameAmounts>> PreviewCurve::measure(const Scene& scene, const Preset& preset,
-                                                               std::span<const double> times,
-                                                               const Progress& progress) {
+                                                               std::span<const double> times, const Progress& progress,
+                                                               const FrameMeasured& measured) {
     Scene clear = scene;
     clear.events.clear();
     show(clear, preset);
+    if (!in_view(*preview_, size_))
+        throw Error(Failure::bad_input, Fault{.file = "", .place = "", .reason = "the organ is not in view"});
     Estimator estimator(preview_->image(0.0, size_), estimator_options_);
     preview_->set_contacts(scene.events);
     std::vector<Image> pictures(times.size());
@@ -60,11 +71,14 @@ std::optional<std::vector<FrameAmounts>> PreviewCurve::measure(const Scene& scen
     std::vector<FrameAmounts> frames;
     std::future<void> measuring;  // one frame, while the next is drawn
     for (std::size_t i = 0; i < times.size(); ++i) {
-        const Image& picture = drawn(i);
+        Image& picture = drawn(i);
         if (measuring.valid()) measuring.get();
         if (progress && !progress(static_cast<double>(i) / static_cast<double>(times.size()))) return {};
-        measuring = std::async(std::launch::async,
-                               [&, i, &picture = picture] { frames.push_back(estimator.measure(picture, times[i])); });
+        measuring = std::async(std::launch::async, [&, i, &picture = picture] {
+            frames.push_back(estimator.measure(picture, times[i]));
+            if (measured) measured(picture, &estimator, frames.back());
+            picture = {};  // of a long scene there are many
+        });
     }
     if (measuring.valid()) measuring.get();
     ++curves_;

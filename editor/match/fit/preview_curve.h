@@ -14,7 +14,7 @@
 
 #include "lapfx/authoring/preview.h"
 #include "lapfx/progress.h"
-#include "match/estimator.h"
+#include "match/measure.h"
 
 namespace lapfx::match {
 
@@ -29,10 +29,12 @@ class PreviewCurve {
     PreviewCurve(std::shared_ptr<const PreparedOrgan> organ, PreviewOptions preview, EstimatorOptions estimator,
                  glm::ivec2 size);
 
-    /// The baseline is the scene before any tool has touched it. `times`: s, ascending. Nothing when `progress` stopped
-    /// it. Throws Error: bad_input where no tissue is in view, or what the scene names cannot be loaded.
+    /// The baseline is the scene before any tool has touched it. `times`: s, ascending. `measured` is called in their
+    /// order, on the thread beside. Nothing when `progress` stopped it. Throws Error: bad_input where no tissue is in
+    /// view, or what the scene names cannot be loaded.
     std::optional<std::vector<FrameAmounts>> measure(const Scene& scene, const Preset& preset,
-                                                     std::span<const double> times, const Progress& progress = {});
+                                                     std::span<const double> times, const Progress& progress = {},
+                                                     const FrameMeasured& measured = {});
     int curves() const { return curves_; }
 
   private:
