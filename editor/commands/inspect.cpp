@@ -2,10 +2,9 @@
 #include "commands/inspect.h"
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 
 #include "commands/command.h"
-#include "lapfx/authoring/formats.h"
+#include "commands/file_kind.h"
 #include "lapfx/error.h"
 
 namespace lapfx::commands {
@@ -18,72 +17,23 @@ namespace fs = std::filesystem;
     throw Error(Failure::bad_input, Fault{file.string(), "", reason});
 }
 
-/// Checked before anything opens the file: opening a pipe would wait, and decoders accept URLs and devices.
-void require_plain_file(const fs::path& file) {
-    std::error_code code;
-    const fs::file_status status = fs::status(file, code);
-    if (!fs::exists(status)) refuse(file, "no such file");
-    if (fs::is_directory(status)) refuse(file, "is a folder, expected a file");
-    if (!fs::is_regular_file(status)) refuse(file, "is a pipe or device, expected a plain file");
-    if (fs::file_size(file, code) == 0 && !code) refuse(file, "is empty");
-}
-
-enum class Kind { organ, image, video, document };
-
-/// A picture that the core does not decode as a texture is inspected as a clip.
-Kind kind_of(const FileFormat& format) {
-    switch (format.content) {
-        case Content::mesh:
-            return Kind::organ;
-        case Content::document:
-            return Kind::document;
-        default:
-            return format.texture ? Kind::image : Kind::video;
-    }
-}
-
-/// By the first bytes of the file, for a name that says nothing.
-Kind kind_by_content(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::string head(16, '\0');
-    in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    if (const FileFormat* const format = format_beginning(head)) return kind_of(*format);
-    const std::size_t first = head.find_first_not_of(" \t\r\n");
-    if (first != std::string::npos && head[first] == '{') return Kind::document;
-    if (is_text(file)) refuse(file, "is a text, but not a preset, a scene or a mesh");
-    return Kind::video;
-}
-
-Kind kind_of(const fs::path& file) {
-    if (const FileFormat* const format = format_named(file)) return kind_of(*format);
-    return kind_by_content(file);
-}
-
-/// A name such as "plume_%04d.png": numbered images, which report_clip() finds. A file of just that name comes first.
-bool is_sequence(const fs::path& file) {
-    std::error_code code;
-    return !fs::exists(file, code) && file.filename().string().find('%') != std::string::npos;
-}
-
 void inspect_file(const fs::path& file, bool keying) {
-    const bool sequence = is_sequence(file);
-    if (!sequence) require_plain_file(file);
-    const Kind kind = sequence ? Kind::video : kind_of(file);
-    if (keying && kind != Kind::video && kind != Kind::image)
+    const FileKind kind = kind_of_file(file);
+    if (keying && kind != FileKind::video && kind != FileKind::image)
         refuse(file, "is not a clip, so there is no keying to suggest");
     switch (kind) {
-        case Kind::organ:
+        case FileKind::organ:
             inspect_organ(file);
             break;
-        case Kind::image:
+        case FileKind::image:
             inspect_image(file);
             if (keying) inspect_keying(file);
             break;
-        case Kind::video:
+        case FileKind::video:
             inspect_video(file);
             if (keying) inspect_keying(file);
             break;
-        case Kind::document:
+        case FileKind::document:
             inspect_document(file);
             break;
     }

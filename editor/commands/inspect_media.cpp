@@ -16,9 +16,8 @@ namespace {
 DecodableFrames decodable_frames(const std::filesystem::path& file) {
     constexpr int steps = 100;
     Progress progress("decoding " + file.filename().string(), steps);
-    int done = 0;
     return count_decodable_frames(file, [&](double share) {
-        for (; done < static_cast<int>(share * steps); ++done) progress.step();
+        progress.to(share);
         return true;
     });
 }

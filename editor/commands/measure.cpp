@@ -156,10 +156,9 @@ match::Measurement measure(VideoReader& video, const Options& o) {
     if (overlay)
         options.measured = [&overlay](Image& frame, const match::Estimator* estimator,
                                       const match::FrameAmounts& amounts) { overlay.add(frame, estimator, amounts); };
-    int done = 0;
     try {
         match::Measurement found = match::measure(video, options, [&](double share) {
-            for (; done < static_cast<int>(share * progress_steps); ++done) progress.step();
+            progress.to(share);
             return true;
         });
         overlay.finish(end_of(found, video));  // before anything else is written: only here a full disk is found

@@ -48,4 +48,8 @@ void Progress::step() {
     }
 }
 
+void Progress::to(double share) {
+    while (done_ < static_cast<int>(share * steps_)) step();
+}
+
 }  // namespace lapfx::commands

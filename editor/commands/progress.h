@@ -19,6 +19,8 @@ class Progress {
     void expect(int steps) { steps_ = steps; }
     /// One step is done.
     void step();
+    /// The steps up to a share of all, 0..1; never back.
+    void to(double share);
 
   private:
     std::string what_;

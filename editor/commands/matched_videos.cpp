@@ -1,0 +1,105 @@
+#include "commands/matched_videos.h"
+
+#include <cmath>
+#include <iostream>
+#include <sstream>
+
+#include "app/measure/measuring.h"
+#include "commands/file_kind.h"
+#include "commands/options.h"
+#include "commands/session.h"
+
+namespace lapfx::commands {
+
+void add_match_options(CLI::App& verb, MatchOptions& options, const std::string& of, const std::string& done) {
+    verb.add_option(
+            "--offset", options.offset,
+            "Reference time = " + of + " time + S, s; default: the scene's, where this is its reference, else 0")
+        ->option_text("S")
+        ->check(finite_number());
+    verb.add_option("--window", options.window,
+                    "The part of the " + of + " that is " + done + ", s; default: all of it")
+        ->option_text("FROM,TO");
+    verb.add_option("--baseline", options.baseline, "Time of a clear frame of the reference, s, as for lapfx measure")
+        ->option_text("S")
+        ->check(finite_number());
+}
+
+Window window_of(const std::string& text, double duration, const std::string& whole) {
+    if (text.empty()) return {0.0, duration};
+    Window window{};
+    std::istringstream in(text);
+    char comma = 0, more = 0;
+    if (!(in >> window.from >> comma >> window.to) || comma != ',' || in >> more || !std::isfinite(window.from) ||
+        !std::isfinite(window.to))
+        throw wrong_option("--window", "\"" + text + "\" is not FROM,TO in seconds, such as 2,8");
+    if (window.from < 0.0 || window.to > duration || window.from >= window.to)
+        throw wrong_option(
+            "--window", "\"" + text + "\" is not a part of the " + whole + ", 0 to " + match::seconds_text(duration));
+    return window;
+}
+
+SceneReference reference_of(const MatchOptions& options, const Scene& scene) {
+    SceneReference reference;
+    if (!scene.reference.file.empty() && is_same_file(scene.folder / scene.reference.file, options.reference))
+        reference = scene.reference;
+    if (options.offset) reference.offset = *options.offset;
+    return reference;
+}
+
+match::MeasureOptions measure_options(const MatchOptions& options, const SceneReference& reference) {
+    match::MeasureOptions made = app::measure_options(reference.measure);
+    if (options.baseline) made.baseline = options.baseline;  // also 0, which a scene has for none
+    return made;
+}
+
+void note(const std::string& text) {
+    std::cerr << "lapfx: " << text << '\n';
+}
+
+VideoReader opened_video(const std::string& file) {
+    VideoReader video(file);
+    if (!video.info().warning.empty()) note(file + ": " + video.info().warning);
+    return video;
+}
+
+Error at_file(const std::string& file, const Error& error) {
+    std::vector<Fault> faults = error.faults();
+    for (Fault& fault : faults)
+        if (fault.file.empty()) fault.file = file;
+    return {error.failure(), std::move(faults)};
+}
+
+match::Measurement measured_video(VideoReader& video, const std::string& file, match::MeasureOptions options,
+                                  const std::function<void(double)>& progress) {
+    try {
+        match::Measurement found = match::measure(video, options, [&progress](double share) {
+            progress(share);
+            return true;
+        });
+        for (const std::string& line : found.notes) note(file + ": " + line);
+        return found;
+    } catch (const Error& error) {
+        std::vector<Fault> faults = error.faults();
+        for (Fault& fault : faults)
+            if (fault.place == "baseline") fault.place = "--baseline";
+        throw at_file(file, Error(error.failure(), std::move(faults)));
+    }
+}
+
+void note_cover(const std::string& file, const Window& covered, const Window& window, const std::string& done) {
+    constexpr double much = 0.5;  // s
+    if (covered.from <= window.from + much && covered.to >= window.to - much) return;
+    note(file + ": covers only " + match::seconds_text(covered.from) + " to " + match::seconds_text(covered.to) +
+         "; the rest is not " + done);
+}
+
+match::PreviewCurve preview_curve(const ShownScene& shown, std::shared_ptr<const PreparedOrgan> organ,
+                                  const match::EstimatorOptions& estimator, const VideoReader& reference) {
+    return {std::move(organ),
+            {.clip_folders = clip_folders(), .wait_for_clips = true, .clip_cache = shown.clips},
+            estimator,
+            match::preview_size(glm::dvec2(reference.info().size))};
+}
+
+}  // namespace lapfx::commands

@@ -1,0 +1,59 @@
+// Shared by verbs that hold a scene against a surgery video: the options that say how, measuring the video, and drawing
+// the scene so that it is measured alike.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "commands/shown_scene.h"
+#include "lapfx/authoring/video.h"
+#include "lapfx/error.h"
+#include "match/fit/preview_curve.h"
+#include "match/measure.h"
+
+namespace lapfx::commands {
+
+struct MatchOptions {
+    std::string reference, window;
+    std::optional<double> offset, baseline;  ///< s
+};
+/// --offset, --window and --baseline. `of`: what has the time that the offset is from, "scene"; `done`: what is done to
+/// the window, "fitted".
+void add_match_options(CLI::App& verb, MatchOptions& options, const std::string& of, const std::string& done);
+
+/// s, of the scene or of the video that is held against the reference.
+struct Window {
+    double from, to;
+};
+/// "2,8"; all of `duration` where `text` is empty. `whole`: what it is a part of, "scene". Throws Error (bad_input).
+Window window_of(const std::string& text, double duration, const std::string& whole);
+
+/// What the scene says of its own reference holds for that video only; the options come first.
+SceneReference reference_of(const MatchOptions& options, const Scene& scene);
+/// How that reference is measured.
+match::MeasureOptions measure_options(const MatchOptions& options, const SceneReference& reference);
+
+/// A line on stderr.
+void note(const std::string& text);
+/// Opens it and prints what is unusual about it. Throws Error (bad_input) that names it.
+VideoReader opened_video(const std::string& file);
+
+/// The same error; faults that name no file get `file`.
+Error at_file(const std::string& file, const Error& error);
+
+/// Measures a whole video: what lies outside a window helps to find its baseline. Prints what should be known about the
+/// figures. Throws Error that names the file. `progress`: shares 0..1.
+match::Measurement measured_video(VideoReader& video, const std::string& file, match::MeasureOptions options,
+                                  const std::function<void(double)>& progress);
+
+/// Tells where much of the window lacks. `done`: "fitted".
+void note_cover(const std::string& file, const Window& covered, const Window& window, const std::string& done);
+
+/// Draws a scene in the shape of the reference, to be measured as that is. A context must be current, and stay so.
+match::PreviewCurve preview_curve(const ShownScene& shown, std::shared_ptr<const PreparedOrgan> organ,
+                                  const match::EstimatorOptions& estimator, const VideoReader& reference);
+
+}  // namespace lapfx::commands
