@@ -1,0 +1,289 @@
+// lapfx compare: how close the blood and smoke of a scene, or of a video, are to those of a surgery video.
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "commands/at_most.h"
+#include "commands/command.h"
+#include "commands/file_kind.h"
+#include "commands/matched_videos.h"
+#include "commands/options.h"
+#include "commands/progress.h"
+#include "lapfx/authoring/file.h"
+#include "lapfx/context.h"
+#include "match/fit/target.h"
+#include "match/peak_colors.h"
+
+namespace lapfx::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int progress_steps = 100;
+constexpr double reference_part = 0.5;  // of the progress: measuring the reference
+constexpr int format_version = 1;
+
+struct Options {
+    std::string shown, preset, json;  ///< `shown`: the scene or video that is held against the reference
+    std::vector<std::string> settings, at_most;
+    MatchOptions match;
+};
+
+struct Found {
+    match::Compared compared;
+    double offset = 0.0;  ///< s
+    bool of_scene = false;
+};
+
+Error refused(const std::string& file, const std::string& reason) {
+    return {Failure::bad_input, Fault{.file = file, .place = "", .reason = reason}};
+}
+
+/// Nothing that is written replaces what is read.
+void check_output(const Options& o) {
+    if (o.json.empty()) return;
+    if (fs::path(o.json).extension() != ".json")
+        throw wrong_option("--json", "\"" + o.json + "\" does not end in .json");
+    for (const auto& [file, what] : {std::pair{&o.shown, "what is compared"},
+                                     {&o.match.reference, "the reference"},
+                                     {&o.preset, "the file of --preset"}})
+        if (is_same_file(o.json, *file)) throw wrong_option("--json", "\"" + o.json + "\" is " + what);
+    check_folder(o.json);
+}
+
+/// The part of `window` that the reference has, too. Throws Error (bad_input) where there is none.
+Window common_time(const Options& o, const Window& window, double offset, const VideoReader& reference) {
+    const Window common{std::max(window.from, -offset), std::min(window.to, reference.info().duration - offset)};
+    if (common.from < common.to) return common;
+    throw refused(o.match.reference, "has no time in common with " + o.shown + ": " + match::seconds_text(window.from) +
+                                         " to " + match::seconds_text(window.to) + " of that are " +
+                                         match::seconds_text(window.from + offset) + " to " +
+                                         match::seconds_text(window.to + offset) + " of this, which ends at " +
+                                         match::seconds_text(reference.info().duration));
+}
+
+bool any_measurable(std::span<const match::FrameAmounts> frames, const Window& times) {
+    return std::ranges::any_of(frames, [&times](const match::FrameAmounts& frame) {
+        return frame.time >= times.from && frame.time <= times.to && frame.measurable();
+    });
+}
+
+void require_measurable(std::span<const match::FrameAmounts> frames, const Window& times, const std::string& file) {
+    if (any_measurable(frames, times)) return;
+    throw refused(file, "has no frame that is measurable between " + match::seconds_text(times.from) + " and " +
+                            match::seconds_text(times.to) + ", where it is compared");
+}
+
+struct MeasuredVideo {
+    match::Measurement found;
+    match::MeasuredColors colors;
+};
+
+/// `times`: s of the video, where it is compared.
+MeasuredVideo measured(VideoReader& video, const std::string& file, match::MeasureOptions options, const Window& times,
+                       const std::function<void(double)>& progress) {
+    match::PeakColors colors(times.from, times.to);
+    options.measured = [&colors](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
+        colors.add(frame, estimator, amounts);
+    };
+    MeasuredVideo measured{.found = measured_video(video, file, options, progress), .colors = {}};
+    require_measurable(measured.found.frames, times, file);
+    measured.colors = colors.found();
+    return measured;
+}
+
+/// Times of the scene at which the reference has frames: as a fit draws it, and no farther apart than what lies between
+/// can be told from.
+std::vector<double> times_of(std::span<const match::FrameAmounts> reference, double offset, const Window& window) {
+    match::TargetOptions options{.offset = offset, .from = window.from, .to = window.to};
+    const double length = window.to - window.from;
+    options.most = std::max(options.most, static_cast<std::size_t>(std::ceil(length / match::longest_gap)));
+    std::vector<double> times;
+    for (const match::TargetPoint& point : match::target_of(reference, options)) times.push_back(point.time);
+    return times;
+}
+
+/// The scene, measured at those times.
+std::vector<match::FrameAmounts> draw(const Options& o, const ShownScene& shown, match::PreviewCurve& curve,
+                                      std::span<const double> times, match::PeakColors& colors, Progress& progress) {
+    const auto reached = [&progress](double share) {
+        progress.to(reference_part + (1.0 - reference_part) * share);
+        return true;
+    };
+    const auto take = [&colors](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
+        colors.add(frame, estimator, amounts);
+    };
+    try {
+        std::vector<match::FrameAmounts> frames =
+            *curve.measure(shown.scene, shown.presets.front(), times, reached, take);  // never stopped by `reached`
+        require_measurable(frames, {times.front(), times.back()}, o.shown);
+        return frames;
+    } catch (const Error& error) {
+        throw at_file(o.shown, error);
+    }
+}
+
+Found compare_scene(const Options& o) {
+    const std::vector<std::string> chosen = o.preset.empty() ? std::vector<std::string>() : std::vector{o.preset};
+    const ShownScene shown = open_shown(o.shown, chosen, o.settings);
+    if (is_same_file(o.json, shown.scene.folder / shown.scene.preset))
+        throw wrong_option("--json", "\"" + o.json + "\" is the preset of the scene");
+    const Window window = window_of(o.match.window, shown.scene.duration, "scene");
+    VideoReader video = opened_video(o.match.reference);
+    const SceneReference reference = reference_of(o.match, shown.scene);
+    const double offset = reference.offset;
+    const Window common = common_time(o, window, offset, video);
+    Progress progress("comparing", progress_steps);
+    const match::MeasureOptions options = measure_options(o.match, reference);
+    const MeasuredVideo of_reference =
+        measured(video, o.match.reference, options, {common.from + offset, common.to + offset},
+                 [&progress](double share) { progress.to(reference_part * share); });
+    const std::vector<double> times = times_of(of_reference.found.frames, offset, window);
+    if (times.empty()) throw refused(o.match.reference, "has fewer than two moments in common with " + o.shown);
+    note_cover(o.match.reference, {times.front(), times.back()}, window, "compared");
+    const Context context = Context::create(Backend::automatic);
+    match::PreviewCurve curve =
+        preview_curve(shown, prepare_organ(shown.scene, shown.presets.front().vessels), options.estimator, video);
+    match::PeakColors colors(window.from, window.to);
+    const std::vector<match::FrameAmounts> frames = draw(o, shown, curve, times, colors, progress);
+    return {.compared = {.amounts = match::likeness_of(frames, of_reference.found.frames, offset),
+                         .colors = match::likeness_of(colors.found(), of_reference.colors)},
+            .offset = offset,
+            .of_scene = true};
+}
+
+Found compare_video(const Options& o) {
+    for (const auto& [option, given] : {std::pair{"--preset", !o.preset.empty()}, {"--set", !o.settings.empty()}})
+        if (given) throw wrong_option(option, "is of a scene, and " + o.shown + " is a video");
+    VideoReader video = opened_video(o.shown), reference = opened_video(o.match.reference);
+    const Window window = window_of(o.match.window, video.info().duration, "video");
+    const double offset = o.match.offset.value_or(0.0);
+    const Window common = common_time(o, window, offset, reference);
+    Progress progress("comparing", progress_steps);
+    const match::MeasureOptions options = measure_options(o.match, {});
+    const bool same = is_same_file(o.shown, o.match.reference);  // then the baseline is of both
+    const MeasuredVideo of_reference =
+        measured(reference, o.match.reference, options, {common.from + offset, common.to + offset},
+                 [&progress](double share) { progress.to(reference_part * share); });
+    MeasuredVideo of_video =
+        measured(video, o.shown, same ? options : match::MeasureOptions{}, common,
+                 [&progress](double share) { progress.to(reference_part + (1.0 - reference_part) * share); });
+    std::vector<match::FrameAmounts>& frames = of_video.found.frames;
+    std::erase_if(frames, [&window](const auto& f) { return f.time < window.from || f.time > window.to; });
+    note_cover(o.match.reference, common, window, "compared");
+    const match::Likeness likeness = match::likeness_of(frames, of_reference.found.frames, offset);
+    if (!likeness.overlap) throw refused(o.match.reference, "has fewer than two moments in common with " + o.shown);
+    return {.compared = {.amounts = likeness, .colors = match::likeness_of(of_video.colors, of_reference.colors)},
+            .offset = offset};
+}
+
+void print(const match::Compared& compared) {
+    std::cout << in_words(compared.amounts) << '\n';
+    std::cout.precision(3);
+    for (const match::Figure& figure : match::figures()) {
+        std::cout << figure.name << ": ";
+        if (const std::optional<double> value = figure.of(compared))
+            std::cout << *value << (figure.unit.empty() ? "" : " ") << figure.unit << '\n';
+        else
+            std::cout << "not measurable\n";
+    }
+}
+
+Json number_or_null(const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+std::string json_of(const Options& o, const Found& found, std::span<const Limit> limits) {
+    Json json;
+    json["format"] = "lapfx.comparison";
+    json["version"] = format_version;
+    json[found.of_scene ? "scene" : "video"] = o.shown;
+    json["reference"] = o.match.reference;
+    json["offset"] = found.offset;
+    json["words"] = in_words(found.compared.amounts);
+    Json& figures = json["figures"] = Json::object();
+    for (const match::Figure& figure : match::figures())
+        figures[figure.name] = number_or_null(figure.of(found.compared));
+    Json& at_most = json["at_most"] = Json::object();
+    for (const Limit& limit : limits)
+        at_most[limit.figure->name] = {{"limit", limit.value},
+                                       {"value", number_or_null(limit.figure->of(found.compared))},
+                                       {"holds", limit.holds(found.compared)}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+Found compare(const Options& o) {
+    switch (kind_of_file(o.shown)) {
+        case FileKind::document:
+            return compare_scene(o);
+        case FileKind::organ:
+            throw refused(o.shown, "is a mesh, neither a scene nor a video");
+        case FileKind::image:
+            throw refused(o.shown, "is a picture, neither a scene nor a video");
+        case FileKind::video:
+            break;
+    }
+    return compare_video(o);
+}
+
+void run(const Options& o) {
+    check_output(o);
+    const std::vector<Limit> limits = limits_of(o.at_most);
+    const Found found = compare(o);
+    if (!o.json.empty()) write_file(o.json, json_of(o, found, limits));
+    print(found.compared);
+    if (std::vector<Fault> faults = faults_of(limits, found.compared); !faults.empty())
+        throw Error(Failure::runtime, std::move(faults));
+}
+
+/// One line for each figure.
+std::string figure_list() {
+    std::size_t longest = 0;
+    for (const match::Figure& figure : match::figures()) longest = std::max(longest, figure.name.size());
+    std::string list;
+    for (const match::Figure& figure : match::figures())
+        list += "  " + figure.name + std::string(longest + 2 - figure.name.size(), ' ') + std::string(figure.help) +
+                (figure.unit.empty() ? "" : ", " + std::string(figure.unit)) + "\n";
+    return list;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app) {
+    auto o = std::make_shared<Options>();
+    CLI::App* verb = app.add_subcommand("compare", "Tell how close a scene's blood and smoke are to a surgery video's");
+    verb->add_option("SCENE|VIDEO", o->shown, "The scene (.scene.json), or a video of it, or numbered images")
+        ->required();
+    verb->add_option("REFERENCE", o->match.reference, "The video, or numbered images: frame_%04d.png")->required();
+    verb->add_option("--at-most", o->at_most,
+                     "Fail (exit code 1) where that figure is farther, such as veil_rms=0.05; may be repeated")
+        ->option_text("NAME=VALUE")
+        ->allow_extra_args(false);
+    verb->add_option("--preset", o->preset, "Of a scene: this preset instead of the one that it names")
+        ->option_text("FILE");
+    verb->add_option("--set", o->settings,
+                     "Of a scene: change one parameter, such as bleeding.speed=8; may be repeated")
+        ->option_text("KEY=VALUE")
+        ->allow_extra_args(false);
+    add_match_options(*verb, o->match, "scene or video", "compared");
+    verb->add_option("--json", o->json, "Write all that was found to this file, too")->option_text("FILE");
+    verb->footer(
+        "Both are measured by the same estimator (see lapfx measure); a scene is drawn off-screen for it,\n"
+        "every 0.2 s, or where it is long at 60 times, but at least every 0.5 s. It prints one line in words,\n"
+        "then each figure. The preview is the scene or the first video. Differences are preview - reference,\n"
+        "and amounts shares of the view, 0 to 1. Of a figure with a sign --at-most limits the size; of a\n"
+        "ratio the larger of it and 1 / it, so that 1 is alike. A figure that is not measurable holds no\n"
+        "limit.\n\n"
+        "The figures:\n" +
+        figure_list() +
+        "\n"
+        "Examples:\n"
+        "  lapfx compare samples/lagb.scene.json samples/reference/operation.mp4 --window 0,3 --json near.json\n"
+        "  lapfx compare samples/lagb.scene.json samples/reference/operation.mp4 --window 0,3 --at-most veil_rms=0.2");
+    verb->callback([o] { run(*o); });
+}
+
+}  // namespace lapfx::commands
