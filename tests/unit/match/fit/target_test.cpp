@@ -45,7 +45,7 @@ TEST(Target, LeavesOutWhatTheReferenceDoesNotHave) {
     ASSERT_FALSE(target.empty());
     EXPECT_LE(target.back().time, 3.2);
     for (const TargetPoint& aim : target) {
-        EXPECT_EQ(aim.blood.has_value(), aim.time < 1.7) << aim.time;
+        EXPECT_EQ(aim.blood.has_value(), aim.time < 1.5) << aim.time;
         EXPECT_TRUE(aim.veil) << aim.time;
     }
 }
