@@ -9,10 +9,13 @@
 #include "commands/matched_videos.h"
 #include "commands/options.h"
 #include "commands/progress.h"
+#include "document/document.h"
+#include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/context.h"
 #include "match/fit/curves_file.h"
 #include "match/fit/fit.h"
+#include "match/fit/proposal.h"
 
 namespace lapfx::commands {
 
@@ -26,7 +29,7 @@ constexpr const char* usual_parameters =
     "bleeding.speed,bleeding.max_extent,smoke.haze.accumulation,smoke.haze.ventilation,smoke.plume.density";
 
 struct Options {
-    std::string scene, preset, output, csv, parameters = usual_parameters;
+    std::string scene, preset, output, fitted_scene, csv, parameters = usual_parameters;
     MatchOptions match;
     double budget = 600.0;
     std::uint32_t seed = 1;
@@ -81,18 +84,56 @@ void print(const match::FitResult& found) {
     }
 }
 
+constexpr std::string_view scene_ending = ".scene.json";
+
+void check_fitted_scene(const Options& o) {
+    if (o.fitted_scene.empty()) return;
+    const auto refuse = [&](const std::string& why) {
+        throw wrong_option("--fitted-scene", "\"" + o.fitted_scene + "\" " + why);
+    };
+    std::error_code none;
+    if (!o.fitted_scene.ends_with(scene_ending)) refuse("does not end in " + std::string(scene_ending));
+    if (std::filesystem::equivalent(o.fitted_scene, o.scene, none)) refuse("is the scene that is fitted");
+    if (std::filesystem::weakly_canonical(o.fitted_scene, none) == std::filesystem::weakly_canonical(o.output, none))
+        refuse("is the file of --output");
+    check_folder(o.fitted_scene);
+}
+
+/// Events begin where the reference says, and the search goes on from there.
+void begin_with_proposal(match::FitInput& input, const VideoReader& video) {
+    const glm::dvec2 shape = video.info().size;
+    const match::Proposal proposal =
+        match::propose(input.start, input.organ, input.target, {.aspect = shape.x / shape.y});
+    for (const std::string& line : proposal.lines) std::cout << line << '\n';
+    input.before = std::move(input.start);
+    input.start = proposal.tuned;
+    for (const match::FreeParameter& p : input.parameters) p.set(input.start, p.get(input.start));  // within its bounds
+}
+
+/// With the fitted preset and the reference, as a document at its own place.
+Scene fitted_scene(const Options& o, const SceneReference& reference, Scene scene) {
+    const std::filesystem::path folder = document::folder_of(o.fitted_scene);
+    document::move_scene(scene, folder);
+    scene.preset = document::moved_path(std::filesystem::absolute(o.output).string(), {}, folder);
+    scene.reference = reference;
+    scene.reference.file = document::moved_path(std::filesystem::absolute(o.match.reference).string(), {}, folder);
+    return scene;
+}
+
 void run(const Options& o) {
     const Clock::time_point began = Clock::now();
     if (std::filesystem::path(o.output).extension() != ".json")
         throw wrong_option("--output", "\"" + o.output + "\" does not end in .json");
     check_folder(o.output);
     if (!o.csv.empty()) check_folder(o.csv);
+    check_fitted_scene(o);
     const std::vector<std::string> chosen = o.preset.empty() ? std::vector<std::string>() : std::vector{o.preset};
     const ShownScene shown = open_shown(o.scene, chosen, {});
     match::FitInput input{.start = {shown.scene, shown.presets.front()}, .seed = o.seed};
     input.parameters = match::free_parameters(input.start, keys_of(o.parameters));
     for (const match::FreeParameter& p : input.parameters)
-        if (p.of_scene) throw wrong_option("--parameters", p.key + ": is the scene's; only a preset is written");
+        if (p.of_scene && o.fitted_scene.empty())
+            throw wrong_option("--parameters", p.key + ": is the scene's, which is written with --fitted-scene only");
     const Window window = window_of(o.match.window, shown.scene.duration, "scene");
     VideoReader video = opened_video(o.match.reference);
     const SceneReference reference = reference_of(o.match, shown.scene);
@@ -105,6 +146,7 @@ void run(const Options& o) {
         note_cover(o.match.reference, {input.target.front().time, input.target.back().time}, window, "fitted");
     const Context context = Context::create(Backend::automatic);
     input.organ = prepare_organ(shown.scene, input.start.preset.vessels);
+    if (!o.fitted_scene.empty()) begin_with_proposal(input, video);
     match::PreviewCurve curve = preview_curve(shown, input.organ, options.estimator, video);
     double share = 0.0;
     input.draw = [&](const match::Tuned& tuned, std::span<const double> times) {
@@ -116,6 +158,7 @@ void run(const Options& o) {
     };
     const match::FitResult result = match::fit(input);
     write_file(o.output, write_preset(result.tuned.preset));
+    if (!o.fitted_scene.empty()) save_scene(fitted_scene(o, reference, result.tuned.scene), o.fitted_scene);
     if (!o.csv.empty()) write_file(o.csv, match::curves_csv(input.target, result));
     print(result);
     std::cout << result.curves << " curves drawn, " << result.evaluations << " evaluations of the core, "
@@ -143,6 +186,10 @@ void add_fit(CLI::App& app) {
         ->check(finite_number())
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
+    verb->add_option("--fitted-scene", o->fitted_scene,
+                     "First move the scene's events to when smoke and blood of the reference begin, with tools added "
+                     "or silenced as it needs, and write that scene, with preset and reference, to this file")
+        ->option_text("FILE.scene.json");
     verb->add_option("--csv", o->csv, "Write the curves of reference, before and after to this file")
         ->option_text("FILE");
     verb->add_option("-o,--output", o->output, "The fitted preset (.json)")->option_text("FILE")->required();

@@ -17,13 +17,6 @@ namespace {
 
 constexpr std::size_t longest_file = std::size_t{16} << 20U;  // larger than any document that is loaded
 
-void move_scene(Scene& scene, const fs::path& folder) {
-    for (std::string* path :
-         {&scene.organ.file, &scene.organ.texture, &scene.tool.file, &scene.reference.file, &scene.preset})
-        *path = moved_path(*path, scene.folder, folder);
-    scene.folder = folder;
-}
-
 /// An absolute path in one spelling. The path that a document is opened with may be relative to the folder in which the
 /// program was started.
 fs::path normal(const fs::path& path) {
@@ -127,6 +120,13 @@ std::string moved_path(const std::string& file, const fs::path& from, const fs::
     if (!path.is_absolute() && (from.empty() || !is_there(whole))) return file;
     const fs::path relative = fs::proximate(whole, to, error);
     return error || relative.empty() ? fs::absolute(whole).string() : as_path(relative.generic_string());
+}
+
+void move_scene(Scene& scene, const fs::path& folder) {
+    for (std::string* path :
+         {&scene.organ.file, &scene.organ.texture, &scene.tool.file, &scene.reference.file, &scene.preset})
+        *path = moved_path(*path, scene.folder, folder);
+    scene.folder = folder;
 }
 
 fs::path real_clip(const std::string& file, const fs::path& folder) {

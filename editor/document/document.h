@@ -56,6 +56,8 @@ std::filesystem::path folder_of(const std::filesystem::path& file);
 /// The name that a document in folder `to` has to use for what a document in `from` calls `file`. A name that is not
 /// found in `from` stays as it is: it is looked up on the search path.
 std::string moved_path(const std::string& file, const std::filesystem::path& from, const std::filesystem::path& to);
+/// The scene as a document in another folder: moved_path() of every file that it names.
+void move_scene(Scene& scene, const std::filesystem::path& folder);
 /// The file of a clip that a preset in this folder names, with symbolic links followed; only its name if the folder has
 /// no such file. Reads the disk.
 std::filesystem::path real_clip(const std::string& file, const std::filesystem::path& folder);

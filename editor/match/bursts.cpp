@@ -1,6 +1,7 @@
 // Emission over time as events of a tool and a factor: the half of emission.h that is about the core's own words.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "match/emission.h"
 
@@ -17,6 +18,18 @@ constexpr double least_part = 0.03;                    // of all that is emitted
 constexpr double even_within = 0.12;                   // of the mean: what varies less is even
 constexpr double curve_step = 0.5;                     // s between points of the curve, at least
 constexpr std::size_t most_points = 24;
+
+constexpr double offset_error = 0.03, offset_step = 0.015;  // E
+constexpr double burst_cost = 4.0;   // of a burst more, beside misfit in standard errors: an offset costs less
+constexpr int offsets_tried = 4;     // to either side
+constexpr double error_lasts = 1.0;  // s
+
+/// Root mean square of the points, in standard errors.
+double error_without(std::span<const HazePoint> points) {
+    double sum = 0.0;
+    for (const HazePoint& p : points) sum += p.density * p.density / (p.error * p.error);
+    return std::sqrt(sum / static_cast<double>(points.size()));
+}
 
 double strong_of(const std::vector<double>& emission) {
     std::vector<double> any;
@@ -128,6 +141,29 @@ SmokeFound smoke_of(std::span<const HazePoint> points, double usual) {
     smoke.accumulation = sum / length;
     smoke.emission = curve_of(found, smoke);
     return smoke;
+}
+
+SmokeFound smoke_above_offset(std::span<const HazePoint> points, double usual) {
+    if (points.empty()) return {};
+    const double length = points.back().time - points.front().time;
+    // Errors of neighbouring points go together: as many as there are seconds count.
+    const double count = std::min(static_cast<double>(points.size()), std::max(length / error_lasts, 1.0));
+    std::optional<SmokeFound> best;
+    double least = 0.0;
+    for (int i = -offsets_tried; i <= offsets_tried; ++i) {
+        const double offset = i * offset_step;
+        std::vector<HazePoint> above(points.begin(), points.end());
+        for (HazePoint& point : above) point.density -= offset;
+        SmokeFound found = smoke_of(above, usual);
+        if (found.bursts.empty()) found.error = error_without(above);
+        const double cost = count * found.error * found.error + offset * offset / (offset_error * offset_error) +
+                            burst_cost * static_cast<double>(found.bursts.size());
+        if (best && cost >= least) continue;
+        least = cost;
+        found.offset = offset;
+        best = std::move(found);
+    }
+    return *best;
 }
 
 }  // namespace lapfx::match

@@ -58,9 +58,13 @@ struct SmokeFound {
     std::vector<CurvePoint> emission;  ///< curves.emission that explains the rest; empty: the bursts are even
     bool falls = false;                ///< as in EmissionFound
     double error = 0.0;                ///< as in EmissionFound, of the emission within the bursts
+    double offset = 0.0;               ///< E that is there all the time and is no smoke: of the baseline
 };
 
 /// No bursts when nothing is emitted. `usual` as in emission_of().
 SmokeFound smoke_of(std::span<const HazePoint> points, double usual);
+
+/// A baseline may be a little hazy, or clearer than the clip: the haze has an offset, 0 +- 0.03, that is found along.
+SmokeFound smoke_above_offset(std::span<const HazePoint> points, double usual);
 
 }  // namespace lapfx::match

@@ -44,6 +44,26 @@ def check_found(lapfx, scene, video, folder):
     assert misfit["after"] < misfit["before"] / 9, misfit
 
 
+def check_scene(lapfx, scene, video, folder):
+    """The scene's tools begin when the reference smokes, and the scene that is written names preset and reference."""
+    fitted, written = os.path.join(folder, "s.json"), os.path.join(folder, "fitted.scene.json")
+    code, said, told = run(lapfx, "fit", scene, "--reference", video, "--offset", "0.5", "--window", "0,5",
+                           "--parameters", "smoke.haze.accumulation", "-o", fitted, "--fitted-scene", written)
+    assert code == 0, told
+    assert "smoke: from " in said and "events have to move" not in said, said
+    found, given = json.load(open(written)), json.load(open(scene))
+    assert found["preset"] == "s.json" and found["reference"]["file"] == "hidden.mp4", found
+    assert found["reference"]["offset"] == 0.5
+    first = min(event["time"] for event in found["events"] if event["power"] > 0)
+    begins = min(event["time"] for event in given["events"]) - 0.5
+    assert abs(first - begins) < 0.6, (first, said)
+    assert len(found["events"]) >= len(given["events"])
+    code, _, told = run(lapfx, "check", written)
+    assert code == 0, told
+    code, _, told = run(lapfx, "render", written, "--at", "2", "--size", "64x52", "-o", os.path.join(folder, "p.png"))
+    assert code == 0, told
+
+
 def check_ended(lapfx, scene, video, folder):
     """Out of time it gives the best so far, and a fit that is stopped leaves nothing."""
     short = os.path.join(folder, "short.json")
@@ -66,7 +86,7 @@ def check_refused(lapfx, scene, video, folder):
         (["--parameters", "bleeding.color_thin"], "is no number"),
         (["--parameters", ","], "nothing is free"),
         (["--parameters", "bleeding.speed=8..2"], "not below the upper"),
-        (["--parameters", "events.0.time"], "only a preset is written"),
+        (["--parameters", "events.0.time"], "is written with --fitted-scene only"),
         (["--window", "5,3"], "--window"),
         (["--window", "0,1000"], "--window"),
         (["--window", "now"], "--window"),
@@ -74,6 +94,8 @@ def check_refused(lapfx, scene, video, folder):
         (["--offset", "nan"], "--offset"),
         (["--budget", "0"], "--budget"),
         (["--seed", "x"], "--seed"),
+        (["--fitted-scene", os.path.join(folder, "scene.json")], "does not end in .scene.json"),
+        (["--fitted-scene", scene], "is the scene that is fitted"),
     ]
     for extra, expected in cases:
         code, said, told = run(lapfx, *whole, *extra)
@@ -94,6 +116,7 @@ def main(lapfx, scene):
         check_refused(lapfx, scene, video, folder)
         check_ended(lapfx, scene, video, folder)
         check_found(lapfx, scene, video, folder)
+        check_scene(lapfx, scene, video, folder)
 
 
 if __name__ == "__main__":

@@ -37,8 +37,8 @@ class Fit {
     }
 
     FitResult run() {
-        if (draw(start_)) {
-            first_ = best_;
+        if (draw_before() && draw(start_)) {
+            if (!input_.before) first_ = best_.frames;
             if (learn_unknown()) search_rounds();
             hold_undetermined();
         }
@@ -63,7 +63,7 @@ class Fit {
     int most_curves() const {
         const auto unknown = std::count_if(input_.parameters.begin(), input_.parameters.end(),
                                            [](const FreeParameter& p) { return !known_to_core(p); });
-        return 2 + input_.rounds + static_cast<int>(unknown);
+        return 3 + input_.rounds + static_cast<int>(unknown);
     }
     bool goes_on() {
         if (early_) return false;
@@ -83,6 +83,14 @@ class Fit {
         Drawn drawn{coordinates, std::move(*frames), 0.0};
         drawn.cost = objective_.cost(curves_of(drawn.frames), coordinates);
         return drawn;
+    }
+    bool draw_before() {
+        if (!input_.before) return true;
+        if (!goes_on()) return false;
+        std::optional<std::vector<FrameAmounts>> frames = input_.draw(*input_.before, times_);
+        if (frames) ++curves_, first_ = std::move(*frames);
+        early_ = early_ || !frames;
+        return !early_;
     }
     /// Draws, learns from it, and keeps it if it is the nearest. False: it was ended.
     bool draw(const std::vector<double>& coordinates) {
@@ -144,7 +152,7 @@ class Fit {
     }
     FitResult result() {
         FitResult result{.tuned = space().tuned(best_.coordinates),
-                         .before = first_.frames,
+                         .before = first_,
                          .after = best_.frames,
                          .ended_early = early_,
                          .curves = curves_,
@@ -161,13 +169,13 @@ class Fit {
         const Certainty& c = certainties_[k];
         const double at = best_.coordinates[k];
         FittedParameter fitted{.parameter = p,
-                               .before = p.get(input_.start),
+                               .before = p.get(input_.before ? *input_.before : input_.start),
                                .after = p.value(at),
                                .low = p.value(c.low),
                                .high = p.value(c.high),
                                .determined = c.determined};
         if (!c.determined) {
-            fitted.after = fitted.before;
+            fitted.after = p.get(input_.start);
             fitted.why = why_undetermined(k, input_.parameters, certainties_, input_.target);
         } else {
             fitted.at_bound = at - p.coordinate(p.minimum) < bound_near || p.coordinate(p.maximum) - at < bound_near;
@@ -181,7 +189,8 @@ class Fit {
     Objective objective_;
     Carried carried_;
     CoreAmounts core_;
-    Drawn first_, best_;
+    std::vector<FrameAmounts> first_;
+    Drawn best_;
     std::vector<Certainty> certainties_;
     double last_cost_ = 0.0;
     int curves_ = 0;

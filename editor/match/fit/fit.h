@@ -39,7 +39,8 @@ struct FitProgress {
 };
 
 struct FitInput {
-    Tuned start;
+    Tuned start;                                 ///< where the search begins, and what keeps its value
+    std::optional<Tuned> before = {};            ///< what was there before, such as without a proposal; none: start
     std::vector<FreeParameter> parameters = {};  ///< at least one
     std::vector<TargetPoint> target = {};        ///< at least two
     std::shared_ptr<const PreparedOrgan> organ = {};

@@ -96,5 +96,28 @@ TEST(Emission, IsNeverBelowNothing) {
     for (const double e : emission_of(points_of({.noise = 0.05}), 0.05).emission) EXPECT_GE(e, 0.0);
 }
 
+TEST(Emission, IsFoundAboveAHazyBaseline) {
+    for (const double offset : {-0.03, 0.0, 0.03}) {
+        std::vector<HazePoint> points = points_of({.noise = 0.02});
+        for (HazePoint& point : points) point.density += offset;
+        const SmokeFound found = smoke_above_offset(points, 0.05);
+        EXPECT_NEAR(found.offset, offset, 0.016);
+        ASSERT_EQ(found.bursts.size(), 1U) << offset;
+        EXPECT_NEAR(found.bursts[0].start, 2.0, 0.3) << offset;
+        EXPECT_NEAR(found.bursts[0].end, 5.0, 0.3) << offset;
+        EXPECT_NEAR(found.accumulation, 0.2, 0.03) << offset;
+        EXPECT_NEAR(found.ventilation, 0.15, 0.04) << offset;
+    }
+}
+
+TEST(Emission, AHazyBaselineAloneIsNoSmoke) {
+    std::vector<HazePoint> points;
+    for (int i = 0; i < 100; ++i) points.push_back({0.1 * i, 0.03, 0.03});
+    const SmokeFound found = smoke_above_offset(points, 0.05);
+    EXPECT_TRUE(found.bursts.empty());
+    EXPECT_GE(found.offset, 0.0);
+    EXPECT_TRUE(smoke_above_offset({}, 0.05).bursts.empty());
+}
+
 }  // namespace
 }  // namespace lapfx::match

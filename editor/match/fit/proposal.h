@@ -1,0 +1,45 @@
+// What a measured reference says by itself, without drawing and without search: when tools work, how much smoke they
+// make and how it clears, where blood begins, how fast and how far it spreads. It is where a fit begins, and is shown
+// beside what is there.
+//
+//     const Proposal proposal = propose({scene, preset}, organ, target, {.aspect = 1.25});
+//     for (const std::string& line : proposal.lines) std::cout << line << '\n';
+//     document.take(proposal.tuned);
+//
+// Under two seconds. Any thread.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "match/fit/free_parameter.h"
+#include "match/fit/target.h"
+
+namespace lapfx {
+class PreparedOrgan;
+}
+
+namespace lapfx::match {
+
+struct ProposalOptions {
+    double aspect = 1.25;      ///< of the picture, width over height
+    bool moves_events = true;  ///< false: events stay where they are, and only the preset is proposed
+};
+
+struct Proposal {
+    /// Smoke: whole strokes that are hot have the times of the bursts, in their order, and full power; those that are
+    /// too many have none; where they are too few, coagulation is added. Blood: cold strokes that divide have the times
+    /// of the wounds, cuts are added, and hot strokes open none. Values that the reference does not tell stay.
+    Tuned tuned;
+    std::vector<std::string> lines = {};  ///< for people: what was found, and what is not determined
+    double veil_offset = 0.0;             ///< of the baseline of the reference, which may be hazy itself
+};
+
+/// An amount that is not measurable at two times at least leaves what belongs to it as it is. Throws Error (bad_input)
+/// for a preset whose values are not allowed.
+Proposal propose(const Tuned& start, const std::shared_ptr<const PreparedOrgan>& organ,
+                 std::span<const TargetPoint> target, const ProposalOptions& options);
+
+}  // namespace lapfx::match

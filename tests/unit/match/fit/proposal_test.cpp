@@ -1,0 +1,150 @@
+// Known scenes, told from their curves alone.
+#include "match/fit/proposal.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lapfx/prepared_organ.h"
+#include "match/fit/core_amounts.h"
+#include "match/view_share.h"
+#include "support/meshes.h"
+
+namespace lapfx::match {
+namespace {
+
+constexpr double seconds = 16.0, aspect = 1.25;
+
+/// A cut and a burn on a plane, seen from above.
+Tuned scene() {
+    Tuned tuned;
+    BleedingParameters& b = tuned.preset.bleeding;
+    b.speed = 4.0, b.max_extent = 12.0;
+    b.noise_strength = b.gravity_bias = b.crease_bias = b.rivulets = 0.0;
+    tuned.preset.smoke.clips = {{.file = "smoke.mkv"}};
+    tuned.scene.organ.file = "plane.obj";
+    tuned.scene.duration = seconds;
+    tuned.scene.camera = {.eye = {0.0, 60.0, 0.0}, .target = {0.0, 0.0, 0.0}, .up = {0.0, 0.0, -1.0}};
+    tuned.scene.events = {
+        {.action = ToolAction::cut, .time = 0.0, .duration = 0.0},
+        {.action = ToolAction::cauterise, .time = 0.0, .duration = 1.0, .position = {28, 0, 0}, .to = {28, 0, 4}}};
+    return tuned;
+}
+
+const std::shared_ptr<const PreparedOrgan>& organ() {
+    static const std::shared_ptr<const PreparedOrgan> one = prepare_organ(test::plane(90.0, 60));
+    return one;
+}
+
+Amount around(double value, double half) {
+    return {value, value - half, value + half};
+}
+
+/// As an ideal camera sees the scene.
+std::vector<TargetPoint> seen(const Tuned& tuned, double haze_offset = 0.0) {
+    std::vector<double> times;
+    for (double time = 0.0; time <= seconds; time += 0.2) times.push_back(time);
+    const double share = share_per_mm2(tuned.scene.camera, aspect, {0, 0, 0}, {0, 1, 0});
+    std::vector<TargetPoint> target;
+    const auto amounts = CoreAmounts(organ()).at(tuned, times);
+    for (std::size_t i = 0; i < times.size(); ++i)
+        target.push_back({.time = times[i],
+                          .blood = around(share * amounts[i].blood_area, 0.004),
+                          .veil = around(1.0 - std::exp(-amounts[i].haze - haze_offset), 0.03)});
+    return target;
+}
+
+Tuned hidden() {
+    Tuned tuned = scene();
+    tuned.scene.events[0].time = 5.0;
+    tuned.scene.events[1].time = 2.0, tuned.scene.events[1].duration = 4.0, tuned.scene.events[1].strength = 0.0;
+    tuned.preset.bleeding.speed = 2.5, tuned.preset.bleeding.max_extent = 9.0;
+    tuned.preset.smoke.haze.accumulation = 0.25, tuned.preset.smoke.haze.ventilation = 0.2;
+    return tuned;
+}
+
+Proposal of(const std::vector<TargetPoint>& target, bool moves_events = true) {
+    return propose(scene(), organ(), target, {.aspect = aspect, .moves_events = moves_events});
+}
+
+TEST(Proposal, TellsToolsAndPreset) {
+    const Proposal found = of(seen(hidden()));
+    const std::vector<ToolContact>& events = found.tuned.scene.events;
+    ASSERT_EQ(events.size(), 2U) << testing::PrintToString(found.lines);
+    EXPECT_EQ(events[0].action, ToolAction::cut);
+    EXPECT_NEAR(events[0].time, 5.0, 0.2);
+    EXPECT_EQ(events[1].action, ToolAction::cauterise);
+    EXPECT_NEAR(events[1].time, 2.0, 0.2);
+    EXPECT_NEAR(events[1].end(), 6.0, 0.3);
+    EXPECT_EQ(events[1].position, scene().scene.events[1].position);
+    EXPECT_EQ(events[1].strength, 0.0);
+    const Preset& preset = found.tuned.preset;
+    EXPECT_NEAR(preset.bleeding.speed, 2.5, 0.25);
+    EXPECT_NEAR(preset.bleeding.max_extent, 9.0, 0.9);
+    EXPECT_NEAR(preset.smoke.haze.accumulation, 0.25, 0.025);
+    EXPECT_NEAR(preset.smoke.haze.ventilation, 0.2, 0.03);
+    EXPECT_TRUE(found.tuned.scene.curves.emission.empty());
+    EXPECT_TRUE(check(preset_table(), &preset).empty());
+    for (const Fault& fault : check(scene_table(), &found.tuned.scene)) ADD_FAILURE() << fault.place << fault.reason;
+}
+
+TEST(Proposal, LeavesEventsWhereOnlyThePresetIsAsked) {
+    Tuned truth = scene();
+    truth.preset.bleeding.max_extent = 9.0, truth.preset.smoke.haze.accumulation = 0.4;
+    const Proposal found = of(seen(truth), false);
+    EXPECT_EQ(found.tuned.scene.events, scene().scene.events);
+    EXPECT_NEAR(found.tuned.preset.smoke.haze.accumulation, 0.4, 0.08);
+}
+
+TEST(Proposal, AddsToolsInViewAndTakesAwayOthers) {
+    Tuned truth = hidden();
+    truth.scene.events.push_back(
+        {.action = ToolAction::coagulate, .time = 11.0, .duration = 2.0, .position = {-28, 0, 0}, .to = {-28, 0, 0}});
+    const Proposal more = of(seen(truth));
+    ASSERT_EQ(more.tuned.scene.events.size(), 3U) << testing::PrintToString(more.lines);
+    const ToolContact& added = more.tuned.scene.events[2];
+    EXPECT_TRUE(added.hot());
+    EXPECT_NEAR(added.time, 11.0, 0.3);
+    EXPECT_NEAR(added.end(), 13.0, 0.4);
+    for (const ToolContact& event : scene().scene.events)
+        EXPECT_GE(glm::distance(added.position, event.position), 15.0);
+
+    Tuned clear = scene();
+    clear.scene.events.clear();
+    const Proposal none = of(seen(clear));
+    EXPECT_EQ(none.tuned.scene.events[0].strength, 0.0);
+    EXPECT_EQ(none.tuned.scene.events[1].power, 0.0);
+    EXPECT_THAT(none.lines, testing::Contains(testing::HasSubstr("no smoke")));
+    EXPECT_THAT(none.lines, testing::Contains(testing::HasSubstr("blood: none")));
+}
+
+TEST(Proposal, SeesThroughAHazyBaseline) {
+    const Proposal found = of(seen(hidden(), 0.03));
+    EXPECT_NEAR(found.veil_offset, 0.03, 0.016);
+    EXPECT_NEAR(found.tuned.scene.events[1].time, 2.0, 0.3);
+    EXPECT_NEAR(found.tuned.preset.smoke.haze.accumulation, 0.25, 0.04);
+}
+
+TEST(Proposal, SaysWhatIsNotDetermined) {
+    Tuned truth = hidden();
+    truth.scene.events[1].duration = 10.0;
+    std::vector<TargetPoint> target = seen(truth);
+    std::erase_if(target, [](const TargetPoint& aim) { return aim.time > 7.6; });
+    const Proposal found = of(target);
+    EXPECT_EQ(found.tuned.preset.smoke.haze.ventilation, scene().preset.smoke.haze.ventilation);
+    EXPECT_THAT(found.lines, testing::Contains(testing::HasSubstr("smoke.haze.ventilation: not determined")));
+    EXPECT_THAT(found.lines, testing::Contains(testing::HasSubstr("bleeding.max_extent: not determined")));
+}
+
+TEST(Proposal, LeavesWhatIsNotMeasurable) {
+    std::vector<TargetPoint> target = seen(hidden());
+    for (TargetPoint& aim : target) aim.blood.reset(), aim.veil.reset();
+    const Proposal found = of(target);
+    EXPECT_EQ(found.tuned.scene.events, scene().scene.events);
+    EXPECT_EQ(write_preset(found.tuned.preset), write_preset(scene().preset));
+    EXPECT_EQ(found.lines.size(), 2U);
+}
+
+}  // namespace
+}  // namespace lapfx::match
