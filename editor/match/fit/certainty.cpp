@@ -11,9 +11,10 @@ namespace {
 
 constexpr int drawn_references = 400;
 constexpr double low_share = 0.05, high_share = 0.95;
-constexpr double deviates = 1.645;        // half a 90 % interval, in standard errors
-constexpr double determined_below = 0.4;  // coordinates: a standard error of 40 %
-constexpr double alike_above = 0.95;      // correlation
+constexpr double deviates = 1.645;                        // half a 90 % interval, in standard errors
+constexpr double determined_below = 0.4;                  // coordinates: a standard error of 40 %
+constexpr double least_factor = 0.35, most_factor = 2.0;  // of the stated errors
+constexpr double alike_above = 0.95;                      // correlation
 
 /// Rows [first, last) of the blocks' times, for blood and veil alike.
 struct Block {
@@ -71,6 +72,30 @@ std::vector<std::vector<double>> corrections(const Objective& objective, const L
     return steps;
 }
 
+/// Standard errors of the parameters that come from those of the two scales, which the curves do not show.
+std::vector<double> scale_errors(const Objective& objective, const Linearised& at, const cv::Mat& covariance) {
+    std::vector<double> errors(at.columns - 1, 0.0);
+    for (const std::vector<double>& changes : {objective.blood_scaled(), objective.veil_scaled()}) {
+        cv::Mat side = cv::Mat::zeros(static_cast<int>(at.columns), 1, CV_64F);
+        for (std::size_t row = 0; row < changes.size(); ++row)
+            for (std::size_t a = 0; a < at.columns; ++a)
+                side.at<double>(static_cast<int>(a)) += at.slopes[row * at.columns + a] * changes[row];
+        const cv::Mat step = covariance * side;
+        for (std::size_t k = 0; k < errors.size(); ++k)
+            errors[k] = std::hypot(errors[k], step.at<double>(static_cast<int>(k) + 1));
+    }
+    return errors;
+}
+
+/// How large the errors of this video are beside the stated ones, as what the fit leaves tells it (reduced
+/// chi-squared).
+double error_factor(const Objective& objective, const Linearised& at) {
+    double sum = 0.0;
+    for (std::size_t row = 0; row < 2 * objective.times(); ++row) sum += at.residuals[row] * at.residuals[row];
+    const double freedom = objective.blocks() - static_cast<double>(at.columns);
+    return std::clamp(std::sqrt(sum / std::max(freedom, 1.0)), least_factor, most_factor);
+}
+
 double quantile(std::vector<double>& values, double share) {
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), place, values.end());
@@ -91,16 +116,20 @@ std::vector<Certainty> certainty_of(const Objective& objective, const Linearised
                                     std::span<const double> coordinates, std::uint32_t seed) {
     const cv::Mat covariance = covariance_of(at, objective.size());
     std::vector<std::vector<double>> steps = corrections(objective, at, seed);
+    const std::vector<double> of_scales = scale_errors(objective, at, covariance);
     std::vector<Certainty> all(coordinates.size());
+    const double factor = error_factor(objective, at);
     const auto error = [&](std::size_t k) {
         const int i = static_cast<int>(k) + 1;  // after the offset
         return std::sqrt(std::max(covariance.at<double>(i, i), 0.0));
     };
     for (std::size_t k = 0; k < all.size(); ++k) {
         Certainty& c = all[k];
-        c.error = error(k);
-        c.low = coordinates[k] + std::min(quantile(steps[k], low_share), -deviates * c.error);
-        c.high = coordinates[k] + std::max(quantile(steps[k], high_share), deviates * c.error);
+        c.error = factor * error(k);
+        const double below = std::max(-quantile(steps[k], low_share), deviates * c.error),
+                     above = std::max(quantile(steps[k], high_share), deviates * c.error);
+        c.low = coordinates[k] - std::hypot(below, deviates * of_scales[k]);
+        c.high = coordinates[k] + std::hypot(above, deviates * of_scales[k]);
         c.determined = c.error < determined_below;
         for (std::size_t other = 0; other < all.size(); ++other) {
             if (other == k) continue;

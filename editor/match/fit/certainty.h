@@ -2,8 +2,8 @@
 //
 // Blocks of at least a second are drawn again and again, each as often as chance wills (block bootstrap; errors of
 // neighbouring frames go together), and the fit is corrected for each such reference by one linear step; where the
-// errors that the measuring states for itself allow more than that, they count. So the intervals hold 90 %. Pure, any
-// thread.
+// errors of measuring a video allow more than that, they count; and those of its scales, which no course shows, are
+// added. So the intervals are to hold 90 %. Pure, any thread.
 #pragma once
 
 #include <cstdint>

@@ -148,8 +148,4 @@ std::vector<FreeParameter> free_parameters(const Tuned& tuned, std::span<const s
     return parameters;
 }
 
-bool allowed(const Tuned& tuned) {
-    return check(preset_table(), &tuned.preset).empty() && check(scene_table(), &tuned.scene).empty();
-}
-
 }  // namespace lapfx::match

@@ -43,7 +43,4 @@ struct FreeParameter {
 /// of the row, and a value of `tuned` outside of them; and where `keys` is empty.
 std::vector<FreeParameter> free_parameters(const Tuned& tuned, std::span<const std::string> keys);
 
-/// Rules between values (Parameter's tables) that `tuned` breaks: a search must not stay there.
-bool allowed(const Tuned& tuned);
-
 }  // namespace lapfx::match

@@ -5,27 +5,15 @@
 
 namespace lapfx::match {
 
-namespace {
-
-constexpr double deviates = 1.645;  // half a 90 % interval, in standard errors
-constexpr double least_blood_error = 0.003, least_veil_error = 0.01;
-
-double error_of(const Amount& aim, double least) {
-    return std::max((aim.high - aim.low) / (2.0 * deviates), least);
-}
-
-}  // namespace
-
 Objective::Objective(std::vector<TargetPoint> target, const Weights& weights, std::vector<double> start)
     : target_(std::move(target)), start_(std::move(start)) {
     const double length = target_.empty() ? 0.0 : target_.back().time - target_.front().time;
-    const double in_block =
-        length > 0.0 ? std::max(block * static_cast<double>(target_.size() - 1) / length, 1.0) : 1.0;
+    if (length > 0.0) in_block_ = std::max(block * static_cast<double>(target_.size() - 1) / length, 1.0);
     for (const TargetPoint& aim : target_) {
-        const double blood = aim.blood ? weights.blood / error_of(*aim.blood, least_blood_error) : 0.0;
-        const double veil = aim.veil ? weights.veil / error_of(*aim.veil, least_veil_error) : 0.0;
-        blood_scale_.push_back(blood / std::sqrt(in_block));
-        veil_scale_.push_back(veil / std::sqrt(in_block));
+        const double blood = aim.blood ? weights.blood / course_error(*aim.blood, blood_course) : 0.0;
+        const double veil = aim.veil ? weights.veil / course_error(*aim.veil, veil_course) : 0.0;
+        blood_scale_.push_back(blood / std::sqrt(in_block_));
+        veil_scale_.push_back(veil / std::sqrt(in_block_));
     }
 }
 
@@ -56,6 +44,27 @@ double Objective::cost(const ShownCurves& shown, std::span<const double> coordin
     double sum = 0.0;
     for (const double residual : all) sum += residual * residual;
     return 0.5 * sum;
+}
+
+double Objective::blocks() const {
+    double aims = 0.0;
+    for (std::size_t i = 0; i < times(); ++i)
+        aims += (blood_scale_[i] > 0.0 ? 1.0 : 0.0) + (veil_scale_[i] > 0.0 ? 1.0 : 0.0);
+    return aims / in_block_;
+}
+
+std::vector<double> Objective::blood_scaled() const {
+    std::vector<double> changes(size(), 0.0);
+    for (std::size_t i = 0; i < times(); ++i)
+        if (target_[i].blood) changes[i] = -blood_course.scale_error * blood_scale_[i] * target_[i].blood->value;
+    return changes;
+}
+
+std::vector<double> Objective::veil_scaled() const {
+    std::vector<double> changes(size(), 0.0);
+    for (std::size_t i = 0; i < times(); ++i)
+        if (target_[i].veil) changes[times() + i] = -veil_course.scale_error * veil_scale_[i] * target_[i].veil->value;
+    return changes;
 }
 
 }  // namespace lapfx::match

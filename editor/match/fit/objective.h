@@ -1,7 +1,7 @@
 // How far the curves of a scene are from those of the reference, as a search takes it: residuals in standard errors, to
 // be squared and summed.
 //
-// - Each amount at each time: (shown - aim) / error, where the error comes from the aim's interval. Errors of
+// - Each amount at each time: (shown - aim) / error, where the error is that within a video (course_error). Errors of
 //   neighbouring times go together (`block`): all times within one count as one.
 // - The baseline of the reference may be a little hazy itself: the veil has an offset of its own, 0 +- 0.03
 //   (`offset_error`), that is found along.
@@ -41,9 +41,16 @@ class Objective {
     /// Half the sum of squares, with the best offset.
     double cost(const ShownCurves& shown, std::span<const double> coordinates) const;
 
+    /// How many blocks of time have an aim, of blood and of veil together: as many count as independent.
+    double blocks() const;
+    /// How the residuals change where all aims are more by the standard error of their scale (CourseError).
+    std::vector<double> blood_scaled() const;
+    std::vector<double> veil_scaled() const;
+
   private:
     std::vector<TargetPoint> target_;
     std::vector<double> start_;
+    double in_block_ = 1.0;                         ///< times within a block
     std::vector<double> blood_scale_, veil_scale_;  ///< of each time: 1 / error; 0: no aim
 };
 

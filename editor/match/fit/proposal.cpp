@@ -18,9 +18,7 @@ namespace lapfx::match {
 
 namespace {
 
-constexpr double deviates = 1.645;                                     // half a 90 % interval, in standard errors
-constexpr double least_blood_error = 0.003, least_depth_error = 0.01;  // as Objective's
-constexpr double most_veil = 0.95;                                     // denser says nothing about depth
+constexpr double most_veil = 0.95;       // denser says nothing about depth
 constexpr double apart = 15.0;           // mm between places of tools: no heat reaches another
 constexpr double least_emission = 0.05;  // of the core
 
@@ -102,8 +100,7 @@ class Proposing {
         for (const TargetPoint& aim : target_) {
             if (!aim.veil) continue;
             const double veil = std::clamp(aim.veil->value, 0.0, most_veil);
-            const double error = (aim.veil->high - aim.veil->low) / (2.0 * deviates) / (1.0 - veil);
-            points.push_back({aim.time, -std::log1p(-veil), std::max(error, least_depth_error)});
+            points.push_back({aim.time, -std::log1p(-veil), course_error(*aim.veil, veil_course) / (1.0 - veil)});
         }
         return points;
     }
@@ -168,9 +165,7 @@ class Proposing {
     std::vector<BloodPoint> blood_points() const {
         std::vector<BloodPoint> points;
         for (const TargetPoint& aim : target_)
-            if (aim.blood)
-                points.push_back({aim.time, aim.blood->value,
-                                  std::max((aim.blood->high - aim.blood->low) / (2.0 * deviates), least_blood_error)});
+            if (aim.blood) points.push_back({aim.time, aim.blood->value, course_error(*aim.blood, blood_course)});
         return points;
     }
     void propose_blood() {

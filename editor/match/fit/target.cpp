@@ -49,6 +49,11 @@ std::vector<TargetPoint> target_of(std::span<const FrameAmounts> reference, cons
     return target;
 }
 
+double course_error(const Amount& amount, const CourseError& course) {
+    constexpr double deviates = 1.645;  // half a 90 % interval, in standard errors
+    return std::clamp((amount.high - amount.low) / (2.0 * deviates), course.least, course.most);
+}
+
 std::optional<double> misfit(std::span<const TargetPoint> target, std::span<const FrameAmounts> shown,
                              std::optional<Amount> TargetPoint::*amount) {
     const Curve curve = amount == &TargetPoint::blood ? Curve::blood : Curve::veil;

@@ -166,7 +166,7 @@ TEST(Fit, IntervalsHoldTheTruth) {
 
 TEST(Fit, WhatTheReferenceDoesNotTellKeepsItsValue) {
     // Ends while it still smokes and while blood still spreads.
-    const FitResult found = found_for({.hidden = hidden(2.0, 30.0, 0.3, 0.3), .until = 5.0});
+    const FitResult found = found_for({.hidden = hidden(2.0, 30.0, 0.1, 0.08), .noise = 0.02, .until = 5.0});
     const FittedParameter& extent = of(found, "bleeding.max_extent");
     EXPECT_FALSE(extent.determined);
     EXPECT_EQ(found.tuned.preset.bleeding.max_extent, 12.0);

@@ -93,12 +93,5 @@ TEST(FreeParameter, EveryFaultIsTold) {
         EXPECT_THAT(faults_of({bounds}), ElementsAre(HasSubstr("is not LOW..HIGH"))) << bounds;
 }
 
-TEST(FreeParameter, ValuesMayBreakARule) {
-    Tuned tuned;
-    EXPECT_TRUE(allowed(tuned));
-    tuned.preset.smoke.keying.luma_low = 220.0;
-    EXPECT_FALSE(allowed(tuned));
-}
-
 }  // namespace
 }  // namespace lapfx::match
