@@ -96,6 +96,7 @@ std::string row_of(const FittedParameter& p) {
 }
 
 std::string parameters(const FitResult& result) {
+    if (result.parameters.empty()) return paragraph("None was fitted: all keep their values.", "notice");
     const auto determined = [](const FittedParameter& p) { return p.determined; };
     std::string html;
     if (std::none_of(result.parameters.begin(), result.parameters.end(), determined))
@@ -223,10 +224,14 @@ std::vector<ReportMoment> report_moments(std::span<const TargetPoint> target) {
 std::string report_html(const FitReport& report) {
     std::string html = head(report) + "<body>\n<main>\n<h1>Fit of " + name_of(report.scene) + " to " +
                        name_of(report.reference) + "</h1>\n";
-    if (report.result.ended_early)
+    const bool compared = !report.result.after.empty();
+    if (!compared)
+        html += paragraph("The fit ended before the scene was measured: nothing is compared.", "notice");
+    else if (report.result.ended_early)
         html += paragraph("The fit ended early: this is the best that was found until then.", "notice");
-    html += closeness(report);
-    html += "<h2>Amounts over time</h2>\n" + plots(report) + misfits(report.result);
+    if (compared) html += closeness(report);
+    html += "<h2>Amounts over time</h2>\n" + plots(report);
+    if (compared) html += misfits(report.result);
     html += "<h2>Parameters</h2>\n" + parameters(report.result);
     if (!report.moments.empty()) html += "<h2>Pictures</h2>\n";
     for (const ReportMoment& moment : report.moments) html += pictures(report, moment);

@@ -212,6 +212,14 @@ TEST(Report, SaysThatItEndedEarly) {
     FitReport report = usual();
     report.result.ended_early = true;
     EXPECT_THAT(words_of(report_html(report)), HasSubstr("The fit ended early"));
+    report.result.before.clear(), report.result.after.clear(), report.result.parameters.clear();
+    const std::string html = with_pictures(report), words = words_of(html);
+    EXPECT_EQ(fault_of(html), "");
+    EXPECT_THAT(words, HasSubstr("The fit ended before the scene was measured: nothing is compared."));
+    EXPECT_THAT(words, HasSubstr("Parameters None was fitted: all keep their values."));
+    EXPECT_THAT(words, Not(HasSubstr("in common")));
+    EXPECT_THAT(words, Not(HasSubstr("Root mean square")));
+    EXPECT_THAT(words, HasSubstr("3.00 s: most blood and most veil Reference blood 3.0 %"));
 }
 
 TEST(Report, DrawsNoLineAcrossWhatIsNotMeasurable) {
