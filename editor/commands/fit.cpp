@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "commands/command.h"
+#include "commands/fit_report.h"
 #include "commands/matched_videos.h"
 #include "commands/options.h"
 #include "commands/progress.h"
@@ -29,7 +30,7 @@ constexpr const char* usual_parameters =
     "bleeding.speed,bleeding.max_extent,smoke.haze.accumulation,smoke.haze.ventilation,smoke.plume.density";
 
 struct Options {
-    std::string scene, preset, output, fitted_scene, csv, parameters = usual_parameters;
+    std::string scene, preset, output, fitted_scene, csv, report, parameters = usual_parameters;
     MatchOptions match;
     double budget = 600.0;
     std::uint32_t seed = 1;
@@ -120,6 +121,21 @@ Scene fitted_scene(const Options& o, const SceneReference& reference, Scene scen
     return scene;
 }
 
+/// The figures of the fit; those of measuring, and pictures, are missing yet.
+match::FitReport report_of(const Options& o, const Scene& scene, const Window& window, const match::FitInput& input,
+                           const match::FitResult& result) {
+    const auto name = [](const std::filesystem::path& file) { return file.filename().string(); };
+    return {.scene = name(o.scene),
+            .reference = name(o.match.reference),
+            .preset = name(o.preset.empty() ? scene.preset : o.preset),
+            .fitted = name(o.output),
+            .from = window.from,
+            .to = window.to,
+            .seed = o.seed,
+            .target = input.target,
+            .result = result};
+}
+
 void run(const Options& o) {
     const Clock::time_point began = Clock::now();
     if (std::filesystem::path(o.output).extension() != ".json")
@@ -129,6 +145,9 @@ void run(const Options& o) {
     check_fitted_scene(o);
     const std::vector<std::string> chosen = o.preset.empty() ? std::vector<std::string>() : std::vector{o.preset};
     const ShownScene shown = open_shown(o.scene, chosen, {});
+    if (!o.report.empty())
+        check_report(o.report,
+                     files_of(shown.scene, {o.scene, o.match.reference, o.preset, o.output, o.fitted_scene, o.csv}));
     match::FitInput input{.start = {shown.scene, shown.presets.front()}, .seed = o.seed};
     input.parameters = match::free_parameters(input.start, keys_of(o.parameters));
     for (const match::FreeParameter& p : input.parameters)
@@ -157,13 +176,20 @@ void run(const Options& o) {
         return steps.to(share);
     };
     const match::FitResult result = match::fit(input);
+    const double seconds = std::chrono::duration<double>(Clock::now() - began).count();
     write_file(o.output, write_preset(result.tuned.preset));
     if (!o.fitted_scene.empty()) save_scene(fitted_scene(o, reference, result.tuned.scene), o.fitted_scene);
     if (!o.csv.empty()) write_file(o.csv, match::curves_csv(input.target, result));
+    if (!o.report.empty()) {
+        match::FitReport report = report_of(o, shown.scene, window, input, result);
+        report.offset = reference.offset, report.seconds = seconds, report.notes = found.notes;
+        if (!video.info().warning.empty()) report.notes.push_back(video.info().warning);
+        add_pictures(report, video, input.before.value_or(input.start), input.organ, preview_options(shown));
+        write_file(o.report, match::report_html(report));
+    }
     print(result);
-    std::cout << result.curves << " curves drawn, " << result.evaluations << " evaluations of the core, "
-              << std::chrono::duration<double>(Clock::now() - began).count() << " s"
-              << (result.ended_early ? ", ended early: the best so far" : "") << '\n';
+    std::cout << result.curves << " curves drawn, " << result.evaluations << " evaluations of the core, " << seconds
+              << " s" << (result.ended_early ? ", ended early: the best so far" : "") << '\n';
 }
 
 }  // namespace
@@ -192,16 +218,20 @@ void add_fit(CLI::App& app) {
         ->option_text("FILE.scene.json");
     verb->add_option("--csv", o->csv, "Write the curves of reference, before and after to this file")
         ->option_text("FILE");
+    verb->add_option("--report", o->report,
+                     "Write the result with curves, intervals and pictures as one file for a browser (.html)")
+        ->option_text("FILE");
     verb->add_option("-o,--output", o->output, "The fitted preset (.json)")->option_text("FILE")->required();
     verb->footer(
         "The reference is measured (see lapfx measure), the scene is drawn off-screen and measured by the same\n"
         "estimator, and the parameters are changed until blood and veil over time are nearest. For each parameter it\n"
         "prints the value before and after, with an interval that is to hold the true one in nine of ten cases, or "
         "why\n"
-        "the video does not tell it; what it does not tell keeps its value.\n\n"
+        "the video does not tell it; what it does not tell keeps its value. The report needs no other file: curves,\n"
+        "parameters, and frames of the reference beside the scene before and after.\n\n"
         "Example:\n"
         "  lapfx fit samples/lagb.scene.json --reference samples/reference/operation.mp4 --window 0,6 "
-        "-o fitted.json");
+        "-o fitted.json --report fit.html");
     verb->callback([o] { run(*o); });
 }
 

@@ -94,11 +94,13 @@ void note_cover(const std::string& file, const Window& covered, const Window& wi
          "; the rest is not " + done);
 }
 
+PreviewOptions preview_options(const ShownScene& shown) {
+    return {.clip_folders = clip_folders(), .wait_for_clips = true, .clip_cache = shown.clips};
+}
+
 match::PreviewCurve preview_curve(const ShownScene& shown, std::shared_ptr<const PreparedOrgan> organ,
                                   const match::EstimatorOptions& estimator, const VideoReader& reference) {
-    return {std::move(organ),
-            {.clip_folders = clip_folders(), .wait_for_clips = true, .clip_cache = shown.clips},
-            estimator,
+    return {std::move(organ), preview_options(shown), estimator,
             match::preview_size(glm::dvec2(reference.info().size))};
 }
 

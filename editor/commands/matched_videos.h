@@ -52,6 +52,8 @@ match::Measurement measured_video(VideoReader& video, const std::string& file, m
 /// Tells where much of the window lacks. `done`: "fitted".
 void note_cover(const std::string& file, const Window& covered, const Window& window, const std::string& done);
 
+/// How a scene is drawn to be held against a video: with all of its smoke.
+PreviewOptions preview_options(const ShownScene& shown);
 /// Draws a scene in the shape of the reference, to be measured as that is. A context must be current, and stay so.
 match::PreviewCurve preview_curve(const ShownScene& shown, std::shared_ptr<const PreparedOrgan> organ,
                                   const match::EstimatorOptions& estimator, const VideoReader& reference);

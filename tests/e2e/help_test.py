@@ -126,7 +126,7 @@ def command_faults(lapfx, folder, line):
     done = run(shlex.split(line, comments=True), folder, lapfx)
     if done.returncode != 0:
         yield f"{line}: exit code {done.returncode}: {done.stderr[-500:]}"
-    for name in re.findall(r"(?:-o|--json|--screenshot|--amounts|--dump) (\S+)", line.split(" #")[0]):
+    for name in re.findall(r"(?:-o|--json|--screenshot|--amounts|--dump|--report) (\S+)", line.split(" #")[0]):
         if not os.path.isfile(os.path.join(folder, name)) or os.path.getsize(os.path.join(folder, name)) == 0:
             yield f"{line}: left no {name}"
 
