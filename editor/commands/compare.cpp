@@ -84,7 +84,7 @@ struct MeasuredVideo {
 
 /// `times`: s of the video, where it is compared.
 MeasuredVideo measured(VideoReader& video, const std::string& file, match::MeasureOptions options, const Window& times,
-                       const std::function<void(double)>& progress) {
+                       const lapfx::Progress& progress) {
     match::PeakColors colors(times.from, times.to);
     options.measured = [&colors](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
         colors.add(frame, estimator, amounts);
@@ -138,9 +138,11 @@ Found compare_scene(const Options& o) {
     const Window common = common_time(o, window, offset, video);
     Progress progress("comparing", progress_steps);
     const match::MeasureOptions options = measure_options(o.match, reference);
-    const MeasuredVideo of_reference =
-        measured(video, o.match.reference, options, {common.from + offset, common.to + offset},
-                 [&progress](double share) { progress.to(reference_part * share); });
+    const MeasuredVideo of_reference = measured(video, o.match.reference, options,
+                                                {common.from + offset, common.to + offset}, [&progress](double share) {
+                                                    progress.to(reference_part * share);
+                                                    return true;
+                                                });
     const std::vector<double> times = times_of(of_reference.found.frames, offset, window);
     if (times.empty()) throw refused(o.match.reference, "has fewer than two moments in common with " + o.shown);
     note_cover(o.match.reference, {times.front(), times.back()}, window, "compared");
@@ -165,12 +167,16 @@ Found compare_video(const Options& o) {
     Progress progress("comparing", progress_steps);
     const match::MeasureOptions options = measure_options(o.match, {});
     const bool same = is_same_file(o.shown, o.match.reference);  // then the baseline is of both
-    const MeasuredVideo of_reference =
-        measured(reference, o.match.reference, options, {common.from + offset, common.to + offset},
-                 [&progress](double share) { progress.to(reference_part * share); });
+    const MeasuredVideo of_reference = measured(reference, o.match.reference, options,
+                                                {common.from + offset, common.to + offset}, [&progress](double share) {
+                                                    progress.to(reference_part * share);
+                                                    return true;
+                                                });
     MeasuredVideo of_video =
-        measured(video, o.shown, same ? options : match::MeasureOptions{}, common,
-                 [&progress](double share) { progress.to(reference_part + (1.0 - reference_part) * share); });
+        measured(video, o.shown, same ? options : match::MeasureOptions{}, common, [&progress](double share) {
+            progress.to(reference_part + (1.0 - reference_part) * share);
+            return true;
+        });
     std::vector<match::FrameAmounts>& frames = of_video.found.frames;
     std::erase_if(frames, [&window](const auto& f) { return f.time < window.from || f.time > window.to; });
     note_cover(o.match.reference, common, window, "compared");

@@ -6,11 +6,11 @@
 #include <sstream>
 
 #include "commands/command.h"
+#include "commands/fit_files.h"
 #include "commands/fit_report.h"
 #include "commands/matched_videos.h"
 #include "commands/options.h"
 #include "commands/progress.h"
-#include "document/document.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/context.h"
@@ -30,8 +30,9 @@ constexpr const char* usual_parameters =
     "bleeding.speed,bleeding.max_extent,smoke.haze.accumulation,smoke.haze.ventilation,smoke.plume.density";
 
 struct Options {
-    std::string scene, preset, output, fitted_scene, csv, report, parameters = usual_parameters;
-    MatchOptions match;
+    FitFiles files;
+    std::string parameters = usual_parameters;
+    MatchOptions match;  ///< match.reference is files.reference
     double budget = 600.0;
     std::uint32_t seed = 1;
 };
@@ -49,16 +50,22 @@ std::vector<std::string> keys_of(const std::string& list) {
 /// The progress of all that is done, in one bar.
 class Steps {
   public:
-    explicit Steps(double budget)
-        : until_(Clock::now() + std::chrono::milliseconds(static_cast<std::int64_t>(1000.0 * budget))),
-          progress_("fitting", progress_steps) {}
+    explicit Steps(double budget) : budget_(budget), progress_("fitting", progress_steps) {}
+    /// False: the time is over.
     bool to(double share) {
         progress_.to(share);
-        return Clock::now() < until_;
+        return seconds() < budget_;
+    }
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
+    Error over(const std::string& when) const {
+        std::ostringstream reason;
+        reason << budget_ << " s ended before " << when << "; nothing is written";
+        return {Failure::runtime, Fault{.file = "", .place = "--budget", .reason = reason.str()}};
     }
 
   private:
-    Clock::time_point until_;
+    Clock::time_point began_ = Clock::now();
+    double budget_;
     Progress progress_;
 };
 
@@ -77,7 +84,7 @@ void print(const match::FitResult& found) {
     for (const match::FittedParameter& p : found.parameters) {
         std::cout << p.parameter.key << ": ";
         if (!p.determined)
-            std::cout << p.before << ", kept: not determined, " << p.why << '\n';
+            std::cout << p.after << (p.after == p.before ? ", kept" : "") << ": not determined, " << p.why << '\n';
         else
             std::cout << p.before << " -> " << p.after << " (" << p.low << " to " << p.high << ")"
                       << (p.parameter.row->unit.empty() ? "" : " ") << p.parameter.row->unit
@@ -85,50 +92,26 @@ void print(const match::FitResult& found) {
     }
 }
 
-constexpr std::string_view scene_ending = ".scene.json";
-
-void check_fitted_scene(const Options& o) {
-    if (o.fitted_scene.empty()) return;
-    const auto refuse = [&](const std::string& why) {
-        throw wrong_option("--fitted-scene", "\"" + o.fitted_scene + "\" " + why);
-    };
-    std::error_code none;
-    if (!o.fitted_scene.ends_with(scene_ending)) refuse("does not end in " + std::string(scene_ending));
-    if (std::filesystem::equivalent(o.fitted_scene, o.scene, none)) refuse("is the scene that is fitted");
-    if (std::filesystem::weakly_canonical(o.fitted_scene, none) == std::filesystem::weakly_canonical(o.output, none))
-        refuse("is the file of --output");
-    check_folder(o.fitted_scene);
-}
-
 /// Events begin where the reference says, and the search goes on from there.
-void begin_with_proposal(match::FitInput& input, const VideoReader& video) {
-    const glm::dvec2 shape = video.info().size;
+void begin_with_proposal(match::FitInput& input) {
+    std::vector<std::string> keys;
+    for (const match::FreeParameter& p : input.parameters) keys.push_back(p.key);
     const match::Proposal proposal =
-        match::propose(input.start, input.organ, input.target, {.aspect = shape.x / shape.y});
+        match::propose(input.start, input.organ, input.target, {.aspect = input.aspect, .keys = keys});
     for (const std::string& line : proposal.lines) std::cout << line << '\n';
     input.before = std::move(input.start);
     input.start = proposal.tuned;
     for (const match::FreeParameter& p : input.parameters) p.set(input.start, p.get(input.start));  // within its bounds
 }
 
-/// With the fitted preset and the reference, as a document at its own place.
-Scene fitted_scene(const Options& o, const SceneReference& reference, Scene scene) {
-    const std::filesystem::path folder = document::folder_of(o.fitted_scene);
-    document::move_scene(scene, folder);
-    scene.preset = document::moved_path(std::filesystem::absolute(o.output).string(), {}, folder);
-    scene.reference = reference;
-    scene.reference.file = document::moved_path(std::filesystem::absolute(o.match.reference).string(), {}, folder);
-    return scene;
-}
-
 /// The figures of the fit; those of measuring, and pictures, are missing yet.
 match::FitReport report_of(const Options& o, const Scene& scene, const Window& window, const match::FitInput& input,
                            const match::FitResult& result) {
     const auto name = [](const std::filesystem::path& file) { return file.filename().string(); };
-    return {.scene = name(o.scene),
+    return {.scene = name(o.files.scene),
             .reference = name(o.match.reference),
-            .preset = name(o.preset.empty() ? scene.preset : o.preset),
-            .fitted = name(o.output),
+            .preset = name(o.files.preset.empty() ? scene.preset : o.files.preset),
+            .fitted = name(o.files.output),
             .from = window.from,
             .to = window.to,
             .seed = o.seed,
@@ -136,38 +119,30 @@ match::FitReport report_of(const Options& o, const Scene& scene, const Window& w
             .result = result};
 }
 
-void run(const Options& o) {
-    const Clock::time_point began = Clock::now();
-    if (std::filesystem::path(o.output).extension() != ".json")
-        throw wrong_option("--output", "\"" + o.output + "\" does not end in .json");
-    check_folder(o.output);
-    if (!o.csv.empty()) check_folder(o.csv);
-    check_fitted_scene(o);
-    const std::vector<std::string> chosen = o.preset.empty() ? std::vector<std::string>() : std::vector{o.preset};
-    const ShownScene shown = open_shown(o.scene, chosen, {});
-    if (!o.report.empty())
-        check_report(o.report,
-                     files_of(shown.scene, {o.scene, o.match.reference, o.preset, o.output, o.fitted_scene, o.csv}));
+match::FitInput input_of(const Options& o, const ShownScene& shown) {
     match::FitInput input{.start = {shown.scene, shown.presets.front()}, .seed = o.seed};
     input.parameters = match::free_parameters(input.start, keys_of(o.parameters));
     for (const match::FreeParameter& p : input.parameters)
-        if (p.of_scene && o.fitted_scene.empty())
+        if (p.of_scene && o.files.fitted_scene.empty())
             throw wrong_option("--parameters", p.key + ": is the scene's, which is written with --fitted-scene only");
-    const Window window = window_of(o.match.window, shown.scene.duration, "scene");
-    VideoReader video = opened_video(o.match.reference);
-    const SceneReference reference = reference_of(o.match, shown.scene);
-    Steps steps(o.budget);
-    const match::MeasureOptions options = measure_options(o.match, reference);
-    const match::Measurement found =
-        measured_video(video, o.match.reference, options, [&steps](double share) { steps.to(reference_part * share); });
-    input.target = match::target_of(found.frames, {.offset = reference.offset, .from = window.from, .to = window.to});
-    if (!input.target.empty())
-        note_cover(o.match.reference, {input.target.front().time, input.target.back().time}, window, "fitted");
-    const Context context = Context::create(Backend::automatic);
-    input.organ = prepare_organ(shown.scene, input.start.preset.vessels);
-    if (!o.fitted_scene.empty()) begin_with_proposal(input, video);
-    match::PreviewCurve curve = preview_curve(shown, input.organ, options.estimator, video);
-    double share = 0.0;
+    return input;
+}
+
+match::Measurement measured(const Options& o, VideoReader& video, const match::MeasureOptions& options, Steps& steps) {
+    bool in_time = true;
+    try {
+        return measured_video(video, o.match.reference, options, [&](double share) {
+            in_time = steps.to(reference_part * share);
+            return in_time;
+        });
+    } catch (const Error&) {
+        if (in_time) throw;
+        throw steps.over("the reference was measured");
+    }
+}
+
+match::FitResult fitted(const Options& o, match::FitInput& input, match::PreviewCurve& curve, Steps& steps) {
+    double share = reference_part;
     input.draw = [&](const match::Tuned& tuned, std::span<const double> times) {
         return curve.measure(tuned.scene, tuned.preset, times, [&](double) { return steps.to(share); });
     };
@@ -175,21 +150,52 @@ void run(const Options& o) {
         share = reference_part + (1.0 - reference_part) * progress.share;
         return steps.to(share);
     };
-    const match::FitResult result = match::fit(input);
-    const double seconds = std::chrono::duration<double>(Clock::now() - began).count();
-    write_file(o.output, write_preset(result.tuned.preset));
-    if (!o.fitted_scene.empty()) save_scene(fitted_scene(o, reference, result.tuned.scene), o.fitted_scene);
-    if (!o.csv.empty()) write_file(o.csv, match::curves_csv(input.target, result));
-    if (!o.report.empty()) {
+    try {
+        match::FitResult result = match::fit(input);
+        if (result.after.empty()) throw steps.over("the scene was drawn");
+        return result;
+    } catch (const Error& error) {
+        throw error.failure() == Failure::bad_input ? at_file(o.files.scene, error) : error;
+    }
+}
+
+void run(const Options& o) {
+    check_names(o.files);
+    const FitFiles& files = o.files;
+    const ShownScene shown =
+        open_shown(files.scene, files.preset.empty() ? std::vector<std::string>() : std::vector{files.preset}, {});
+    check_files(files, shown);
+    match::FitInput input = input_of(o, shown);
+    const Window window = window_of(o.match.window, shown.scene.duration, "scene");
+    VideoReader video = opened_video(files.reference);
+    const SceneReference reference = reference_of(o.match, shown.scene);
+    Steps steps(o.budget);
+    const match::MeasureOptions options = measure_options(o.match, reference);
+    const match::Measurement found = measured(o, video, options, steps);
+    input.target = match::target_of(found.frames, {.offset = reference.offset, .from = window.from, .to = window.to});
+    if (!input.target.empty())
+        note_cover(files.reference, {input.target.front().time, input.target.back().time}, window, "fitted");
+    const Context context = Context::create(Backend::automatic);
+    input.organ = prepare_organ(shown.scene, input.start.preset.vessels);
+    const glm::dvec2 shape = video.info().size;
+    input.aspect = shape.x / shape.y;
+    if (!files.fitted_scene.empty()) begin_with_proposal(input);
+    match::PreviewCurve curve = preview_curve(shown, input.organ, options.estimator, video);
+    const match::FitResult result = fitted(o, input, curve, steps);
+    const double seconds = steps.seconds();
+    if (!files.report.empty()) {
         match::FitReport report = report_of(o, shown.scene, window, input, result);
         report.offset = reference.offset, report.seconds = seconds, report.notes = found.notes;
         if (!video.info().warning.empty()) report.notes.push_back(video.info().warning);
         add_pictures(report, video, input.before.value_or(input.start), input.organ, preview_options(shown));
-        write_file(o.report, match::report_html(report));
+        write_file(files.report, match::report_html(report));
     }
+    if (!files.csv.empty()) write_file(files.csv, match::curves_csv(input.target, result));
+    write_file(files.output, write_preset(result.tuned.preset));
+    if (!files.fitted_scene.empty()) save_scene(fitted_scene(files, reference, result.tuned.scene), files.fitted_scene);
     print(result);
-    std::cout << result.curves << " curves drawn, " << result.evaluations << " evaluations of the core, " << seconds
-              << " s" << (result.ended_early ? ", ended early: the best so far" : "") << '\n';
+    std::cout << "curves drawn: " << result.curves << ", evaluations of the core: " << result.evaluations << ", "
+              << seconds << " s" << (result.ended_early ? ", ended early: the best so far" : "") << '\n';
 }
 
 }  // namespace
@@ -197,31 +203,35 @@ void run(const Options& o) {
 void add_fit(CLI::App& app) {
     auto o = std::make_shared<Options>();
     CLI::App* verb = app.add_subcommand("fit", "Find the preset that shows as much blood and smoke as a surgery video");
-    verb->add_option("SCENE", o->scene, "The scene (.scene.json), whose preset it starts from")->required();
-    verb->add_option("--reference", o->match.reference, "The video, or numbered images: frame_%04d.png")->required();
-    verb->add_option("--preset", o->preset, "Start from this preset instead of the one that the scene names")
+    verb->add_option("SCENE", o->files.scene, "The scene (.scene.json), whose preset it starts from")->required();
+    verb->add_option("--reference", o->files.reference, "The video, or numbered images: frame_%04d.png")
+        ->option_text("VIDEO")
+        ->required();
+    verb->add_option("--preset", o->files.preset, "Start from this preset instead of the one that the scene names")
         ->option_text("FILE");
     verb->add_option("--parameters", o->parameters,
                      "What may change, separated by commas; each may have bounds of its own, KEY=LOW..HIGH")
         ->option_text("KEY,...")
         ->capture_default_str();
     add_match_options(*verb, o->match, "scene", "fitted");
-    verb->add_option("--seed", o->seed, "Of the chance in the search and in the intervals")->capture_default_str();
+    verb->add_option("--seed", o->seed, "Of the chance in the search and in the intervals")
+        ->option_text("NUMBER")
+        ->capture_default_str();
     verb->add_option("--budget", o->budget, "Ends after so many seconds, with the best so far")
         ->option_text("S")
         ->check(finite_number())
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
-    verb->add_option("--fitted-scene", o->fitted_scene,
+    verb->add_option("--fitted-scene", o->files.fitted_scene,
                      "First move the scene's events to when smoke and blood of the reference begin, with tools added "
                      "or silenced as it needs, and write that scene, with preset and reference, to this file")
         ->option_text("FILE.scene.json");
-    verb->add_option("--csv", o->csv, "Write the curves of reference, before and after to this file")
+    verb->add_option("--csv", o->files.csv, "Write the curves of reference, before and after to this file")
         ->option_text("FILE");
-    verb->add_option("--report", o->report,
+    verb->add_option("--report", o->files.report,
                      "Write the result with curves, intervals and pictures as one file for a browser (.html)")
         ->option_text("FILE");
-    verb->add_option("-o,--output", o->output, "The fitted preset (.json)")->option_text("FILE")->required();
+    verb->add_option("-o,--output", o->files.output, "The fitted preset (.json)")->option_text("FILE")->required();
     verb->footer(
         "The reference is measured (see lapfx measure), the scene is drawn off-screen and measured by the same\n"
         "estimator, and the parameters are changed until blood and veil over time are nearest. For each parameter it\n"
@@ -232,7 +242,10 @@ void add_fit(CLI::App& app) {
         "Example:\n"
         "  lapfx fit samples/lagb.scene.json --reference samples/reference/operation.mp4 --window 0,6 "
         "-o fitted.json --report fit.html");
-    verb->callback([o] { run(*o); });
+    verb->callback([o] {
+        o->match.reference = o->files.reference;
+        run(*o);
+    });
 }
 
 }  // namespace lapfx::commands

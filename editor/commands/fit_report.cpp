@@ -3,26 +3,11 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "commands/file_kind.h"
-#include "commands/options.h"
-#include "lapfx/authoring/file.h"
 #include "output/files.h"
 
 namespace lapfx::commands {
 
-namespace fs = std::filesystem;
-
 namespace {
-
-/// Also of a file that does not exist yet; empty where it cannot be told.
-fs::path real_path(const fs::path& path) {
-    std::error_code error;
-    return fs::weakly_canonical(fs::absolute(path, error), error);
-}
-
-bool will_be_same_file(const fs::path& a, const fs::path& b) {
-    return is_same_file(a, b) || (!real_path(a).empty() && real_path(a) == real_path(b));
-}
 
 glm::ivec2 picture_size(glm::dvec2 shape) {
     shape = glm::max(shape, 1.0);
@@ -42,22 +27,6 @@ std::string jpeg(const Image& image, glm::ivec2 size) {
 }
 
 }  // namespace
-
-std::vector<fs::path> files_of(const Scene& scene, std::vector<fs::path> more) {
-    for (const std::string& file : {scene.organ.file, scene.organ.texture, scene.tool.file, scene.preset})
-        if (!file.empty()) more.push_back(named_path(scene.folder, file, Reach::anywhere));
-    std::erase_if(more, [](const fs::path& file) { return file.empty(); });
-    return more;
-}
-
-void check_report(const fs::path& report, std::span<const fs::path> taken) {
-    if (report.extension() != ".html")
-        throw wrong_option("--report", "\"" + report.string() + "\" does not end in .html");
-    for (const fs::path& file : taken)
-        if (will_be_same_file(report, file))
-            throw wrong_option("--report", "\"" + report.string() + "\" is another file of this fit, " + file.string());
-    output::require_replaceable(report);
-}
 
 void add_pictures(match::FitReport& report, VideoReader& reference, const match::Tuned& before,
                   const std::shared_ptr<const PreparedOrgan>& organ, const PreviewOptions& preview) {

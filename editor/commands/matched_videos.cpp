@@ -71,12 +71,9 @@ Error at_file(const std::string& file, const Error& error) {
 }
 
 match::Measurement measured_video(VideoReader& video, const std::string& file, match::MeasureOptions options,
-                                  const std::function<void(double)>& progress) {
+                                  const lapfx::Progress& progress) {
     try {
-        match::Measurement found = match::measure(video, options, [&progress](double share) {
-            progress(share);
-            return true;
-        });
+        match::Measurement found = match::measure(video, options, progress);
         for (const std::string& line : found.notes) note(file + ": " + line);
         return found;
     } catch (const Error& error) {

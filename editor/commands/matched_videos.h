@@ -47,7 +47,7 @@ Error at_file(const std::string& file, const Error& error);
 /// Measures a whole video: what lies outside a window helps to find its baseline. Prints what should be known about the
 /// figures. Throws Error that names the file. `progress`: shares 0..1.
 match::Measurement measured_video(VideoReader& video, const std::string& file, match::MeasureOptions options,
-                                  const std::function<void(double)>& progress);
+                                  const lapfx::Progress& progress);
 
 /// Tells where much of the window lacks. `done`: "fitted".
 void note_cover(const std::string& file, const Window& covered, const Window& window, const std::string& done);

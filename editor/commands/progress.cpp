@@ -49,6 +49,7 @@ void Progress::step() {
 }
 
 void Progress::to(double share) {
+    if (interrupted != 0) step();
     while (done_ < static_cast<int>(share * steps_)) step();
 }
 

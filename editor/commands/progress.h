@@ -19,7 +19,7 @@ class Progress {
     void expect(int steps) { steps_ = steps; }
     /// One step is done.
     void step();
-    /// The steps up to a share of all, 0..1; never back.
+    /// The steps up to a share of all, 0..1; never back. Throws as step() also where there is none to do.
     void to(double share);
 
   private:

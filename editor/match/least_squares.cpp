@@ -2,6 +2,9 @@
 
 #include <ceres/ceres.h>
 
+#include <algorithm>
+#include <exception>
+
 namespace lapfx::match {
 
 namespace {
@@ -41,8 +44,14 @@ class GoesOn : public ceres::IterationCallback {
   public:
     explicit GoesOn(const std::function<bool()>& goes_on) : goes_on_(goes_on) {}
     ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-        return !goes_on_ || goes_on_() ? ceres::SOLVER_CONTINUE : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+        try {
+            return !goes_on_ || goes_on_() ? ceres::SOLVER_CONTINUE : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+        } catch (...) {
+            thrown = std::current_exception();  // not through Ceres
+            return ceres::SOLVER_ABORT;
+        }
     }
+    std::exception_ptr thrown;
 
   private:
     const std::function<bool()>& goes_on_;
@@ -69,6 +78,7 @@ std::optional<double> solve(const LeastSquares& problem, std::vector<double>& x)
     options.callbacks.push_back(&goes_on);
     ceres::Solver::Summary summary;
     ceres::Solve(options, &of_ceres, &summary);
+    if (goes_on.thrown) std::rethrow_exception(goes_on.thrown);
     if (summary.IsSolutionUsable()) {
         x = at;
         return summary.final_cost;
@@ -80,7 +90,10 @@ std::optional<double> solve(const LeastSquares& problem, std::vector<double>& x)
 
 bool linearise(const LeastSquares& problem, std::span<const double> x, std::span<double> residuals,
                std::span<double> slopes) {
-    return problem.evaluate(x, residuals) && add_slopes(problem, x, residuals, slopes);
+    if (problem.evaluate(x, residuals) && add_slopes(problem, x, residuals, slopes)) return true;
+    std::fill(residuals.begin(), residuals.end(), 0.0);
+    std::fill(slopes.begin(), slopes.end(), 0.0);
+    return false;
 }
 
 }  // namespace lapfx::match

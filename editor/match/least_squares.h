@@ -25,14 +25,14 @@ struct LeastSquares {
     double slope_step = 0.02;            ///< how far an unknown is moved, away from its upper bound
     double tolerance = 1e-4;             ///< ends when an iteration makes the cost less by no more than this share
     int iterations = 25;                 ///< at most
-    std::function<bool()> goes_on = {};  ///< asked before each iteration; false ends it with what is there
+    std::function<bool()> goes_on = {};  ///< asked before each iteration; false ends it; may throw
 };
 
 /// `x`: where it begins, within the bounds, and where it ends. Gives half the sum of squares there; nothing where there
 /// are no residuals at the beginning, which is left as it is.
 std::optional<double> solve(const LeastSquares& problem, std::vector<double>& x);
 
-/// Residuals, and slopes[row * unknowns + unknown]; false where there are none.
+/// Residuals, and slopes[row * unknowns + unknown]; all 0, and false, where there are none.
 bool linearise(const LeastSquares& problem, std::span<const double> x, std::span<double> residuals,
                std::span<double> slopes);
 

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "lapfx/amounts.h"
-#include "lapfx/authoring/strokes.h"
+#include "match/strokes.h"
 
 namespace lapfx::match {
 
@@ -79,32 +79,16 @@ std::optional<double> WoundSite::opens(std::span<const WoundStatus> wounds, std:
 }
 
 std::vector<WoundSite> strokes_that_divide(std::span<const ToolContact> events) {
-    std::vector<std::size_t> order(events.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return events[a].time < events[b].time; });
     std::vector<WoundSite> sites;
-    std::vector<std::size_t> site_of(order.size());  // of those that divide
-    std::vector<char> continued(order.size(), 0);
-    for (std::size_t n = 0; n < order.size(); ++n) {
-        const ToolContact& contact = events[order[n]];
-        if (!divides(contact.action)) continue;
-        const auto before = goes_on_from(
-            n, [&](std::size_t i) -> const ToolContact& { return events[order[i]]; },
-            [&](std::size_t i) { return continued[i] != 0; });
-        if (before) {
-            continued[*before] = 1;
-            site_of[n] = site_of[*before];
-        } else {
-            site_of[n] = sites.size();
-            sites.push_back({.position = contact.position, .time = contact.time, .strength = 0.0});
-        }
-        WoundSite& site = sites[site_of[n]];
-        site.contacts.push_back(order[n]);
-        site.strength = std::max(site.strength, contact.strength);
-    }
-    for (WoundSite& site : sites)
+    for (std::vector<std::size_t>& stroke :
+         strokes_of(events, [](const ToolContact& contact) { return divides(contact.action); })) {
+        const ToolContact& first = events[stroke.front()];
+        WoundSite& site =
+            sites.emplace_back(WoundSite{.position = first.position, .time = first.time, .strength = 0.0});
+        for (const std::size_t i : stroke) site.strength = std::max(site.strength, events[i].strength);
         if (!(site.strength > 0.0)) site.strength = 1.0;
+        site.contacts = std::move(stroke);
+    }
     return sites;
 }
 

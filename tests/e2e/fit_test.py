@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -57,7 +58,14 @@ def check_scene(lapfx, scene, video, folder):
     first = min(event["time"] for event in found["events"] if event["power"] > 0)
     begins = min(event["time"] for event in given["events"]) - 0.5
     assert abs(first - begins) < 0.6, (first, said)
-    assert len(found["events"]) >= len(given["events"])
+    for event in given["events"]:  # what the reference does not reach stays
+        if event["time"] > 5.5:
+            assert event in found["events"], (event, found["events"])
+    start = json.load(open(os.path.join(os.path.dirname(scene), given["preset"])))
+    end = json.load(open(fitted))
+    assert end["bleeding"] == start["bleeding"], "only the accumulation was free"
+    end["smoke"]["haze"]["accumulation"] = start["smoke"]["haze"]["accumulation"]
+    assert end == start
     code, _, told = run(lapfx, "check", written)
     assert code == 0, told
     code, _, told = run(lapfx, "render", written, "--at", "2", "--size", "64x52", "-o", os.path.join(folder, "p.png"))
@@ -68,7 +76,7 @@ def check_ended(lapfx, scene, video, folder):
     """Out of time it gives the best so far, and a fit that is stopped leaves nothing."""
     short = os.path.join(folder, "short.json")
     code, said, told = run(lapfx, "fit", scene, "--reference", video, "--budget", "0.01", "-o", short)
-    assert code == 0 and "ended early" in said and os.path.exists(short), (code, said, told)
+    assert code == 1 and "--budget" in told and not os.path.exists(short), (code, said, told)
     stopped = os.path.join(folder, "stopped.json")
     fit = subprocess.Popen([lapfx, "fit", scene, "--reference", video, "-o", stopped], stderr=subprocess.PIPE, text=True)
     time.sleep(2)
@@ -76,6 +84,21 @@ def check_ended(lapfx, scene, video, folder):
     _, told = fit.communicate(timeout=60)
     assert fit.returncode == 1 and "interrupted" in told, (fit.returncode, told)
     assert not [name for name in os.listdir(folder) if "stopped" in name], os.listdir(folder)
+
+
+def check_clips(lapfx, scene, video, folder):
+    """A preset with clips of its own stays where they are."""
+    own, other = os.path.join(folder, "own"), os.path.join(folder, "other")
+    os.mkdir(own), os.mkdir(other)
+    shipped = os.path.join(os.path.dirname(scene), json.load(open(scene))["preset"])
+    preset = json.load(open(shipped))
+    clip = os.path.join(own, "mine.mp4")
+    shutil.copy(video, clip)
+    preset["smoke"]["clips"] = [{"file": "mine.mp4"}]
+    json.dump(preset, open(os.path.join(own, "p.json"), "w"))
+    code, said, told = run(lapfx, "fit", scene, "--reference", video, "--preset", os.path.join(own, "p.json"), "-o",
+                           os.path.join(other, "f.json"))
+    assert code == 2 and "mine.mp4" in told and "--output" in told, (code, said, told)
 
 
 def check_refused(lapfx, scene, video, folder):
@@ -95,11 +118,16 @@ def check_refused(lapfx, scene, video, folder):
         (["--budget", "0"], "--budget"),
         (["--seed", "x"], "--seed"),
         (["--fitted-scene", os.path.join(folder, "scene.json")], "does not end in .scene.json"),
-        (["--fitted-scene", scene], "is the scene that is fitted"),
+        (["--fitted-scene", scene], "is another file of this fit"),
+        (["--csv", video], "does not end in .csv"),
+        (["--csv", os.path.join(folder, "none.json")], "does not end in .csv"),
+        (["--report", os.path.join(folder, "none.json")], "does not end in .html"),
     ]
     for extra, expected in cases:
         code, said, told = run(lapfx, *whole, *extra)
         assert code == 2 and expected in told and said == "", (extra, code, said, told)
+    code, said, told = run(lapfx, *whole[:-1], scene)
+    assert code == 2 and "is another file of this fit" in told, (code, said, told)
     for changed, expected in ((2, "no.scene.json"), (4, "no.mp4"), (6, "fitted.txt")):
         arguments = [*whole]
         arguments[changed - 1] = os.path.join(folder, expected)
@@ -114,6 +142,7 @@ def main(lapfx, scene):
     with tempfile.TemporaryDirectory() as folder:
         video = render_hidden(lapfx, scene, folder)
         check_refused(lapfx, scene, video, folder)
+        check_clips(lapfx, scene, video, folder)
         check_ended(lapfx, scene, video, folder)
         check_found(lapfx, scene, video, folder)
         check_scene(lapfx, scene, video, folder)

@@ -81,8 +81,11 @@ void Carried::find_factors() {
         area2 += area * area, blood += area * curves_.blood[i];
         most_area = std::max(most_area, area);
     }
-    if (most_area > least_area && blood > 0.0) area_factor_ = blood / area2;
-    if (*std::max_element(haze.begin(), haze.end()) < least_depth) return;
+    const bool bleeds = most_area > least_area && blood > 0.0,
+               smokes = *std::max_element(haze.begin(), haze.end()) >= least_depth;
+    factors_known_ = bleeds && smokes;
+    if (bleeds) area_factor_ = blood / area2;
+    if (!smokes) return;
     least_squares(depth, haze, emission, haze_factor_, plume_factor_);
     haze_factor_ = std::clamp(haze_factor_, least_factor, most_factor);
 }
@@ -111,7 +114,7 @@ void Carried::drawn(std::span<const double> coordinates, std::span<const Amounts
                 depth_slopes_[i * parameters_ + k] += part * (depth_of(curves.veil[i]) - depth_of(told.veil[i]));
             }
     stand_at(coordinates, core, curves);
-    if (first) find_factors();
+    if (!factors_known_) find_factors();
 }
 
 void Carried::stand_at(std::span<const double> coordinates, std::span<const Amounts> core, const ShownCurves& curves) {

@@ -47,6 +47,7 @@ class Carried {
   private:
     void find_factors();
     std::size_t parameters_;
+    bool factors_known_ = false;  ///< a drawn curve had blood and smoke
     double haze_factor_ = 1.0, plume_factor_ = 0.0, area_factor_;
     std::vector<double> coordinates_;
     std::vector<Amounts> core_;

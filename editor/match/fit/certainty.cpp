@@ -28,6 +28,10 @@ std::vector<Block> blocks_of(std::span<const TargetPoint> target) {
             blocks.push_back({i, i});
         blocks.back().last = i + 1;
     }
+    if (blocks.size() > 1 && target.back().time - target[blocks.back().first].time < 0.5 * Objective::block) {
+        blocks[blocks.size() - 2].last = blocks.back().last;  // a short rest is no block of its own
+        blocks.pop_back();
+    }
     return blocks;
 }
 

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapfx/prepared_organ.h"
+#include "match/episode.h"
 #include "match/fit/certainty.h"
 #include "match/fit/search.h"
+#include "match/fit/seen_places.h"
 #include "match/fit/undetermined.h"
 
 namespace lapfx::match {
@@ -30,7 +33,7 @@ class Fit {
         : input_(input),
           start_(coordinates_of(input)),
           objective_(input.target, input.weights, start_),
-          carried_(start_.size(), input.share_per_mm2),
+          carried_(start_.size(), share_of(input)),
           core_(input.organ) {
         for (const TargetPoint& aim : input.target) times_.push_back(aim.time);
         best_.coordinates = start_;
@@ -39,6 +42,7 @@ class Fit {
     FitResult run() {
         if (draw_before() && draw(start_)) {
             if (!input_.before) first_ = best_.frames;
+            leave_out_unseen();
             if (learn_unknown()) search_rounds();
             hold_undetermined();
         }
@@ -50,6 +54,11 @@ class Fit {
         std::vector<double> coordinates;
         for (const FreeParameter& p : input.parameters) coordinates.push_back(p.coordinate(p.get(input.start)));
         return coordinates;
+    }
+    /// Until a drawn curve with blood tells it.
+    static double share_of(const FitInput& input) {
+        constexpr double usual = 5e-5;  // of a view of 150 mm
+        return seen_share_per_mm2(input.organ->organ(), input.start.scene, input.aspect).value_or(usual);
     }
     SearchSpace space() {
         return {.base = input_.start,
@@ -84,6 +93,22 @@ class Fit {
         drawn.cost = objective_.cost(curves_of(drawn.frames), coordinates);
         return drawn;
     }
+    /// What the scene itself does not show measurably cannot be fitted. Throws Error (bad_input) where nothing is left.
+    void leave_out_unseen() {
+        std::vector<TargetPoint> target = input_.target;
+        const auto none = [&](Curve curve) {
+            return std::none_of(best_.frames.begin(), best_.frames.end(),
+                                [&](const FrameAmounts& frame) { return measurable(frame, curve); });
+        };
+        const bool no_blood = none(Curve::blood), no_veil = none(Curve::veil);
+        if (!no_blood && !no_veil) return;
+        if (no_blood && no_veil)
+            throw Error(Failure::bad_input,
+                        Fault{.file = "", .place = "", .reason = "no picture of the scene is measurable"});
+        for (TargetPoint& aim : target) (no_blood ? aim.blood : aim.veil).reset();
+        objective_ = Objective(std::move(target), input_.weights, start_);
+        best_.cost = objective_.cost(curves_of(best_.frames), start_);
+    }
     bool draw_before() {
         if (!input_.before) return true;
         if (!goes_on()) return false;
@@ -106,8 +131,8 @@ class Fit {
         for (std::size_t k = 0; k < start_.size(); ++k) {
             const FreeParameter& p = input_.parameters[k];
             if (known_to_core(p)) continue;
-            const double room = p.coordinate(p.maximum) - start_[k];
-            const double step = room > learning_step ? learning_step : -learning_step;
+            const double above = p.coordinate(p.maximum) - start_[k], below = start_[k] - p.coordinate(p.minimum);
+            const double step = above >= below ? std::min(above, learning_step) : -std::min(below, learning_step);
             std::vector<double> moved = start_;
             moved[k] += step;
             const std::optional<Drawn> drawn = curve(moved);
@@ -140,15 +165,23 @@ class Fit {
         std::vector<bool> held;
         std::vector<double> next = best_.coordinates;
         certainties_ = certainties();
+        for (std::size_t k = 0; k < certainties_.size(); ++k)
+            certainties_[k].determined =
+                certainties_[k].determined && shows_anything_of(input_.parameters[k].key, objective_.target());
         for (std::size_t k = 0; k < next.size(); ++k) {
             held.push_back(!certainties_[k].determined);
             if (held[k]) next[k] = start_[k];
         }
-        if (early_ || next == best_.coordinates) return;
+        if (early_) return;
+        if (next == best_.coordinates) return;
         next = search(space(), next, {.held = held, .seed = input_.seed, .goes_on = [this] { return goes_on(); }});
-        const Drawn nearest = std::move(best_);
-        best_ = {};
-        if (!draw(next)) best_ = nearest;
+        const std::optional<Drawn> drawn = curve(next);
+        if (!drawn) return;
+        carried_.drawn(next, space().core_at(next), curves_of(drawn->frames));
+        best_ = *drawn;
+        std::vector<Certainty> there = certainties();
+        for (std::size_t k = 0; k < next.size(); ++k) there[k].determined = there[k].determined && !held[k];
+        certainties_ = std::move(there);
     }
     FitResult result() {
         FitResult result{.tuned = space().tuned(best_.coordinates),
@@ -174,9 +207,12 @@ class Fit {
                                .low = p.value(c.low),
                                .high = p.value(c.high),
                                .determined = c.determined};
-        if (!c.determined) {
+        if (early_) {
+            fitted.determined = false;
+            fitted.why = "the fit ended before that was known";
+        } else if (!c.determined) {
             fitted.after = p.get(input_.start);
-            fitted.why = why_undetermined(k, input_.parameters, certainties_, input_.target);
+            fitted.why = why_undetermined(k, input_.parameters, certainties_, objective_.target());
         } else {
             fitted.at_bound = at - p.coordinate(p.minimum) < bound_near || p.coordinate(p.maximum) - at < bound_near;
         }

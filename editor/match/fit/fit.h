@@ -45,7 +45,7 @@ struct FitInput {
     std::vector<TargetPoint> target = {};        ///< at least two
     std::shared_ptr<const PreparedOrgan> organ = {};
     DrawCurve draw = {};
-    double share_per_mm2 = 5e-5;  ///< what a mm2 of blood covers of the view, until a drawn curve with blood tells it
+    double aspect = 1.25;  ///< of the drawn pictures, width over height
     Weights weights = {};
     std::uint32_t seed = 1;
     int rounds =
@@ -58,7 +58,7 @@ struct FittedParameter {
     FreeParameter parameter;
     double before = 0.0, after = 0.0;
     double low = 0.0, high = 0.0;  ///< 90 % interval
-    bool determined = false;       ///< else it has kept its value
+    bool determined = false;       ///< else it has kept its value, or the fit ended early
     bool at_bound = false;         ///< the curves would take it farther
     std::string why = {};          ///< why it is not determined, and what would tell it; else empty
 };

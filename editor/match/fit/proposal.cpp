@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 #include <optional>
 
-#include "lapfx/authoring/strokes.h"
 #include "lapfx/prepared_organ.h"
 #include "match/emission.h"
 #include "match/fit/core_amounts.h"
 #include "match/fit/seen_places.h"
-#include "match/view_share.h"
+#include "match/strokes.h"
 #include "match/wounds.h"
 
 namespace lapfx::match {
@@ -26,29 +24,6 @@ std::string text_of(const char* format, double a, double b = 0.0) {
     char text[160];
     std::snprintf(text, sizeof text, format, a, b);
     return text;
-}
-
-/// Numbers of the contacts of each stroke that is hot, in the order of time.
-std::vector<std::vector<std::size_t>> hot_strokes(std::span<const ToolContact> events) {
-    std::vector<std::size_t> order(events.size()), stroke_of(events.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return events[a].time < events[b].time; });
-    std::vector<std::vector<std::size_t>> strokes;
-    std::vector<char> continued(order.size(), 0);
-    for (std::size_t n = 0; n < order.size(); ++n) {
-        if (!events[order[n]].hot()) continue;
-        const auto before = goes_on_from(
-            n, [&](std::size_t i) -> const ToolContact& { return events[order[i]]; },
-            [&](std::size_t i) { return continued[i] != 0; });
-        stroke_of[n] = before ? stroke_of[*before] : strokes.size();
-        if (before)
-            continued[*before] = 1;
-        else
-            strokes.emplace_back();
-        strokes[stroke_of[n]].push_back(order[n]);
-    }
-    return strokes;
 }
 
 /// The whole stroke, squeezed or stretched.
@@ -79,8 +54,8 @@ class Proposing {
 
   private:
     void say(std::string line) { proposal_.lines.push_back(std::move(line)); }
-    template <class Value>
-    void set(const char* key, Value value) {
+    void set(const std::string& key, double value) {
+        if (std::find(options_.keys.begin(), options_.keys.end(), key) == options_.keys.end()) return;
         free_parameters(proposal_.tuned, std::vector<std::string>{key}).front().set(proposal_.tuned, value);
     }
     std::vector<glm::dvec3> taken() const {
@@ -110,38 +85,69 @@ class Proposing {
         const HazeParameters& haze = start_.preset.smoke.haze;
         const SmokeFound found = smoke_above_offset(points, haze.ventilation);
         proposal_.veil_offset = found.offset;
-        if (options_.moves_events) move_hot(found);
+        move_hot(found);
         if (found.bursts.empty()) return say("veil: no smoke beyond the error of measuring");
         for (const Burst& burst : found.bursts) say(text_of("smoke: from %.1f s to %.1f s", burst.start, burst.end));
         if (found.falls)
             set("smoke.haze.ventilation", found.ventilation);
         else
             say("smoke.haze.ventilation: not determined, the veil never falls; 4 s of clearing would tell it");
-        if (options_.moves_events) proposal_.tuned.scene.curves.emission = found.emission;
+        set_emission(found.emission);
         set_accumulation(points, found);
     }
+    /// What the target says nothing about stays as it is.
+    bool is_told(const ToolContact& event) const {
+        return event.end() >= target_.front().time && event.time <= target_.back().time;
+    }
+    /// Of the strokes that are told, each burst takes the one that begins nearest; the others are silenced.
     void move_hot(const SmokeFound& found) {
         std::vector<ToolContact>& events = proposal_.tuned.scene.events;
-        const std::vector<std::vector<std::size_t>> strokes = hot_strokes(events);
-        for (std::size_t i = 0; i < strokes.size(); ++i) {
-            if (i < found.bursts.size())
-                retime(events, strokes[i], std::max(found.bursts[i].start, 0.0), found.bursts[i].end);
-            else
-                for (const std::size_t k : strokes[i]) events[k].power = events[k].strength = 0.0;
+        std::vector<std::vector<std::size_t>> strokes =
+            strokes_of(events, [](const ToolContact& contact) { return contact.hot(); });
+        std::erase_if(strokes,
+                      [&](const std::vector<std::size_t>& stroke) { return !is_told(events[stroke.front()]); });
+        std::vector<Burst> without;
+        for (const Burst& burst : found.bursts) {
+            const auto nearest = std::min_element(strokes.begin(), strokes.end(), [&](const auto& a, const auto& b) {
+                return std::abs(events[a.front()].time - burst.start) < std::abs(events[b.front()].time - burst.start);
+            });
+            if (nearest == strokes.end()) {
+                without.push_back(burst);
+                continue;
+            }
+            retime(events, *nearest, std::max(burst.start, 0.0), burst.end);
+            strokes.erase(nearest);
         }
-        if (found.bursts.size() <= strokes.size()) return;
+        for (const std::vector<std::size_t>& stroke : strokes)
+            for (const std::size_t k : stroke) events[k].power = events[k].strength = 0.0;
+        add_hot(without);
+    }
+    void add_hot(const std::vector<Burst>& bursts) {
+        if (bursts.empty()) return;
+        std::vector<ToolContact>& events = proposal_.tuned.scene.events;
         const std::vector<SeenPlace> places = free_places();
         if (places.empty()) return say("smoke: no place for another tool is seen");
-        for (std::size_t i = strokes.size(); i < found.bursts.size(); ++i) {
-            const glm::dvec3 at = places[(i - strokes.size()) % places.size()].position;
+        for (std::size_t i = 0; i < bursts.size(); ++i) {
+            const glm::dvec3 at = places[i % places.size()].position;
             events.push_back({.action = ToolAction::coagulate,
-                              .time = std::max(found.bursts[i].start, 0.0),
-                              .duration = found.bursts[i].end - std::max(found.bursts[i].start, 0.0),
+                              .time = std::max(bursts[i].start, 0.0),
+                              .duration = bursts[i].end - std::max(bursts[i].start, 0.0),
                               .position = at,
                               .to = at,
                               .power = 1.0,
                               .strength = 0.0});
         }
+    }
+    /// Within the target's time; 1 at both ends, so that what is beyond keeps its smoke.
+    void set_emission(std::vector<CurvePoint> found) {
+        std::vector<CurvePoint>& curve = proposal_.tuned.scene.curves.emission;
+        const double from = target_.front().time, to = target_.back().time;
+        std::erase_if(curve, [&](const CurvePoint& point) { return point.time >= from && point.time <= to; });
+        if (found.empty()) return;
+        if (found.front().time > from) found.insert(found.begin(), {from, 1.0});
+        if (found.back().time < to) found.push_back({to, 1.0});
+        const auto place = std::find_if(curve.begin(), curve.end(), [&](const CurvePoint& p) { return p.time > to; });
+        curve.insert(place, found.begin(), found.end());
     }
     /// So that the core's own haze, of tools that burn more or less fat, is that of the reference.
     void set_accumulation(std::span<const HazePoint> points, const SmokeFound& found) {
@@ -173,14 +179,14 @@ class Proposing {
         if (points.size() < 2) return say("blood: not measurable, it stays as it is");
         // A hot stroke keeps the time of its smoke: for the wounds it does not divide.
         Scene scene = proposal_.tuned.scene;
-        if (options_.moves_events)
-            for (ToolContact& event : scene.events)
-                if (event.hot()) event.action = ToolAction::coagulate;
+        for (ToolContact& event : scene.events) {
+            if (event.hot()) event.action = ToolAction::coagulate;
+            if (divides(event.action) && !is_told(event)) event.action = ToolAction::coagulate, event.power = 0.0;
+        }
         const std::vector<SeenPlace> places = free_places();
         std::vector<glm::dvec3> elsewhere;
-        if (options_.moves_events)
-            for (const SeenPlace& place : places) elsewhere.push_back(place.position);
-        const std::optional<double> share = share_per_mm2_of(scene, places);
+        for (const SeenPlace& place : places) elsewhere.push_back(place.position);
+        const std::optional<double> share = seen_share_per_mm2(organ_->organ(), scene, options_.aspect);
         if (!share) return say("blood: no place of the organ is seen, it stays as it is");
         const WoundsFound found = wounds_of(points, {.scene = scene,
                                                      .preset = proposal_.tuned.preset,
@@ -188,7 +194,7 @@ class Proposing {
                                                      .share_per_mm2 = *share,
                                                      .elsewhere = elsewhere,
                                                      .error_lasts = 1.0});
-        if (options_.moves_events) take_events(found);
+        take_events(found);
         if (found.wounds.empty()) return say("blood: none beyond the error of measuring");
         tell(found);
     }
@@ -197,30 +203,11 @@ class Proposing {
         for (std::size_t i = 0; i < found.events.size(); ++i) {
             if (i >= events.size())
                 events.push_back(found.events[i]);
-            else if (events[i].hot())
+            else if (is_told(events[i]) && events[i].hot())
                 events[i].strength = 0.0;
-            else
+            else if (is_told(events[i]))
                 events[i] = found.events[i];
         }
-    }
-    /// Where a wound is or will be.
-    std::optional<double> share_per_mm2_of(const Scene& scene, const std::vector<SeenPlace>& places) const {
-        std::optional<double> nearest;
-        double distance = 0.0;
-        const Organ& organ = organ_->organ();
-        for (const ToolContact& event : scene.events) {
-            if (!divides(event.action)) continue;
-            for (std::size_t i = 0; i < organ.positions.size(); ++i) {
-                const double here = glm::distance(glm::dvec3(organ.positions[i]), event.position);
-                if (nearest && here >= distance) continue;
-                distance = here;
-                nearest = share_per_mm2(scene.camera, options_.aspect, event.position, glm::dvec3(organ.normals[i]));
-            }
-            if (nearest && *nearest > 0.0) return nearest;
-            nearest.reset();
-        }
-        if (places.empty()) return {};
-        return share_per_mm2(scene.camera, options_.aspect, places.front().position, places.front().normal);
     }
     void tell(const WoundsFound& found) {
         for (const WoundFound& wound : found.wounds)

@@ -24,14 +24,17 @@ class PreparedOrgan;
 namespace lapfx::match {
 
 struct ProposalOptions {
-    double aspect = 1.25;      ///< of the picture, width over height
-    bool moves_events = true;  ///< false: events stay where they are, and only the preset is proposed
+    double aspect = 1.25;  ///< of the picture, width over height
+    /// Parameters of the preset that may be proposed; those of others stay. Events and curves.emission always move.
+    std::vector<std::string> keys = {"bleeding.speed", "bleeding.max_extent", "smoke.haze.accumulation",
+                                     "smoke.haze.ventilation"};
 };
 
 struct Proposal {
-    /// Smoke: whole strokes that are hot have the times of the bursts, in their order, and full power; those that are
-    /// too many have none; where they are too few, coagulation is added. Blood: cold strokes that divide have the times
-    /// of the wounds, cuts are added, and hot strokes open none. Values that the reference does not tell stay.
+    /// Smoke: whole strokes that are hot have the times of the bursts, each burst that of the stroke which begins
+    /// nearest, and full power; those that are too many have none; where they are too few, coagulation is added. Blood:
+    /// cold strokes that divide have the times of the wounds, cuts are added, and hot strokes open none. Strokes
+    /// outside of the target's time, and values that the reference does not tell, stay.
     Tuned tuned;
     std::vector<std::string> lines = {};  ///< for people: what was found, and what is not determined
     double veil_offset = 0.0;             ///< of the baseline of the reference, which may be hazy itself

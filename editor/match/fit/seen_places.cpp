@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "match/view_share.h"
+
 namespace lapfx::match {
 
 namespace {
@@ -47,7 +49,7 @@ std::vector<SeenPlace> seen_places(const Organ& organ, const SceneCamera& camera
         if (depth <= 0.0) continue;
         const double x = pinhole.focal * glm::dot(seen, pinhole.right) / depth / aspect,
                      y = pinhole.focal * glm::dot(seen, pinhole.up) / depth;
-        if (std::abs(x) >= 1.0 || std::abs(y) >= 1.0) continue;
+        if (!(std::abs(x) < 1.0 && std::abs(y) < 1.0)) continue;
         const auto cell = [](double at) { return static_cast<std::size_t>(0.5 * (at + 1.0) * cells); };
         std::optional<Found>& here = nearest[cell(y) * cells + cell(x)];
         if (!here || depth < here->depth)
@@ -69,6 +71,22 @@ std::vector<SeenPlace> seen_places(const Organ& organ, const SceneCamera& camera
         all.push_back(here.place.position);
     }
     return places;
+}
+
+std::optional<double> seen_share_per_mm2(const Organ& organ, const Scene& scene, double aspect) {
+    for (const ToolContact& event : scene.events) {
+        if (!divides(event.action) || organ.positions.empty()) continue;
+        const auto nearest = std::min_element(
+            organ.positions.begin(), organ.positions.end(), [&event](const glm::vec3& a, const glm::vec3& b) {
+                return glm::distance(glm::dvec3(a), event.position) < glm::distance(glm::dvec3(b), event.position);
+            });
+        const glm::dvec3 normal(organ.normals[static_cast<std::size_t>(nearest - organ.positions.begin())]);
+        const double share = share_per_mm2(scene.camera, aspect, event.position, normal);
+        if (share > 0.0) return share;
+    }
+    const std::vector<SeenPlace> places = seen_places(organ, scene.camera, aspect, 0.0, {}, 1);
+    if (places.empty()) return {};
+    return share_per_mm2(scene.camera, aspect, places.front().position, places.front().normal);
 }
 
 }  // namespace lapfx::match

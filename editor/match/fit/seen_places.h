@@ -4,6 +4,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,5 +22,9 @@ struct SeenPlace {
 /// least `apart` mm from those before and from `taken`. `aspect`: of the picture, width over height.
 std::vector<SeenPlace> seen_places(const Organ& organ, const SceneCamera& camera, double aspect, double apart,
                                    std::span<const glm::dvec3> taken = {}, std::size_t most = 8);
+
+/// What 1 mm2 of blood covers of the view (view_share.h) at the first event that divides tissue in view, or else in the
+/// middle of the picture. Nothing where no place is seen.
+std::optional<double> seen_share_per_mm2(const Organ& organ, const Scene& scene, double aspect);
 
 }  // namespace lapfx::match

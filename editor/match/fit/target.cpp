@@ -9,6 +9,8 @@ namespace lapfx::match {
 
 namespace {
 
+constexpr double most_around = 0.25;  // s: the scene is drawn at one moment
+
 struct Mean {
     Amount sum;
     int count = 0;
@@ -30,15 +32,15 @@ std::vector<TargetPoint> target_of(std::span<const FrameAmounts> reference, cons
     const auto steps =
         std::clamp(static_cast<std::size_t>(std::ceil(length / options.step - 1e-9)), std::size_t{1}, options.most);
     const double step = length / static_cast<double>(steps);
+    const double around = std::min(0.5 * step, most_around);
     std::vector<TargetPoint> target;
     for (std::size_t i = 0; i <= steps; ++i) {
         const double time = options.from + length * static_cast<double>(i) / static_cast<double>(steps);
-        const auto first = std::lower_bound(reference.begin(), reference.end(), time + options.offset - 0.5 * step,
+        const auto first = std::lower_bound(reference.begin(), reference.end(), time + options.offset - around,
                                             [](const FrameAmounts& frame, double at) { return frame.time < at; });
         Mean blood, veil;
         bool any = false;
-        for (auto frame = first; frame != reference.end() && frame->time <= time + options.offset + 0.5 * step;
-             ++frame) {
+        for (auto frame = first; frame != reference.end() && frame->time <= time + options.offset + around; ++frame) {
             any = true;
             if (measurable(*frame, Curve::blood)) blood.add(frame->blood);
             if (measurable(*frame, Curve::veil)) veil.add(frame->veil);

@@ -26,8 +26,8 @@ struct TargetOptions {
     std::size_t most = 60;
 };
 
-/// Each is the mean of the frames that are not farther than half a step. Times at which the reference has no frame are
-/// left out; fewer than two are none at all.
+/// Each is the mean of the frames that are not farther than half a step, and 0.25 s. Times at which the reference has
+/// no frame are left out; fewer than two are none at all.
 std::vector<TargetPoint> target_of(std::span<const FrameAmounts> reference, const TargetOptions& options);
 
 /// Errors within one video. What the intervals hold beyond these errors is shared by all of its frames (the scale of

@@ -11,6 +11,8 @@ constexpr double telling_decay = 4.0;  // s of clearing that tell how fast it cl
 constexpr double clears_by = 0.15;     // of the peak, below it: clearing has begun
 constexpr double still_grows = 0.9;    // of the peak: blood at the end that is above it still grows
 
+constexpr double beyond = 1.5;  // standard errors, of the most and of the least
+
 struct Course {
     double peak = 0.0, peak_at = 0.0, last = 0.0, last_at = 0.0;
     bool any = false;      ///< the amount is measurable at all
@@ -18,17 +20,19 @@ struct Course {
 };
 
 Course course_of(std::span<const TargetPoint> target, std::optional<Amount> TargetPoint::*amount) {
+    const CourseError& errors = amount == &TargetPoint::blood ? blood_course : veil_course;
     Course course;
-    double highest_low = 0.0, lowest_high = 1.0;
+    double most_above = 0.0, least_above = 1.0;  // lower end of the amount at its most, upper end at its least
     for (const TargetPoint& aim : target) {
         const std::optional<Amount>& at = aim.*amount;
         if (!at) continue;
         if (!course.any || at->value > course.peak) course.peak = at->value, course.peak_at = aim.time;
         course.last = at->value, course.last_at = aim.time;
         course.any = true;
-        highest_low = std::max(highest_low, at->low), lowest_high = std::min(lowest_high, at->high);
+        const double error = beyond * course_error(*at, errors);
+        most_above = std::max(most_above, at->value - error), least_above = std::min(least_above, at->value + error);
     }
-    course.changes = course.any && highest_low > lowest_high;
+    course.changes = course.any && most_above > least_above;
     return course;
 }
 
@@ -40,6 +44,12 @@ std::string without_course(const Course& course, const std::string& amount) {
 }
 
 }  // namespace
+
+bool shows_anything_of(const std::string& key, std::span<const TargetPoint> target) {
+    if (key.starts_with("bleeding.")) return course_of(target, &TargetPoint::blood).changes;
+    if (key.starts_with("smoke.")) return course_of(target, &TargetPoint::veil).changes;
+    return true;
+}
 
 std::string why_undetermined(std::size_t parameter, const std::vector<FreeParameter>& parameters,
                              const std::vector<Certainty>& certainties, std::span<const TargetPoint> target) {

@@ -11,6 +11,9 @@
 
 namespace lapfx::match {
 
+/// False for a parameter of blood or of smoke where the target's blood, or veil, does not change beyond its error.
+bool shows_anything_of(const std::string& key, std::span<const TargetPoint> target);
+
 /// For people, one sentence without a full stop: "the video ends while it still smokes; 4 s of clearing would tell it".
 std::string why_undetermined(std::size_t parameter, const std::vector<FreeParameter>& parameters,
                              const std::vector<Certainty>& certainties, std::span<const TargetPoint> target);

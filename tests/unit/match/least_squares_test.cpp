@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 namespace lapfx::match {
 namespace {
@@ -58,6 +59,13 @@ TEST(LeastSquares, EndsWhenItIsTold) {
     EXPECT_EQ(asked, 3);
     EXPECT_GT(cost, 1e-3) << "it was not there yet";
     EXPECT_LT(cost, 0.5 * (4.4 * 4.4 + 2.2 * 2.2)) << "but nearer than at the beginning";
+}
+
+TEST(LeastSquares, WhatIsThrownComesThrough) {
+    LeastSquares problem = valley();
+    problem.goes_on = []() -> bool { throw std::runtime_error("stopped"); };
+    std::vector<double> x = {-1.2, 1.0};
+    EXPECT_THROW(solve(problem, x), std::runtime_error);
 }
 
 TEST(LeastSquares, Linearises) {

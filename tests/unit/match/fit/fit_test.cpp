@@ -211,6 +211,10 @@ TEST(Fit, ThatIsCancelledGivesTheBestSoFar) {
     EXPECT_TRUE(found.ended_early);
     EXPECT_EQ(found.curves, 2);
     EXPECT_LT(*found.veil_after, *found.veil_before) << "one search was drawn";
+    for (const FittedParameter& p : found.parameters) {
+        EXPECT_EQ(p.after, p.parameter.get(found.tuned)) << "what is told is what is there";
+        EXPECT_FALSE(p.determined);
+    }
     input.progress = [](const FitProgress&) { return false; };
     drawn = 0;
     const FitResult none = fit(input);
@@ -232,6 +236,30 @@ TEST(Fit, ProgressGrowsAndShowsTheBest) {
     fit(input);
     EXPECT_TRUE(shown);
     EXPECT_GT(last, 0.2);
+}
+
+TEST(Fit, TellsTheValuesThatAreThere) {
+    for (const double until : {5.0, seconds}) {
+        const FitResult found = found_for({.hidden = hidden(2.0, 30.0, 0.1, 0.08), .noise = 0.02, .until = until});
+        for (const FittedParameter& p : found.parameters) EXPECT_EQ(p.after, p.parameter.get(found.tuned));
+    }
+}
+
+TEST(Fit, RefusesASceneThatCannotBeMeasured) {
+    Camera camera;
+    FitInput input = input_of({}, camera);
+    const auto draw = input.draw;
+    unsigned flags = told::not_measurable;
+    input.draw = [&](const Tuned& tuned, std::span<const double> times) {
+        auto frames = draw(tuned, times);
+        for (FrameAmounts& frame : *frames) frame.flags = flags;
+        return frames;
+    };
+    EXPECT_THROW(fit(input), Error);
+    flags = told::dense;  // no blood, but veil
+    const FitResult found = fit(input);
+    EXPECT_FALSE(of(found, "bleeding.speed").determined);
+    EXPECT_FALSE(found.blood_after);
 }
 
 TEST(Fit, RefusesAReferenceThatTellsNothing) {

@@ -64,8 +64,8 @@ Tuned hidden() {
     return tuned;
 }
 
-Proposal of(const std::vector<TargetPoint>& target, bool moves_events = true) {
-    return propose(scene(), organ(), target, {.aspect = aspect, .moves_events = moves_events});
+Proposal of(const std::vector<TargetPoint>& target) {
+    return propose(scene(), organ(), target, {.aspect = aspect});
 }
 
 TEST(Proposal, TellsToolsAndPreset) {
@@ -89,12 +89,40 @@ TEST(Proposal, TellsToolsAndPreset) {
     for (const Fault& fault : check(scene_table(), &found.tuned.scene)) ADD_FAILURE() << fault.place << fault.reason;
 }
 
-TEST(Proposal, LeavesEventsWhereOnlyThePresetIsAsked) {
-    Tuned truth = scene();
-    truth.preset.bleeding.max_extent = 9.0, truth.preset.smoke.haze.accumulation = 0.4;
-    const Proposal found = of(seen(truth), false);
-    EXPECT_EQ(found.tuned.scene.events, scene().scene.events);
-    EXPECT_NEAR(found.tuned.preset.smoke.haze.accumulation, 0.4, 0.08);
+TEST(Proposal, SetsOnlyWhatItMay) {
+    const Proposal found = propose(scene(), organ(), seen(hidden()), {.aspect = aspect, .keys = {"bleeding.speed"}});
+    EXPECT_NEAR(found.tuned.preset.bleeding.speed, 2.5, 0.25);
+    EXPECT_EQ(found.tuned.preset.bleeding.max_extent, scene().preset.bleeding.max_extent);
+    EXPECT_EQ(found.tuned.preset.smoke.haze.accumulation, scene().preset.smoke.haze.accumulation);
+    EXPECT_EQ(found.tuned.preset.smoke.haze.ventilation, scene().preset.smoke.haze.ventilation);
+}
+
+TEST(Proposal, LeavesWhatLiesBeyondTheReference) {
+    Tuned start = scene();
+    const ToolContact late{.action = ToolAction::cauterise, .time = 30.0, .position = {-28, 0, 0}, .to = {-28, 0, 0}};
+    const ToolContact cut{
+        .action = ToolAction::cut, .time = 31.0, .duration = 0.0, .position = {0, 0, 28}, .to = {0, 0, 28}};
+    start.scene.events.push_back(late), start.scene.events.push_back(cut);
+    start.scene.curves.emission = {{.time = 3.0, .value = 0.2}, {.time = 29.0, .value = 0.5}};
+    const Proposal found = propose(start, organ(), seen(hidden()), {.aspect = aspect});
+    const std::vector<ToolContact>& events = found.tuned.scene.events;
+    ASSERT_EQ(events.size(), 4U);
+    EXPECT_EQ(events[2], late);
+    EXPECT_EQ(events[3], cut);
+    EXPECT_NEAR(events[0].time, 5.0, 0.3);
+    ASSERT_EQ(found.tuned.scene.curves.emission.size(), 1U);
+    EXPECT_EQ(found.tuned.scene.curves.emission[0].value, 0.5);
+}
+
+TEST(Proposal, ABurstTakesTheNearestStroke) {
+    Tuned start = scene();
+    start.scene.events[1].time = 12.0;
+    start.scene.events.push_back(
+        {.action = ToolAction::coagulate, .time = 2.5, .duration = 1.0, .position = {-28, 0, 0}, .to = {-28, 0, 0}});
+    const Proposal found = propose(start, organ(), seen(hidden()), {.aspect = aspect});
+    EXPECT_NEAR(found.tuned.scene.events[2].time, 2.0, 0.3);
+    EXPECT_EQ(found.tuned.scene.events[2].power, 1.0);
+    EXPECT_EQ(found.tuned.scene.events[1].power, 0.0);
 }
 
 TEST(Proposal, AddsToolsInViewAndTakesAwayOthers) {

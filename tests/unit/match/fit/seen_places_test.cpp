@@ -42,5 +42,17 @@ TEST(SeenPlaces, AreNoneWhereTheOrganIsNotSeen) {
     EXPECT_TRUE(seen_places(test::plane(80.0, 60), above(-100.0), 1.25, 15.0).empty()) << "it faces the other way";
 }
 
+TEST(SeenPlaces, TellTheShareOfBlood) {
+    Scene scene;
+    scene.camera = above(100.0);
+    scene.camera.vignette = 0.0;
+    const double straight = 1.0 / (1.25 * 115.47 * 115.47);  // the view is 2 * 100 tan 30 deg high
+    EXPECT_NEAR(*seen_share_per_mm2(test::plane(80.0, 60), scene, 1.25), straight, 0.02 * straight);
+    scene.events = {{.action = ToolAction::cut, .position = {0.0, 50.0, 0.0}}};  // twice as near
+    EXPECT_NEAR(*seen_share_per_mm2(test::plane(80.0, 60), scene, 1.25), 4.0 * straight, 0.02 * straight);
+    scene.camera.target = {0.0, 200.0, 0.0};
+    EXPECT_FALSE(seen_share_per_mm2(test::plane(80.0, 60), scene, 1.25));
+}
+
 }  // namespace
 }  // namespace lapfx::match
