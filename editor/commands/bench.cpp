@@ -128,6 +128,13 @@ void add_bench(CLI::App& app) {
     };
     add("bleeding", "CPU time and bytes per frame of blood on small and large organs", bench_bleeding);
     add("editor", "What the editor's panels cost compared with the scene that they show", bench_editor);
+    const auto [fit, fit_options] =
+        add("fit", "How well hidden presets are found again in videos of other organs, cameras and lights", bench_fit);
+    fit->add_option("--seed", fit_options->seed,
+                    "Seed of what is drawn at random: the same seed gives the same figures")
+        ->option_text("NUMBER")
+        ->check(CLI::Range(0, 1'000'000))
+        ->capture_default_str();
     const auto [frame, frame_options] =
         add("frame",
             "What 15 smoke clips add to a frame, how much they delay a haptic thread, and what blood and wounds cost",

@@ -52,6 +52,7 @@ double median(std::vector<double> values);
 
 BenchReport bench_bleeding(const BenchOptions& options);
 BenchReport bench_editor(const BenchOptions& options);
+BenchReport bench_fit(const BenchOptions& options);
 BenchReport bench_frame(const BenchOptions& options);
 BenchReport bench_measure(const BenchOptions& options);
 BenchReport bench_measure_pairs(const BenchOptions& options);

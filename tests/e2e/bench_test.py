@@ -13,6 +13,7 @@ FFMPEG = {"smoke_ours_over_ffmpeg_2", "smoke_ours_over_ffmpeg_decoding_2", "deco
 BENCHES = {
     "bleeding": {"bleeding_1m_over_10k", "bleeding_bytes_1m_over_10k", "bleeding_1m_over_sweep"},
     "editor": {"editor_ui_over_scene", "drag_over_idle", "drag_over_still"},
+    "fit": {"curves_close"},
     "frame": {"frame_15_over_0", "frame_15_over_0_light_scene", "haptic_lateness_with_over_without",
               "haptic_lateness_with_over_without_ordinary", "sample_cost_10min_over_10s", "simulation_over_real_time"},
     "measure": {"measure_over_playback_720x480", "classes_within_bounds"},

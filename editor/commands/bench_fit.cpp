@@ -1,0 +1,301 @@
+// lapfx bench fit: how well hidden presets are found again.
+//
+// Method: scenes are drawn at random from a seed (bench_fit_cases.cpp): one burn and one cut each, on some organ, with
+// some camera and light. The hidden one is drawn at 6 frames per second and 320x256, noise and compression of a camera
+// are laid over it (bench_measure_camera.h), and it is measured as a video is. Two scenes are fitted to it, each from
+// the shipped preset gastric_banding with tools that begin at other times: one with another organ, camera and light,
+// and the hidden one itself under another light. First the proposal is made (match/fit/proposal.h), then the fit.
+// Curves: true amounts (Preview::layers) of the fitted scene beside those of the hidden one, once a second, root mean
+// square. Parameters: those of the scene itself; the smoke rate b of the other scene goes by what its camera sees of a
+// haze, which is not compared. Intervals are those of the fit.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <opencv2/imgproc.hpp>
+
+#include "commands/bench.h"
+#include "commands/bench_fit_cases.h"
+#include "commands/bench_measure_camera.h"
+#include "commands/progress.h"
+#include "commands/session.h"
+#include "lapfx/authoring/preview.h"
+#include "lapfx/clip_cache.h"
+#include "match/fit/fit.h"
+#include "match/fit/preview_curve.h"
+#include "match/fit/proposal.h"
+#include "match/measure.h"
+#include "output/files.h"
+
+namespace lapfx::commands {
+
+namespace {
+
+constexpr glm::ivec2 size(320, 256);
+constexpr double rate = 6.0;        // frames per second of the reference
+constexpr double truth_step = 1.0;  // s
+constexpr int all_cases = 24;
+constexpr double begins_at = 0.3;  // s: where tools of the fitted scene begin before the fit
+const std::vector<std::string> fitted_keys = {"bleeding.speed",          "bleeding.max_extent",
+                                              "smoke.haze.accumulation", "smoke.haze.ventilation",
+                                              "smoke.plume.density",     "events.1.time"};
+
+struct Drawing {
+    std::shared_ptr<ClipCache> clips = std::make_shared<ClipCache>();
+    PreviewOptions options() const {
+        return {.clip_folders = clip_folders(), .wait_for_clips = true, .clip_cache = clips};
+    }
+    Preview preview(const CaseScene& scene) const {
+        return Preview(scene.tuned.scene, scene.tuned.preset, scene.organ, options());
+    }
+};
+
+/// As a camera leaves it.
+std::vector<match::FrameAmounts> film(const CaseScene& hidden, Random random, const Drawing& drawing) {
+    Preview preview = drawing.preview(hidden);
+    const double noise = draw_noise(random);
+    const auto picture = [&](double time) {
+        cv::Mat bgr;
+        output::to_bgr(preview.image(time, size), bgr);
+        Image image = filmed(random, bgr, cv::Scalar::all(1.0), noise);
+        compress(random, image);
+        return image;
+    };
+    preview.set_contacts({});
+    match::Estimator estimator(picture(0.0), {});
+    preview.set_contacts(hidden.tuned.scene.events);
+    const auto count = static_cast<int>(case_duration * rate);
+    std::vector<Image> pictures;
+    for (int i = 0; i < count; ++i) pictures.push_back(picture(i / rate));
+    for (int i = 0; i < match::surveyed_frames; ++i)
+        estimator.survey(pictures[static_cast<std::size_t>(i * count / match::surveyed_frames)]);
+    estimator.forget();
+    std::vector<match::FrameAmounts> frames;
+    for (int i = 0; i < count; ++i)
+        frames.push_back(estimator.measure(pictures[static_cast<std::size_t>(i)], i / rate));
+    return frames;
+}
+
+std::vector<ShownAmounts> truth_of(const CaseScene& scene, const Drawing& drawing) {
+    Preview preview = drawing.preview(scene);
+    std::vector<ShownAmounts> truth;
+    for (double time = 0.0; time <= case_duration; time += truth_step)
+        truth.push_back(amounts_of(preview.layers(time, size)));
+    return truth;
+}
+
+double rms(const std::vector<ShownAmounts>& a, const std::vector<ShownAmounts>& b, double ShownAmounts::*amount) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i].*amount - b[i].*amount) * (a[i].*amount - b[i].*amount);
+    return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+/// One fitted scene beside the hidden one.
+struct Outcome {
+    bool same_view = false;
+    std::string hidden, fitted;  ///< organs
+    double blood_rms = 0.0, veil_rms = 0.0, blood_before = 0.0, veil_before = 0.0;
+    SeenTruth truth, found;
+    match::FitResult result;
+    double seconds = 0.0;
+};
+
+/// What a fit takes.
+struct Effort {
+    std::uint32_t seed = 1;
+    double step = 0.25;  ///< s between the times that are drawn
+    int rounds = match::FitInput{}.rounds;
+};
+
+Outcome fit_one(const CaseScene& hidden, CaseScene scene, const std::vector<match::FrameAmounts>& reference,
+                const std::vector<ShownAmounts>& hidden_truth, const Drawing& drawing, const Effort& effort) {
+    for (ToolContact& event : scene.tuned.scene.events) event.time = begins_at;
+    Outcome outcome;
+    outcome.hidden = hidden.label, outcome.fitted = scene.label;
+    outcome.truth = seen_truth(hidden.tuned, hidden.organ);
+    const std::vector<ShownAmounts> before = truth_of(scene, drawing);
+    outcome.blood_before = rms(before, hidden_truth, &ShownAmounts::blood);
+    outcome.veil_before = rms(before, hidden_truth, &ShownAmounts::veil);
+    const auto began = std::chrono::steady_clock::now();
+    match::FitInput input{.start = scene.tuned, .before = scene.tuned};
+    input.target = match::target_of(reference, {.to = case_duration, .step = effort.step});
+    input.organ = scene.organ;
+    input.seed = effort.seed, input.rounds = effort.rounds;
+    input.start = match::propose(scene.tuned, scene.organ, input.target, {.aspect = case_aspect}).tuned;
+    input.parameters = match::free_parameters(input.start, fitted_keys);
+    match::PreviewCurve curve(scene.organ, drawing.options(), {}, match::preview_size(glm::dvec2(size)));
+    input.draw = [&](const match::Tuned& tuned, std::span<const double> times) {
+        return curve.measure(tuned.scene, tuned.preset, times);
+    };
+    outcome.result = match::fit(input);
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    scene.tuned = outcome.result.tuned;
+    const std::vector<ShownAmounts> after = truth_of(scene, drawing);
+    outcome.blood_rms = rms(after, hidden_truth, &ShownAmounts::blood);
+    outcome.veil_rms = rms(after, hidden_truth, &ShownAmounts::veil);
+    outcome.found = seen_truth(scene.tuned, scene.organ);
+    return outcome;
+}
+
+double ratio(double found, double truth) {
+    return truth > 0.0 ? found / truth : 0.0;
+}
+
+std::string line_of(const Outcome& o) {
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  "%-17s %-17s %s blood %.4f (%.4f) veil %.4f (%.4f) burn %+.2f s cut %+.2f s b x%.2f w x%.2f pace "
+                  "x%.2f extent x%.2f%s; clears %.1f s; %d curves %.0f s\n",
+                  o.hidden.c_str(), o.fitted.c_str(), o.same_view ? "same " : "other", o.blood_rms, o.blood_before,
+                  o.veil_rms, o.veil_before, o.found.burn_start - o.truth.burn_start,
+                  o.found.cut_start - o.truth.cut_start, ratio(o.found.smoke_rate, o.truth.smoke_rate),
+                  ratio(o.found.ventilation, o.truth.ventilation), ratio(o.found.blood_pace, o.truth.blood_pace),
+                  ratio(o.found.blood_extent, o.truth.blood_extent), o.truth.blood_stops ? "" : " (grows on)",
+                  o.truth.clears_for, o.result.curves, o.seconds);
+    return text;
+}
+
+/// What is known of one parameter, or of when a tool begins, in all outcomes of the same view.
+struct Recovery {
+    const char* name;
+    const char* key;  ///< of the fitted parameter; empty: none has an interval for it
+    double SeenTruth::*value;
+    bool as_ratio;          ///< errors are shares of the truth, else differences, s
+    double median, ninety;  ///< bounds of its errors
+};
+constexpr Recovery recoveries[] = {
+    {"smoke begins", "", &SeenTruth::burn_start, false, 0.2, 0.2},
+    {"blood begins", "", &SeenTruth::cut_start, false, 0.2, 0.2},
+    {"b", "smoke.haze.accumulation", &SeenTruth::smoke_rate, true, 0.1, 0.2},
+    {"ventilation", "smoke.haze.ventilation", &SeenTruth::ventilation, true, 0.3, 0.3},
+    {"speed", "bleeding.speed", &SeenTruth::blood_pace, true, 0.1, 0.2},
+    {"max extent", "bleeding.max_extent", &SeenTruth::blood_extent, true, 0.1, 0.2},
+};
+
+BenchRow figures_of(const Outcome& o) {
+    return {.of = {{"hidden", o.hidden}, {"fitted", o.fitted}, {"view", o.same_view ? "same" : "other"}},
+            .measured = {{"blood_rms", o.blood_rms},
+                         {"blood_rms_before", o.blood_before},
+                         {"veil_rms", o.veil_rms},
+                         {"veil_rms_before", o.veil_before},
+                         {"smoke_begins_late_s", o.found.burn_start - o.truth.burn_start},
+                         {"b_ratio", ratio(o.found.smoke_rate, o.truth.smoke_rate)},
+                         {"ventilation_ratio", ratio(o.found.ventilation, o.truth.ventilation)},
+                         {"speed_ratio", ratio(o.found.blood_pace, o.truth.blood_pace)},
+                         {"max_extent_ratio", ratio(o.found.blood_extent, o.truth.blood_extent)},
+                         {"curves", o.result.curves},
+                         {"fit_s", o.seconds}}};
+}
+
+const match::FittedParameter* fitted_of(const Outcome& o, const std::string& key) {
+    for (const match::FittedParameter& p : o.result.parameters)
+        if (p.parameter.key == key) return &p;
+    return nullptr;
+}
+
+/// Whether the fit says that it knows it.
+bool told(const Outcome& o, const Recovery& r) {
+    const match::FittedParameter* const p = fitted_of(o, r.key);
+    if (p != nullptr) return p->determined;
+    return o.found.*r.value > 0.0 && (r.value != &SeenTruth::cut_start || o.found.blood_pace > 0.0);
+}
+
+double share_at(std::vector<double> errors, double share) {
+    if (errors.empty()) return 0.0;
+    std::sort(errors.begin(), errors.end());
+    return errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1) + 0.5)];
+}
+
+std::string row_of(const Recovery& r, const std::vector<Outcome>& outcomes) {
+    std::vector<double> errors;
+    int all = 0, covered = 0, with_interval = 0;
+    for (const Outcome& o : outcomes) {
+        if (!o.same_view) continue;
+        ++all;
+        if (!told(o, r)) continue;
+        const double truth = o.truth.*r.value, found = o.found.*r.value;
+        errors.push_back(r.as_ratio ? std::abs(ratio(found, truth) - 1.0) : std::abs(found - truth));
+        const match::FittedParameter* const p = fitted_of(o, r.key);
+        if (p == nullptr || found <= 0.0) continue;
+        const double true_value = p->after * truth / found;
+        ++with_interval, covered += p->low <= true_value && true_value <= p->high ? 1 : 0;
+    }
+    char text[240];
+    std::snprintf(text, sizeof text, "%-13s told %2d of %2d, error median %.3f (%.2f) 90 %% %.3f (%.2f)%s", r.name,
+                  static_cast<int>(errors.size()), all, share_at(errors, 0.5), r.median, share_at(errors, 0.9),
+                  r.ninety, r.as_ratio ? "" : " s");
+    std::string row = text;
+    if (with_interval > 0)
+        row += ", interval holds it in " + std::to_string(covered) + " of " + std::to_string(with_interval);
+    return row + '\n';
+}
+
+bool is_close(const Outcome& o) {
+    constexpr double close = 0.05;
+    return o.blood_rms <= close && o.veil_rms <= close;
+}
+
+/// Bounds stand behind the figures, in parentheses.
+std::string summary(const std::vector<Outcome>& outcomes) {
+    std::string text = "\n";
+    for (const bool same_view : {false, true}) {
+        int all = 0, near = 0;
+        std::vector<double> seconds;
+        for (const Outcome& o : outcomes) {
+            if (o.same_view != same_view) continue;
+            ++all, near += is_close(o) ? 1 : 0;
+            seconds.push_back(o.seconds);
+        }
+        if (all == 0) continue;
+        char line[200];
+        std::snprintf(line, sizeof line,
+                      "%s view: both curves within 0.05 RMS of the truth in %d of %d (9 of 10); %.0f s for each fit\n",
+                      same_view ? "same" : "other", near, all, median(seconds));
+        text += line;
+    }
+    if (std::none_of(outcomes.begin(), outcomes.end(), [](const Outcome& o) { return o.same_view; })) return text;
+    text += "Parameters, same view, where the fit says that it knows them:\n";
+    for (const Recovery& r : recoveries) text += row_of(r, outcomes);
+    return text;
+}
+
+}  // namespace
+
+BenchReport bench_fit(const BenchOptions& options) {
+    const Context context = Context::create(Backend::automatic);
+    BenchReport report{.bench = "fit", .renderer = context.renderer(), .rows = {}, .ratios = {}, .table = {}};
+    PreparedViews prepared;
+    const Drawing drawing;
+    const auto seed = static_cast<std::uint32_t>(options.seed);
+    const int cases = options.short_form ? 1 : all_cases;
+    const Effort effort = options.short_form ? Effort{.seed = seed, .step = 1.0, .rounds = 1} : Effort{.seed = seed};
+    std::vector<Outcome> outcomes;
+    Progress progress("fitting", 2 * cases);
+    for (int i = 0; i < cases; ++i) {
+        FitCase drawn = draw_fit_case(seed, i, prepared);
+        const std::vector<match::FrameAmounts> reference =
+            film(drawn.hidden, Random(seed, 41, static_cast<std::uint32_t>(i)), drawing);
+        const std::vector<ShownAmounts> truth = truth_of(drawn.hidden, drawing);
+        for (const bool same_view : {false, true}) {
+            if (same_view && options.short_form) continue;
+            CaseScene scene = same_view ? drawn.hidden : drawn.fitted;
+            if (same_view) {
+                scene.tuned.scene.light.color = drawn.fitted.tuned.scene.light.color;
+                scene.tuned.preset = drawn.fitted.tuned.preset;
+                scene.tuned.preset.vessels = drawn.hidden.tuned.preset.vessels;
+            }
+            Outcome outcome = fit_one(drawn.hidden, scene, reference, truth, drawing, effort);
+            outcome.same_view = same_view;
+            report.table += line_of(outcome);
+            report.rows.push_back(figures_of(outcome));
+            outcomes.push_back(std::move(outcome));
+            progress.step();
+        }
+    }
+    report.table += summary(outcomes);
+    const auto close = std::count_if(outcomes.begin(), outcomes.end(), is_close);
+    report.ratios["curves_close"] = static_cast<double>(close) / static_cast<double>(outcomes.size());
+    return report;
+}
+
+}  // namespace lapfx::commands

@@ -1,0 +1,49 @@
+// The cases of `lapfx bench fit`: a hidden scene that is filmed, and another one, with another organ, camera and light,
+// that is to be fitted to it. In both a tool burns once and cuts once.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands/bench_measure_views.h"
+#include "match/fit/free_parameter.h"
+
+namespace lapfx::commands {
+
+inline constexpr double case_aspect = 1.25;                ///< of the pictures, width over height
+inline constexpr double case_duration = 14.0;              ///< s
+inline constexpr std::size_t case_burn = 0, case_cut = 1;  ///< numbers of the events
+
+/// A scene and its organ.
+struct CaseScene {
+    match::Tuned tuned;
+    std::string prepared;  ///< as DrawnView::prepared
+    std::string label;     ///< its organ
+    std::shared_ptr<const PreparedOrgan> organ;
+};
+
+struct FitCase {
+    CaseScene hidden, fitted;
+};
+
+/// `prepared`: organs that were prepared before.
+FitCase draw_fit_case(std::uint32_t seed, int number, PreparedViews& prepared);
+
+/// What its curves are made of, in the terms of what a camera sees, so that scenes of different organs and cameras can
+/// be compared.
+struct SeenTruth {
+    double burn_start = 0.0;    ///< s, when it begins to smoke
+    double cut_start = 0.0;     ///< s, when the wound opens
+    double smoke_rate = 0.0;    ///< b, 1/s: depth of the veil that a second of burning adds; per haze_factor
+    double ventilation = 0.0;   ///< 1/s
+    double blood_pace = 0.0;    ///< how fast blood spreads, square roots of the view a second
+    double blood_extent = 0.0;  ///< how far, square roots of the view
+    double clears_for = 0.0;    ///< s from the end of the burning to the end of the scene
+    bool blood_stops = false;   ///< it reaches its extent within the scene
+};
+SeenTruth seen_truth(const match::Tuned& tuned, const std::shared_ptr<const PreparedOrgan>& organ);
+
+}  // namespace lapfx::commands
