@@ -170,7 +170,7 @@ class Fit {
                 certainties_[k].determined && shows_anything_of(input_.parameters[k].key, objective_.target());
         for (std::size_t k = 0; k < next.size(); ++k) {
             held.push_back(!certainties_[k].determined);
-            if (held[k]) next[k] = start_[k];
+            if (held[k]) next[k] = input_.parameters[k].coordinate(kept(input_.parameters[k]));
         }
         if (early_) return;
         if (next == best_.coordinates) return;
@@ -183,6 +183,9 @@ class Fit {
         for (std::size_t k = 0; k < next.size(); ++k) there[k].determined = there[k].determined && !held[k];
         certainties_ = std::move(there);
     }
+    const Tuned& original() const { return input_.before ? *input_.before : input_.start; }
+    /// The value of one that is not determined: that of the preset before any proposal; proposed events stay.
+    double kept(const FreeParameter& p) const { return p.get(p.of_scene ? input_.start : original()); }
     FitResult result() {
         FitResult result{.tuned = space().tuned(best_.coordinates),
                          .before = first_,
@@ -194,7 +197,10 @@ class Fit {
         result.blood_after = misfit(input_.target, result.after, &TargetPoint::blood);
         result.veil_before = misfit(input_.target, result.before, &TargetPoint::veil);
         result.veil_after = misfit(input_.target, result.after, &TargetPoint::veil);
-        for (std::size_t k = 0; k < start_.size() && !certainties_.empty(); ++k) result.parameters.push_back(fitted(k));
+        for (std::size_t k = 0; k < start_.size() && !certainties_.empty(); ++k) {
+            const FittedParameter& p = result.parameters.emplace_back(fitted(k));
+            if (!p.determined && !early_) p.parameter.set(result.tuned, p.after);  // to the last bit
+        }
         return result;
     }
     FittedParameter fitted(std::size_t k) const {
@@ -202,7 +208,7 @@ class Fit {
         const Certainty& c = certainties_[k];
         const double at = best_.coordinates[k];
         FittedParameter fitted{.parameter = p,
-                               .before = p.get(input_.before ? *input_.before : input_.start),
+                               .before = p.get(original()),
                                .after = p.value(at),
                                .low = p.value(c.low),
                                .high = p.value(c.high),
@@ -211,7 +217,7 @@ class Fit {
             fitted.determined = false;
             fitted.why = "the fit ended before that was known";
         } else if (!c.determined) {
-            fitted.after = p.get(input_.start);
+            fitted.after = kept(p);
             fitted.why = why_undetermined(k, input_.parameters, certainties_, objective_.target());
         } else {
             fitted.at_bound = at - p.coordinate(p.minimum) < bound_near || p.coordinate(p.maximum) - at < bound_near;

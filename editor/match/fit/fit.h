@@ -39,8 +39,8 @@ struct FitProgress {
 };
 
 struct FitInput {
-    Tuned start;                                 ///< where the search begins, and what keeps its value
-    std::optional<Tuned> before = {};            ///< what was there before, such as without a proposal; none: start
+    Tuned start;                       ///< where the search begins
+    std::optional<Tuned> before = {};  ///< without the proposal; what is not determined keeps its value; none: start
     std::vector<FreeParameter> parameters = {};  ///< at least one
     std::vector<TargetPoint> target = {};        ///< at least two
     std::shared_ptr<const PreparedOrgan> organ = {};

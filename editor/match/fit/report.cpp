@@ -87,7 +87,8 @@ std::string row_of(const FittedParameter& p) {
     std::string html = "<tr><th scope=\"row\">" + escaped(p.parameter.row->name) + " <code>" +
                        escaped(p.parameter.key) + "</code></th>";
     html += cell("Before", with_unit(digits(p.before), p));
-    html += cell("After", p.determined ? "<strong>" + with_unit(digits(p.after), p) + "</strong>" : "kept");
+    const std::string after = with_unit(digits(p.after), p);
+    html += cell("After", p.determined ? "<strong>" + after + "</strong>" : p.after == p.before ? "kept" : after);
     if (!p.determined) return html + "<td>not determined: " + escaped(p.why) + "</td></tr>\n";
     return html +
            cell("90 % interval", with_unit(digits(p.low) + " to " + digits(p.high), p) +

@@ -245,6 +245,19 @@ TEST(Fit, TellsTheValuesThatAreThere) {
     }
 }
 
+TEST(Fit, WhatIsNotDeterminedGoesBackToWhatWasThereBeforeTheProposal) {
+    Camera camera;
+    FitInput input = input_of({.hidden = hidden(2.0, 30.0, 0.1, 0.08), .noise = 0.02, .until = 5.0}, camera);
+    input.before = input.start;
+    input.start.preset.smoke.haze.ventilation = 0.2;
+    const FitResult found = fit(input);
+    const FittedParameter& ventilation = of(found, "smoke.haze.ventilation");
+    EXPECT_FALSE(ventilation.determined);
+    EXPECT_EQ(ventilation.before, 0.05);
+    EXPECT_EQ(ventilation.after, 0.05);
+    EXPECT_EQ(found.tuned.preset.smoke.haze.ventilation, 0.05);
+}
+
 TEST(Fit, RefusesASceneThatCannotBeMeasured) {
     Camera camera;
     FitInput input = input_of({}, camera);

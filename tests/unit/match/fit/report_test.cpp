@@ -202,10 +202,18 @@ TEST(Report, ComparesOnlyWhatTheReferenceHas) {
 
 TEST(Report, SaysThatNothingIsDetermined) {
     FitReport report = usual();
-    for (FittedParameter& p : report.result.parameters) p.determined = p.at_bound = false, p.why = "it is dark";
+    for (FittedParameter& p : report.result.parameters)
+        p.determined = p.at_bound = false, p.why = "it is dark", p.after = p.before;
     const std::string words = words_of(report_html(report));
     EXPECT_THAT(words, HasSubstr("The reference determines none of the parameters: all keep their values."));
     EXPECT_THAT(words, HasSubstr("bleeding.speed 6 mm/s kept not determined: it is dark"));
+}
+
+TEST(Report, ShowsTheValueThatIsThereWhereAFitEndedBeforeItWasKnown) {
+    FitReport report = usual();
+    for (FittedParameter& p : report.result.parameters)
+        p.determined = p.at_bound = false, p.why = "it ended", p.after = 2.0 * p.before;
+    EXPECT_THAT(words_of(report_html(report)), HasSubstr("bleeding.speed 6 mm/s 12 mm/s not determined: it ended"));
 }
 
 TEST(Report, SaysThatItEndedEarly) {
