@@ -148,7 +148,8 @@ Found compare_scene(const Options& o) {
     note_cover(o.match.reference, {times.front(), times.back()}, window, "compared");
     const Context context = Context::create(Backend::automatic);
     match::PreviewCurve curve =
-        preview_curve(shown, prepare_organ(shown.scene, shown.presets.front().vessels), options.estimator, video);
+        preview_curve(shown, prepare_organ(shown.scene, shown.presets.front().vessels), options.estimator,
+                      match::preview_size(video.info().size, reference.aspect));
     match::PeakColors colors(window.from, window.to);
     const std::vector<match::FrameAmounts> frames = draw(o, shown, curve, times, colors, progress);
     return {.compared = {.amounts = match::likeness_of(frames, of_reference.found.frames, offset),

@@ -177,10 +177,10 @@ void run(const Options& o) {
         note_cover(files.reference, {input.target.front().time, input.target.back().time}, window, "fitted");
     const Context context = Context::create(Backend::automatic);
     input.organ = prepare_organ(shown.scene, input.start.preset.vessels);
-    const glm::dvec2 shape = video.info().size;
-    input.aspect = shape.x / shape.y;
+    const glm::ivec2 size = match::preview_size(video.info().size, reference.aspect);
+    input.aspect = static_cast<double>(size.x) / size.y;
     if (!files.fitted_scene.empty()) begin_with_proposal(input);
-    match::PreviewCurve curve = preview_curve(shown, input.organ, options.estimator, video);
+    match::PreviewCurve curve = preview_curve(shown, input.organ, options.estimator, size);
     const match::FitResult result = fitted(o, input, curve, steps);
     const double seconds = steps.seconds();
     if (!files.report.empty()) {

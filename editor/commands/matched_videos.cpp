@@ -96,9 +96,8 @@ PreviewOptions preview_options(const ShownScene& shown) {
 }
 
 match::PreviewCurve preview_curve(const ShownScene& shown, std::shared_ptr<const PreparedOrgan> organ,
-                                  const match::EstimatorOptions& estimator, const VideoReader& reference) {
-    return {std::move(organ), preview_options(shown), estimator,
-            match::preview_size(glm::dvec2(reference.info().size))};
+                                  const match::EstimatorOptions& estimator, glm::ivec2 size) {
+    return {std::move(organ), preview_options(shown), estimator, size};
 }
 
 }  // namespace lapfx::commands

@@ -18,17 +18,17 @@
 #include "app/reference/reference.h"
 #include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/preview.h"
+#include "match/fit/preview_curve.h"
 #include "match/view.h"
 
 namespace lapfx::app {
 
 namespace {
 
-constexpr double settled_after = 0.4;    // s without a change
-constexpr double look_again = 0.05;      // s
-constexpr double frame_budget = 8e-3;    // s of a frame for drawing; one picture is drawn anyway
-constexpr std::size_t most_waiting = 4;  // pictures that are drawn and not measured yet
-constexpr std::size_t surveyed = 10;
+constexpr double settled_after = 0.4;                        // s without a change
+constexpr double look_again = 0.05;                          // s
+constexpr double frame_budget = 8e-3;                        // s of a frame for drawing; one picture is drawn anyway
+constexpr std::size_t most_waiting = 4;                      // pictures that are drawn and not measured yet
 constexpr std::size_t clip_memory = std::size_t{128} << 20;  // bytes: the clips of the preview are there already
 constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -78,8 +78,9 @@ class PreviewMeasuring::Run {
     Run(Wanted of, Jobs& jobs, std::shared_ptr<Job> job)
         : wanted(std::move(of)), times(times_of(wanted.content.scene.duration)), jobs_(jobs), job_(std::move(job)) {
         options_ = measure_options(wanted.content.scene.reference.measure).estimator;
-        for (std::size_t i = 0; i < std::min(surveyed, times.size()); ++i)
-            order_.push_back({Picture::survey, times[i * times.size() / std::min(surveyed, times.size())]});
+        const std::size_t surveyed = std::min<std::size_t>(match::surveyed_frames, times.size());
+        for (std::size_t i = 0; i < surveyed; ++i)
+            order_.push_back({Picture::survey, times[i * times.size() / surveyed]});
         for (const double time : times) order_.push_back({Picture::frame, time});
         if (job_) thread_ = std::thread([this] { work(); });
     }
@@ -269,16 +270,12 @@ void PreviewMeasuring::fail(const std::vector<Fault>& faults) {
 /// In the aspect of the reference where there is one, as both are compared.
 PreviewMeasuring::Wanted PreviewMeasuring::wanted_now() const {
     const VideoReader* const video = reference_.video();
-    glm::dvec2 shape(Reference::largest_compared);
-    if (video != nullptr) {
-        shape = glm::max(glm::dvec2(video->info().size), 1.0);
-        const double aspect = document_.scene().reference.aspect;
-        if (aspect > 0) shape.x = aspect * shape.y;
-    }
-    shape *= side / std::max(shape.x, shape.y);
+    const glm::ivec2 size = video != nullptr
+                                ? match::preview_size(video->info().size, document_.scene().reference.aspect)
+                                : match::preview_size(Reference::largest_compared);
     return {.content = document_.content(),
             .pictures = of_pictures(document_.content()),
-            .size = glm::max(glm::ivec2(glm::round(shape)), glm::ivec2(16)),
+            .size = size,
             .organ = host_.organ_version(),
             .truth = truth};
 }

@@ -43,7 +43,6 @@ struct TrueAmounts {
 
 class PreviewMeasuring {
   public:
-    static constexpr int side = 256;     ///< px of the longer side of the pictures: the estimator's own
     static constexpr double step = 0.2;  ///< s between them, in scenes of up to `most` of them
     static constexpr std::size_t most = 300;
 

@@ -20,8 +20,9 @@ namespace lapfx::match {
 
 inline constexpr int preview_side = 256;  ///< px of the longer side of measured pictures: the estimator's own
 
-/// Of a picture with the shape of a reference's.
-glm::ivec2 preview_size(glm::dvec2 shape);
+/// Of a picture with the shape of a reference's. `aspect`: width over height when it is shown (SceneReference::aspect);
+/// 0: as stored.
+glm::ivec2 preview_size(glm::dvec2 shape, double aspect = 0.0);
 
 class PreviewCurve {
   public:

@@ -54,8 +54,15 @@ class Proposing {
 
   private:
     void say(std::string line) { proposal_.lines.push_back(std::move(line)); }
+    bool may_set(const std::string& key) const {
+        return std::find(options_.keys.begin(), options_.keys.end(), key) != options_.keys.end();
+    }
+    /// Of a parameter that may be proposed; of others nothing is to be said.
+    void say_of(const std::string& key, const std::string& line) {
+        if (may_set(key)) say(key + ": " + line);
+    }
     void set(const std::string& key, double value) {
-        if (std::find(options_.keys.begin(), options_.keys.end(), key) == options_.keys.end()) return;
+        if (!may_set(key)) return;
         free_parameters(proposal_.tuned, std::vector<std::string>{key}).front().set(proposal_.tuned, value);
     }
     std::vector<glm::dvec3> taken() const {
@@ -91,7 +98,7 @@ class Proposing {
         if (found.falls)
             set("smoke.haze.ventilation", found.ventilation);
         else
-            say("smoke.haze.ventilation: not determined, the veil never falls; 4 s of clearing would tell it");
+            say_of("smoke.haze.ventilation", "not determined, the veil never falls; 4 s of clearing would tell it");
         set_emission(found.emission);
         set_accumulation(points, found);
     }
@@ -164,8 +171,9 @@ class Proposing {
         }
         if (emission < least_emission) return say("smoke: no tool of the scene smokes then; events have to move first");
         if (core2 > 0.0) set("smoke.haze.accumulation", found.accumulation * both / core2);
-        say(text_of("smoke.haze.accumulation: %.3f 1/s; only its product with the density of smoke is in the video",
-                    proposal_.tuned.preset.smoke.haze.accumulation));
+        say_of("smoke.haze.accumulation",
+               text_of("%.3f 1/s; only its product with the density of smoke is in the video",
+                       proposal_.tuned.preset.smoke.haze.accumulation));
     }
 
     std::vector<BloodPoint> blood_points() const {
@@ -217,11 +225,11 @@ class Proposing {
         if (found.speed_is_known)
             set("bleeding.speed", found.speed);
         else
-            say("bleeding.speed: not determined, the blood grows too little or too unevenly");
+            say_of("bleeding.speed", "not determined, the blood grows too little or too unevenly");
         set("bleeding.max_extent", found.max_extent);
         if (!found.max_extent_is_known)
-            say(text_of("bleeding.max_extent: not determined, but not below %.0f mm; blood still spreads at the end",
-                        found.at_least));
+            say_of("bleeding.max_extent",
+                   text_of("not determined, but not below %.0f mm; blood still spreads at the end", found.at_least));
     }
 
     const Tuned& start_;

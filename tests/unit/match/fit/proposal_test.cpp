@@ -95,6 +95,7 @@ TEST(Proposal, SetsOnlyWhatItMay) {
     EXPECT_EQ(found.tuned.preset.bleeding.max_extent, scene().preset.bleeding.max_extent);
     EXPECT_EQ(found.tuned.preset.smoke.haze.accumulation, scene().preset.smoke.haze.accumulation);
     EXPECT_EQ(found.tuned.preset.smoke.haze.ventilation, scene().preset.smoke.haze.ventilation);
+    EXPECT_THAT(found.lines, testing::Not(testing::Contains(testing::HasSubstr("smoke.haze."))));
 }
 
 TEST(Proposal, LeavesWhatLiesBeyondTheReference) {
