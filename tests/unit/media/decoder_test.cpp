@@ -6,6 +6,7 @@
 #include "lapfx/authoring/clip.h"
 #include "media/clip_file.h"
 #include "support/clips.h"
+#include "support/open_files.h"
 #include "unit/media/decoder_support.h"
 
 namespace lapfx::media {
@@ -44,18 +45,14 @@ TEST_F(DecoderTest, AStopLeavesThePictureAndTheNextReadIsRight) {
 TEST_F(DecoderTest, AfterARestItGivesTheSameFramesAndHoldsNoFileInBetween) {
     const fs::path clip = test::write_clip(folder / "c.avi", 9);
     const std::vector<Bytes> frames = frames_of(clip);
-    const auto open_files = [] {
-        const fs::directory_iterator all("/proc/self/fd");
-        return std::distance(begin(all), end(all));
-    };
-    const auto before = open_files();
+    const auto before = test::open_files();
     Decoder decoder(clip, Layout::planar);
-    EXPECT_EQ(open_files(), before + 1);
+    EXPECT_EQ(test::open_files(), before + 1);
     Picture picture;
     for (const int index : {4, 5, 0, 8}) {
         decoder.rest();
         EXPECT_TRUE(decoder.rests());
-        EXPECT_EQ(open_files(), before);
+        EXPECT_EQ(test::open_files(), before);
         EXPECT_TRUE(decoder.read(index, picture)) << index;
         EXPECT_EQ(picture.bytes, frames[static_cast<std::size_t>(index)]) << index;
         EXPECT_FALSE(decoder.rests());
