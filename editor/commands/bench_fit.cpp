@@ -124,7 +124,7 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const std::vector<matc
     input.seed = effort.seed, input.rounds = effort.rounds;
     input.start = match::propose(scene.tuned, scene.organ, input.target, {.aspect = case_aspect}).tuned;
     input.parameters = match::free_parameters(input.start, fitted_keys);
-    match::PreviewCurve curve(scene.organ, drawing.options(), {}, match::preview_size(glm::dvec2(size)));
+    match::PreviewCurve curve(scene.organ, drawing.options(), {.size = match::preview_size(glm::dvec2(size))});
     input.draw = [&](const match::Tuned& tuned, std::span<const double> times) {
         return curve.measure(tuned.scene, tuned.preset, times);
     };

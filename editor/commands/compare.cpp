@@ -118,7 +118,8 @@ std::vector<match::FrameAmounts> draw(const Options& o, const ShownScene& shown,
     };
     try {
         std::vector<match::FrameAmounts> frames =
-            *curve.measure(shown.scene, shown.presets.front(), times, reached, take);  // never stopped by `reached`
+            *curve.measure(shown.scene, shown.presets.front(), times,
+                           {.progress = reached, .measured = take});  // never stopped by `reached`
         require_measurable(frames, {times.front(), times.back()}, o.shown);
         return frames;
     } catch (const Error& error) {

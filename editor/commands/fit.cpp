@@ -144,7 +144,7 @@ match::Measurement measured(const Options& o, VideoReader& video, const match::M
 match::FitResult fitted(const Options& o, match::FitInput& input, match::PreviewCurve& curve, Steps& steps) {
     double share = reference_part;
     input.draw = [&](const match::Tuned& tuned, std::span<const double> times) {
-        return curve.measure(tuned.scene, tuned.preset, times, [&](double) { return steps.to(share); });
+        return curve.measure(tuned.scene, tuned.preset, times, {.progress = [&](double) { return steps.to(share); }});
     };
     input.progress = [&](const match::FitProgress& progress) {
         share = reference_part + (1.0 - reference_part) * progress.share;

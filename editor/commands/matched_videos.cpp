@@ -97,7 +97,7 @@ PreviewOptions preview_options(const ShownScene& shown) {
 
 match::PreviewCurve preview_curve(const ShownScene& shown, std::shared_ptr<const PreparedOrgan> organ,
                                   const match::EstimatorOptions& estimator, glm::ivec2 size) {
-    return {std::move(organ), preview_options(shown), estimator, size};
+    return {std::move(organ), preview_options(shown), {.size = size, .estimator = estimator}};
 }
 
 }  // namespace lapfx::commands

@@ -1,10 +1,8 @@
 #include "app/measure/preview_measuring.h"
 
 #include <algorithm>
-#include <chrono>
+#include <atomic>
 #include <cmath>
-#include <condition_variable>
-#include <deque>
 #include <mutex>
 #include <opencv2/core.hpp>
 #include <optional>
@@ -12,6 +10,7 @@
 #include <utility>
 
 #include "app/base/jobs.h"
+#include "app/base/render_steps.h"
 #include "app/measure/measuring.h"
 #include "app/preview/preview_host.h"
 #include "app/preview/scene_pace.h"
@@ -28,7 +27,6 @@ namespace {
 constexpr double settled_after = 0.4;                        // s without a change
 constexpr double look_again = 0.05;                          // s
 constexpr double frame_budget = 8e-3;                        // s of a frame for drawing; one picture is drawn anyway
-constexpr std::size_t most_waiting = 4;                      // pictures that are drawn and not measured yet
 constexpr std::size_t clip_memory = std::size_t{128} << 20;  // bytes: the clips of the preview are there already
 constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -63,64 +61,37 @@ std::vector<double> times_of(double duration) {
     return times;
 }
 
-struct Picture {
-    enum Kind : std::uint8_t { baseline, survey, frame } kind = frame;
-    double time = 0;
-    Image image;
-    std::optional<Layers> layers;
-};
-
 }  // namespace
 
-/// The measuring of one state of the document: pictures go in, in their order, and amounts come out.
+/// The measuring of one state of the document, by a thread beside that asks for each picture.
 class PreviewMeasuring::Run {
   public:
-    Run(Wanted of, Jobs& jobs, std::shared_ptr<Job> job)
-        : wanted(std::move(of)), times(times_of(wanted.content.scene.duration)), jobs_(jobs), job_(std::move(job)) {
-        options_ = measure_options(wanted.content.scene.reference.measure).estimator;
-        const std::size_t surveyed = std::min<std::size_t>(match::surveyed_frames, times.size());
-        for (std::size_t i = 0; i < surveyed; ++i)
-            order_.push_back({Picture::survey, times[i * times.size() / surveyed]});
-        for (const double time : times) order_.push_back({Picture::frame, time});
-        if (job_) thread_ = std::thread([this] { work(); });
+    /// `beside`: else it is done at once, here. Throws Error then.
+    Run(Wanted of, match::PreviewCurve& curve, RenderSteps& steps, Jobs& jobs, bool beside)
+        : wanted(std::move(of)),
+          curve_(curve),
+          steps_(steps),
+          jobs_(jobs),
+          times_(times_of(wanted.content.scene.duration)) {
+        const EstimatorOptions options = measure_options(wanted.content.scene.reference.measure).estimator;
+        if (wanted.truth) part_ = match::wanted_part({wanted.size.x, wanted.size.y}, options.region, options.masks);
+        curve_.set_options({.size = wanted.size, .estimator = options});
+        if (beside)
+            thread_ = std::thread([this] { work(); });
+        else
+            measure(), ended_ = true;
     }
     ~Run() {
-        if (job_) job_->cancel();
-        {
-            const std::lock_guard lock(mutex_);
-            stopping_ = true;
-        }
-        changed_.notify_all();
+        stopping_ = true;
+        steps_.stop();
         if (thread_.joinable()) thread_.join();
     }
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
 
     const Wanted wanted;
-    const std::vector<double> times;
 
-    std::size_t drawn = 0;  ///< of pictures()
-    std::size_t pictures() const { return order_.size(); }
-    Picture next() const { return {order_[drawn].first, order_[drawn].second, {}, {}}; }
-    bool all_drawn() const { return drawn == order_.size(); }
-    bool has_room() const {
-        const std::lock_guard lock(mutex_);
-        return waiting_.size() < most_waiting;
-    }
-    /// Without a job, it is measured at once. Throws Error then.
-    void add(Picture picture) {
-        ++drawn;
-        if (!job_) return measure(picture);
-        {
-            const std::lock_guard lock(mutex_);
-            waiting_.push_back(std::move(picture));
-        }
-        changed_.notify_all();
-    }
-    double progress() const {
-        const std::lock_guard lock(mutex_);
-        return static_cast<double>(taken_) / static_cast<double>(order_.size());
-    }
+    double progress() const { return progress_; }
     /// Adds what was measured since the last call.
     void take(std::vector<match::FrameAmounts>& frames, std::vector<TrueAmounts>& truths) {
         const std::lock_guard lock(mutex_);
@@ -138,78 +109,62 @@ class PreviewMeasuring::Run {
     }
 
   private:
+    using EstimatorOptions = match::EstimatorOptions;
+
     void work() {
+        std::vector<Fault> faults;
         try {
-            for (std::size_t i = 0; i < order_.size(); ++i) {
-                std::unique_lock lock(mutex_);
-                changed_.wait(lock, [&] { return stopping_ || !waiting_.empty() || job_->cancelled(); });
-                if (stopping_ || job_->cancelled()) break;
-                const Picture picture = std::move(waiting_.front());
-                waiting_.pop_front();
-                lock.unlock();
-                measure(picture);
-                job_->set_progress(progress());
-                jobs_.wake();  // there is room for another picture
-            }
+            measure();
         } catch (const Error& error) {
-            const std::lock_guard lock(mutex_);
-            faults_ = error.faults();
+            faults = error.faults();
         } catch (const std::exception& error) {
-            const std::lock_guard lock(mutex_);
-            faults_ = {{.file = "", .place = "", .reason = error.what()}};
+            faults = {{.file = "", .place = "", .reason = error.what()}};
         }
         {
             const std::lock_guard lock(mutex_);
+            faults_ = std::move(faults);
             ended_ = true;
         }
         jobs_.wake();
     }
-
+    void measure() {
+        match::CurveCalls calls;
+        calls.progress = [this](double share) {
+            progress_ = share;
+            return !stopping_;
+        };
+        calls.measured = [this](Image&, const match::Estimator*, const match::FrameAmounts& amounts) {
+            {
+                const std::lock_guard lock(mutex_);
+                frames_.push_back(amounts);
+            }
+            jobs_.wake();
+        };
+        if (wanted.truth)
+            calls.drawn = [this](Preview& preview, double time) {
+                TrueAmounts truth = true_amounts(time, preview.layers(time, wanted.size));
+                const std::lock_guard lock(mutex_);
+                truths_.push_back(truth);
+            };
+        curve_.measure(wanted.content.scene, wanted.content.preset, times_, calls);
+    }
     /// Over the view without what the scene leaves out.
     TrueAmounts true_amounts(double time, Layers layers) const {
         for (std::size_t i = 0; i < layers.view.size(); ++i)
-            if (wanted_part_.data[i] == 0) layers.view[i] = 0;
+            if (part_.data[i] == 0) layers.view[i] = 0;
         const ShownAmounts shown = amounts_of(layers);
         return {.time = time, .blood = shown.blood, .veil = shown.veil};
     }
-    void measure(const Picture& picture) {
-        std::optional<match::FrameAmounts> amounts;
-        std::optional<TrueAmounts> truth;
-        switch (picture.kind) {
-            case Picture::baseline:
-                wanted_part_ =
-                    match::wanted_part({picture.image.width, picture.image.height}, options_.region, options_.masks);
-                estimator_.emplace(picture.image, options_);
-                break;
-            case Picture::survey:
-                estimator_->survey(picture.image);
-                break;
-            case Picture::frame:
-                if (picture.time == times.front()) estimator_->forget();
-                amounts = estimator_->measure(picture.image, picture.time);
-                if (picture.layers) truth = true_amounts(picture.time, *picture.layers);
-        }
-        const std::lock_guard lock(mutex_);
-        if (amounts) frames_.push_back(*amounts);
-        if (truth) truths_.push_back(*truth);
-        if (++taken_ == order_.size()) ended_ = true;
-    }
 
+    match::PreviewCurve& curve_;
+    RenderSteps& steps_;
     Jobs& jobs_;
-    /// Null: nothing is done beside. It is not in the list of jobs, for it waits for frames of the UI; the panel shows
-    /// its progress.
-    const std::shared_ptr<Job> job_;
-    match::EstimatorOptions options_;
-    std::vector<std::pair<Picture::Kind, double>> order_{{Picture::baseline, 0.0}};
-    // Of the one thread that measures:
-    std::optional<match::Estimator> estimator_;
-    cv::Mat wanted_part_;  // CV_8U, 255
-    // Of both:
+    const std::vector<double> times_;
+    cv::Mat part_;  // of the picture, CV_8U, 255
+    std::atomic<double> progress_ = 0;
+    std::atomic<bool> stopping_ = false;
     mutable std::mutex mutex_;
-    std::condition_variable changed_;
-    std::deque<Picture> waiting_;
-    std::size_t taken_ = 0;
-    bool stopping_ = false, ended_ = false;
+    bool ended_ = false;
     std::vector<match::FrameAmounts> frames_;
     std::vector<TrueAmounts> truths_;
     std::vector<Fault> faults_;
@@ -235,12 +190,12 @@ double PreviewMeasuring::progress() const {
 }
 
 bool PreviewMeasuring::wants_frame() const {
-    if (run_) return !run_->all_drawn() && run_->has_room();
+    if (run_) return steps_->waiting();
     return begins_ && stale();
 }
 
 std::size_t PreviewMeasuring::memory() const {
-    return preview_ ? preview_->memory_use().clips + preview_->memory_use().targets : 0;
+    return curve_ ? curve_->memory() : 0;
 }
 
 void PreviewMeasuring::stop() {
@@ -284,16 +239,12 @@ void PreviewMeasuring::update(double now) {
     due_ = never;
     if (!std::exchange(wanted_, false)) {  // nobody looks any more: what is known stays
         drop_run();
-        preview_.reset(), preview_organ_.reset();
+        curve_.reset();
         return;
     }
     follow(now);
     if (!run_) return;
-    try {
-        draw(now);
-    } catch (const Error& error) {
-        return fail(error.faults());
-    }
+    if (!exact_) draw(now);
     take();
 }
 
@@ -327,26 +278,21 @@ void PreviewMeasuring::follow(double now) {
 
 /// False while the organ or the clips are still being loaded.
 bool PreviewMeasuring::prepare() {
-    const Scene& scene = of_.content.scene;
-    const std::shared_ptr<const PreparedOrgan> organ = host_.organ_of(scene);
+    const std::shared_ptr<const PreparedOrgan> organ = host_.organ_of(of_.content.scene);
     if (!organ || host_.loading()) {
         if (!host_.loading() && !host_.organ_faults().empty()) throw Error(Failure::bad_input, host_.organ_faults());
         return false;
     }
-    Scene clear = scene;
-    clear.events.clear();
-    if (preview_ && preview_organ_ == organ && preview_->takes(clear)) {
-        preview_->set_scene(clear);
-        preview_->set_preset(of_.content.preset);
-        return true;
-    }
-    preview_.reset();
-    preview_ = std::make_unique<Preview>(clear, of_.content.preset, organ,
-                                         PreviewOptions{.clip_folders = clip_folders_,
-                                                        .wait_for_clips = true,
-                                                        .streaming = {.memory = clip_memory},
-                                                        .clip_cache = host_.clip_cache()});
-    preview_organ_ = organ;
+    steps_ = std::make_unique<RenderSteps>([this] { jobs_.wake(); });
+    if (curve_ && curve_->organ() == organ) return true;
+    match::RenderThread render;
+    if (!exact_) render = [this](const std::function<void()>& drawing) { return steps_->carry_out(drawing); };
+    curve_ = std::make_unique<match::PreviewCurve>(organ,
+                                                   PreviewOptions{.clip_folders = clip_folders_,
+                                                                  .wait_for_clips = true,
+                                                                  .streaming = {.memory = clip_memory},
+                                                                  .clip_cache = host_.clip_cache()},
+                                                   match::PreviewCurve::Options{}, std::move(render));
     return true;
 }
 
@@ -363,30 +309,18 @@ void PreviewMeasuring::start(double now) {
             due_ = now + look_again;
             return;
         }
+        run_ = std::make_unique<Run>(of_, *curve_, *steps_, jobs_, !exact_);
     } catch (const Error& error) {
-        return fail(error.faults());
+        fail(error.faults());
     }
-    run_ = std::make_unique<Run>(of_, jobs_, exact_ ? nullptr : std::make_shared<Job>("Measuring the preview"));
 }
 
-/// The baseline is the scene before any tool has touched it.
 void PreviewMeasuring::draw(double now) {
-    if (software_ && !exact_ && pace_.touched(now)) {
+    if (software_ && pace_.touched(now)) {
         due_ = now + look_again;
         return;
     }
-    const auto start = std::chrono::steady_clock::now();
-    Run& run = *run_;
-    while (!run.all_drawn() && run.has_room()) {
-        Picture picture = run.next();
-        if (run.drawn == 1) preview_->set_contacts(run.wanted.content.scene.events);
-        picture.image = preview_->image(picture.time, run.wanted.size);
-        if (run.wanted.truth && picture.kind == Picture::frame)
-            picture.layers = preview_->layers(picture.time, run.wanted.size);
-        run.add(std::move(picture));
-        const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        if (!exact_ && spent > frame_budget) break;
-    }
+    steps_->serve(frame_budget);
     due_ = never;
 }
 

@@ -23,16 +23,19 @@
 #include "match/estimator.h"
 
 namespace lapfx {
-class Preview;
-class PreparedOrgan;
 class VideoReader;
 }  // namespace lapfx
+
+namespace lapfx::match {
+class PreviewCurve;
+}
 
 namespace lapfx::app {
 
 class Jobs;
 class PreviewHost;
 class Reference;
+class RenderSteps;
 class ScenePace;
 
 /// What is in a picture of ours, exactly: means over its view without what the scene leaves out.
@@ -114,8 +117,8 @@ class PreviewMeasuring {
     std::uint64_t wanted_content_ = 0;            ///< counts such
     std::uint64_t known_ = 0, asked_ = 0;         ///< that count, for frames_ or faults_, and for run_
     double changed_at_ = 0, due_ = std::numeric_limits<double>::infinity();
-    std::shared_ptr<const PreparedOrgan> preview_organ_;
-    std::unique_ptr<Preview> preview_;  ///< while somebody looks
+    std::unique_ptr<RenderSteps> steps_;          ///< of one run
+    std::unique_ptr<match::PreviewCurve> curve_;  ///< while somebody looks
     std::unique_ptr<Run> run_;
     std::vector<match::FrameAmounts> frames_;
     std::vector<TrueAmounts> truths_;

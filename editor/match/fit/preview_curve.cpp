@@ -29,56 +29,92 @@ glm::ivec2 preview_size(glm::dvec2 shape, double aspect) {
     return glm::max(glm::ivec2(glm::round(shape)), glm::ivec2(least_side));
 }
 
-PreviewCurve::PreviewCurve(std::shared_ptr<const PreparedOrgan> organ, PreviewOptions preview,
-                           EstimatorOptions estimator, glm::ivec2 size)
+PreviewCurve::PreviewCurve(std::shared_ptr<const PreparedOrgan> organ, PreviewOptions preview, Options options,
+                           RenderThread render)
     : organ_(std::move(organ)),
       preview_options_(std::move(preview)),
-      estimator_options_(std::move(estimator)),
-      size_(size) {
-    estimator_options_.survey.reset();
+      options_(std::move(options)),
+      render_(std::move(render)) {}
+
+std::size_t PreviewCurve::memory() const {
+    return preview_ ? preview_->memory_use().clips + preview_->memory_use().targets : 0;
 }
 
+/// The scene before any tool has touched it.
 void PreviewCurve::show(const Scene& scene, const Preset& preset) {
-    if (preview_ && preview_->takes(scene)) {
-        preview_->set_scene(scene);
+    Scene clear = scene;
+    clear.events.clear();
+    if (preview_ && preview_->takes(clear)) {
+        preview_->set_scene(clear);
         preview_->set_preset(preset);
     } else {
         preview_.reset();
-        preview_ = std::make_unique<Preview>(scene, preset, organ_, preview_options_);
+        preview_ = std::make_unique<Preview>(clear, preset, organ_, preview_options_);
     }
+    if (!in_view(*preview_, options_.size))
+        throw Error(Failure::bad_input, Fault{.file = "", .place = "", .reason = "the organ is not in view"});
+}
+
+/// The pictures of one curve. Those that the survey has seen are kept until they are measured.
+class PreviewCurve::Pictures {
+  public:
+    Pictures(const PreviewCurve& curve, std::span<const double> times)
+        : curve_(curve), times_(times), drawn_(times.size()) {}
+
+    std::size_t count() const { return times_.size(); }
+    /// Null: it was stopped.
+    Image* picture(std::size_t i) {
+        Image& picture = drawn_[i];
+        if (!picture.pixels.empty()) return &picture;
+        return curve_.draw([&] { picture = curve_.preview_->image(times_[i], curve_.options_.size); }) ? &picture
+                                                                                                       : nullptr;
+    }
+
+  private:
+    const PreviewCurve& curve_;
+    std::span<const double> times_;
+    std::vector<Image> drawn_;
+};
+
+/// Whether it came to its end.
+bool PreviewCurve::survey(Pictures& pictures, Estimator& estimator, const Progress& progress) {
+    const std::size_t surveyed = std::min<std::size_t>(surveyed_frames, pictures.count());
+    for (std::size_t i = 0; i < surveyed; ++i) {
+        if (progress && !progress(static_cast<double>(i) / static_cast<double>(pictures.count()))) return false;
+        const Image* const picture = pictures.picture(i * pictures.count() / surveyed);
+        if (picture == nullptr) return false;
+        estimator.survey(*picture);
+    }
+    estimator.forget();
+    return true;
 }
 
 std::optional<std::vector<FrameAmounts>> PreviewCurve::measure(const Scene& scene, const Preset& preset,
-                                                               std::span<const double> times, const Progress& progress,
-                                                               const FrameMeasured& measured) {
-    Scene clear = scene;
-    clear.events.clear();
-    show(clear, preset);
-    if (!in_view(*preview_, size_))
-        throw Error(Failure::bad_input, Fault{.file = "", .place = "", .reason = "the organ is not in view"});
-    Estimator estimator(preview_->image(0.0, size_), estimator_options_);
-    preview_->set_contacts(scene.events);
-    std::vector<Image> pictures(times.size());
-    const auto drawn = [&](std::size_t i) -> Image& {
-        if (pictures[i].pixels.empty()) pictures[i] = preview_->image(times[i], size_);
-        return pictures[i];
-    };
-    const std::size_t surveyed = std::min<std::size_t>(surveyed_frames, times.size());
-    for (std::size_t i = 0; i < surveyed; ++i) {
-        if (progress && !progress(static_cast<double>(i) / static_cast<double>(times.size()))) return {};
-        estimator.survey(drawn(i * times.size() / surveyed));
-    }
-    estimator.forget();
+                                                               std::span<const double> times, const CurveCalls& calls) {
+    EstimatorOptions of_estimator = options_.estimator;
+    of_estimator.survey.reset();
+    Image baseline;
+    const bool clear = draw([&] {
+        show(scene, preset);
+        baseline = preview_->image(0.0, options_.size);
+        preview_->set_contacts(scene.events);
+    });
+    if (!clear) return {};
+    Estimator estimator(baseline, of_estimator);
+    Pictures pictures(*this, times);
+    if (!survey(pictures, estimator, calls.progress)) return {};
     std::vector<FrameAmounts> frames;
     std::future<void> measuring;  // one frame, while the next is drawn
     for (std::size_t i = 0; i < times.size(); ++i) {
-        Image& picture = drawn(i);
+        Image* const picture = pictures.picture(i);
+        if (picture == nullptr) return {};
+        if (calls.drawn && !draw([&] { calls.drawn(*preview_, times[i]); })) return {};
         if (measuring.valid()) measuring.get();
-        if (progress && !progress(static_cast<double>(i) / static_cast<double>(times.size()))) return {};
-        measuring = std::async(std::launch::async, [&, i, &picture = picture] {
-            frames.push_back(estimator.measure(picture, times[i]));
-            if (measured) measured(picture, &estimator, frames.back());
-            picture = {};  // of a long scene there are many
+        if (calls.progress && !calls.progress(static_cast<double>(i) / static_cast<double>(times.size()))) return {};
+        measuring = std::async(std::launch::async, [&, i, picture] {
+            frames.push_back(estimator.measure(*picture, times[i]));
+            if (calls.measured) calls.measured(*picture, &estimator, frames.back());
+            *picture = {};  // of a long scene there are many
         });
     }
     if (measuring.valid()) measuring.get();

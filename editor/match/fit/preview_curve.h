@@ -2,11 +2,13 @@
 // estimator.
 //
 //     PreviewCurve curve(organ, {.clip_folders = ..., .wait_for_clips = true}, {.size = {256, 144}});
-//     std::optional<std::vector<FrameAmounts>> frames = curve.measure(scene, preset, times, progress);
+//     std::optional<std::vector<FrameAmounts>> frames = curve.measure(scene, preset, times, {.progress = progress});
 //
-// Render thread, context current; a thread beside it measures what has been drawn.
+// Render thread, context current; or any thread that hands each picture to that one (RenderThread). A thread beside it
+// measures what has been drawn.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -24,27 +26,50 @@ inline constexpr int preview_side = 256;  ///< px of the longer side of measured
 /// 0: as stored.
 glm::ivec2 preview_size(glm::dvec2 shape, double aspect = 0.0);
 
+/// Carries out a step of drawing, about one picture, where the context is current, and waits for it; what it throws is
+/// thrown here. False: it was not carried out, nor will be any other.
+using RenderThread = std::function<bool(const std::function<void()>& step)>;
+
+/// What is called while a curve is measured.
+struct CurveCalls {
+    Progress progress = {};       ///< false ends it
+    FrameMeasured measured = {};  ///< in the order of the times, on the thread beside
+    /// Render thread, after each picture in the order of the times: the preview, which shows that moment.
+    std::function<void(Preview&, double time)> drawn = {};
+};
+
 class PreviewCurve {
   public:
-    /// `estimator`: as the reference is measured; its survey is made anew for each curve.
-    PreviewCurve(std::shared_ptr<const PreparedOrgan> organ, PreviewOptions preview, EstimatorOptions estimator,
-                 glm::ivec2 size);
+    struct Options {
+        glm::ivec2 size{preview_side};
+        EstimatorOptions estimator = {};  ///< as the reference is measured; the survey is made anew for each curve
+    };
 
-    /// The baseline is the scene before any tool has touched it. `times`: s, ascending. `measured` is called in their
-    /// order, on the thread beside. Nothing when `progress` stopped it. Throws Error: bad_input where no tissue is in
-    /// view, or what the scene names cannot be loaded.
+    /// Without `render` this thread draws. It is destroyed where the context is current.
+    PreviewCurve(std::shared_ptr<const PreparedOrgan> organ, PreviewOptions preview, Options options,
+                 RenderThread render = {});
+
+    /// The baseline is the scene before any tool has touched it. `times`: s, ascending. Nothing when progress or
+    /// RenderThread stopped it. Throws Error: bad_input where no tissue is in view, or what the scene names cannot be
+    /// loaded.
     std::optional<std::vector<FrameAmounts>> measure(const Scene& scene, const Preset& preset,
-                                                     std::span<const double> times, const Progress& progress = {},
-                                                     const FrameMeasured& measured = {});
+                                                     std::span<const double> times, const CurveCalls& calls = {});
+    /// From the next curve on.
+    void set_options(Options options) { options_ = std::move(options); }
+    const std::shared_ptr<const PreparedOrgan>& organ() const { return organ_; }
     int curves() const { return curves_; }
+    std::size_t memory() const;  ///< bytes of what draws the pictures; render thread, or while none are drawn
 
   private:
+    class Pictures;
+    bool survey(Pictures& pictures, Estimator& estimator, const Progress& progress);
     void show(const Scene& scene, const Preset& preset);
+    bool draw(const std::function<void()>& step) const { return render_ ? render_(step) : (step(), true); }
 
     std::shared_ptr<const PreparedOrgan> organ_;
     PreviewOptions preview_options_;
-    EstimatorOptions estimator_options_;
-    glm::ivec2 size_;
+    Options options_;
+    RenderThread render_;
     std::unique_ptr<Preview> preview_;
     int curves_ = 0;
 };
