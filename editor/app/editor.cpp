@@ -21,6 +21,7 @@
 #include "app/files/hot_reload.h"
 #include "app/files/organ_choice.h"
 #include "app/measure/amounts.h"
+#include "app/measure/fitting.h"
 #include "app/measure/measure_bench.h"
 #include "app/measure/measuring.h"
 #include "app/measure/preview_measuring.h"
@@ -67,6 +68,15 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options, std::shared_p
       measure_bench_(
           std::make_unique<MeasureBench>(document, *reference_, *measuring_, jobs, images, toasts, options_.exact)),
       preview_measuring_(std::make_unique<PreviewMeasuring>(document, preview, *reference_, pace_, jobs, options_)),
+      fitting_(std::make_unique<Fitting>(Fitting::Parts{.document = document,
+                                                        .preview = preview,
+                                                        .reference = *reference_,
+                                                        .measuring = *measuring_,
+                                                        .tuning = *tuning_,
+                                                        .pace = pace_,
+                                                        .jobs = jobs,
+                                                        .notices = toasts,
+                                                        .options = options_})),
       exports_(std::make_unique<Exports>(document, timeline, looking, preview, jobs, *settings_, *chooser_, toasts,
                                          screen_, options_.clip_folders,
                                          [this](const std::vector<std::string>& made) { files_->open(made); })),
@@ -119,6 +129,7 @@ void Editor::forget_document(bool scene_too) {
     if (!scene_too) return;
     reference_->give_up_choosing();
     measuring_->forget();
+    fitting_->forget();
     selected.clear();
     looking.camera = document.scene().camera;
     timeline.follow();
@@ -186,10 +197,11 @@ bool Editor::frame(double now, const std::function<void()>& build, const FrameOp
     // What is measured in the frame that the reference shows.
     measuring_->update(now);
     measure_bench_->update();
-    // An export and the measuring of the preview draw pictures; the parts that are quick are done by now. Nothing
-    // depends on previews of files.
+    // An export, the measuring of the preview and a fit draw pictures; the parts that are quick are done by now.
+    // Nothing depends on previews of files.
     exports_->update(now);
     preview_measuring_->update(now);
+    fitting_->update(now);
     file_previews_->update();
     // What has changed on disk is in the document before the panels show it.
     hot_reload_->update(now);

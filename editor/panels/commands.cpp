@@ -29,6 +29,7 @@ void add_commands(app::Editor& editor) {
     add_clip_commands(editor);
     add_reference_commands(editor);
     add_measure_commands(editor);
+    add_fit_commands(editor);
     add_snapshot_commands(editor);
     add_export_commands(editor);
     editor.commands.add({.id = "file.quit",

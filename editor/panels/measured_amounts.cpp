@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/base/jobs.h"
+#include "app/measure/fitting.h"
 #include "app/measure/measure_bench.h"
 #include "app/measure/measuring.h"
 #include "app/measure/preview_measuring.h"
@@ -23,19 +24,19 @@ namespace {
 
 using app::PreviewMeasuring;
 
-constexpr int reference_series = 1;                  // colours of the theme's series
+constexpr int reference_series = 1, fit_series = 3;  // colours of the theme's series
 constexpr float least_width = 14, least_height = 8;  // em of a plot; in a smaller panel they scroll
 constexpr float narrow_plot = 26;                    // em: below, the names of its curves are short
 
-/// One amount: of the reference, of the preview as measured, and as it is in truth.
+/// One amount: of the reference, of the preview as measured, as it is in truth, and as a fit has found it.
 struct MeasuredPlot {
     ui::PlotState state;
-    MeasuredCurve reference, preview;
+    MeasuredCurve reference, preview, fit;
     std::vector<double> times, truth;
     ui::PlotData true_data;
 };
 struct MeasuredPlots {
-    std::uint64_t of_reference = 0, of_preview = 0;
+    std::uint64_t of_reference = 0, of_preview = 0, of_fit = 0;
     double offset = 0, duration = -1;
     bool truth = false;
     MeasuredPlot blood, veil;
@@ -49,6 +50,10 @@ void take(MeasuredPlots& plots, const AmountsParts& on) {
     if (std::exchange(plots.of_reference, on.measuring.version() + 1) != on.measuring.version() + 1 || moved || other) {
         plots.blood.reference.set(on.measuring.frames(), match::Curve::blood, -offset, scene);
         plots.veil.reference.set(on.measuring.frames(), match::Curve::veil, -offset, scene);
+    }
+    if (std::exchange(plots.of_fit, on.fitting.version()) != on.fitting.version() || other) {
+        plots.blood.fit.set(on.fitting.frames(), match::Curve::blood, 0, scene);
+        plots.veil.fit.set(on.fitting.frames(), match::Curve::veil, 0, scene);
     }
     const bool truth = std::exchange(plots.truth, on.preview.truth) != on.preview.truth;
     if (std::exchange(plots.of_preview, on.preview.version()) == on.preview.version() && !other && !truth) return;
@@ -79,7 +84,7 @@ std::string_view legend(ui::Ui& ui, std::string_view name, const ui::PlotData& d
 
 void one_plot(ui::Ui& ui, const AmountsParts& on, MeasuredPlots& plots, std::string_view name, MeasuredPlot& plot,
               int color, bool narrow) {
-    std::array<ui::PlotSeries, 3> series;
+    std::array<ui::PlotSeries, 4> series;
     std::size_t count = 0;
     const auto add = [&](const char* title, const MeasuredCurve& curve, int of) {
         if (curve.values().size() == 0) return;
@@ -87,6 +92,7 @@ void one_plot(ui::Ui& ui, const AmountsParts& on, MeasuredPlots& plots, std::str
     };
     add(narrow ? "Ref" : "Reference", plot.reference, reference_series);
     add(narrow ? "Pre" : "Preview", plot.preview, color);
+    add("Fit", plot.fit, fit_series);
     if (plot.true_data.size() > 0)
         series[count++] = {.name = legend(ui, narrow ? "True" : "Truth", plot.true_data, on.timeline.time),
                            .data = &plot.true_data,

@@ -26,6 +26,7 @@ class ClipShelf;
 class Editor;
 class Exports;
 class Files;
+class Fitting;
 class Jobs;
 class KeyingBench;
 class Layouts;
@@ -104,8 +105,15 @@ struct AmountsParts {
     app::Measuring& measuring;       ///< and those of the reference
     const app::Reference& reference;
     app::Timeline& timeline;
+    const app::Fitting& fitting;  ///< for the curve that it has found
 };
 void amounts_panel(ui::Ui& ui, const AmountsParts& parts);
+struct FitParts {
+    app::Fitting& fitting;
+    const app::Reference& reference;
+    ui::CommandTable& commands;
+};
+void fit_panel(ui::Ui& ui, const FitParts& parts);
 void presets_panel(ui::Ui& ui, app::Browser& browser, const document::Document& document, app::Files& files,
                    app::FileChooser& chooser, ui::Toasts& notices);
 void snapshots_panel(ui::Ui& ui, app::Snapshots& snapshots, app::SnapshotPreviews& previews, app::Reference& reference,
@@ -133,6 +141,7 @@ void add_preset_commands(app::Editor& editor);
 void add_clip_commands(app::Editor& editor);
 void add_reference_commands(app::Editor& editor);
 void add_measure_commands(app::Editor& editor);
+void add_fit_commands(app::Editor& editor);
 void add_snapshot_commands(app::Editor& editor);
 void add_export_commands(app::Editor& editor);
 void add_window_commands(app::Editor& editor);

@@ -23,6 +23,7 @@ class ClipShelf;
 class Exports;
 class FileChooser;
 class Files;
+class Fitting;
 class HotReload;
 class Jobs;
 class Layouts;
@@ -74,6 +75,7 @@ struct StatusParts {
     const app::Reference& reference;
     const app::Measuring& measuring;
     const app::PreviewMeasuring& measured;
+    app::Fitting& fitting;
     const ui::ImageStore& images;
     const app::Jobs& jobs;
     app::Exports& exports;

@@ -7,6 +7,7 @@
 #include "app/clips/clip_shelf.h"
 #include "app/files/exports.h"
 #include "app/files/hot_reload.h"
+#include "app/measure/fitting.h"
 #include "app/memory.h"
 #include "app/meter.h"
 #include "app/preview/preview_host.h"
@@ -27,6 +28,11 @@ std::string_view formatted(ui::Ui& ui, const char* format, double value) {
 
 /// The oldest job that no panel shows, and how many more there are.
 void jobs(ui::Ui& ui, const StatusParts& parts) {
+    if (parts.fitting.busy() && !parts.fitting.measures_first() && !parts.layouts.seen("Fit")) {
+        if (ui::progress(ui, "Fitting", parts.fitting.progress(), {.cancellable = true, .width = ui::px(ui.em(20))}))
+            parts.fitting.cancel();
+        return;
+    }
     auto running = parts.jobs.running();
     std::erase_if(running, [exports = parts.exports.job()](const auto& job) { return job.get() == exports; });
     const auto loading = parts.preview.loading();

@@ -7,6 +7,7 @@
 #include "app/editor.h"
 #include "app/files/autosave.h"
 #include "app/files/files.h"
+#include "app/measure/fitting.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "panels/standard_layouts.h"
@@ -53,7 +54,12 @@ constexpr PanelRow panel_rows[] = {
                             .preview = e.preview_measuring(),
                             .measuring = e.measuring(),
                             .reference = e.reference(),
-                            .timeline = e.timeline});
+                            .timeline = e.timeline,
+                            .fitting = e.fitting()});
+     }},
+    {"Fit", "Finds the values with which the preview shows what the reference shows",
+     [](Ui& ui, Editor& e) {
+         fit_panel(ui, {.fitting = e.fitting(), .reference = e.reference(), .commands = e.commands});
      }},
     {"Presets", "Presets in folders, with pictures",
      [](Ui& ui, Editor& e) { presets_panel(ui, e.browser(), e.document, e.files(), e.chooser(), e.toasts); }},
@@ -172,6 +178,7 @@ void workspace(Ui& ui, Editor& e) {
                         .reference = e.reference(),
                         .measuring = e.measuring(),
                         .measured = e.preview_measuring(),
+                        .fitting = e.fitting(),
                         .images = e.images,
                         .jobs = e.jobs,
                         .exports = e.exports(),
@@ -193,8 +200,8 @@ void workspace(Ui& ui, Editor& e) {
     e.toasts.build(ui);
     if (e.wants_frame()) ui.wake_at(ui.time(), "the preview plays");
     if (const double at = e.whole_at(); at < ui::never) ui.wake_at(at, "the scene as a whole");
-    for (const double due : {e.autosave().due(), settings.due()})
-        if (due < ui::never) ui.wake_at(due, "autosave");
+    for (const double due : {e.autosave().due(), settings.due(), e.fitting().due()})
+        if (due < ui::never) ui.wake_at(due, "what waits for a while");
 }
 
 }  // namespace lapfx::panels

@@ -7,8 +7,10 @@
 // Pure functions, any thread.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lapfx/preset.h"
@@ -37,6 +39,11 @@ struct FreeParameter {
     double coordinate(double value) const;
     double value(double coordinate) const;
 };
+
+/// What most videos can tell: what is free unless somebody says otherwise.
+inline constexpr std::array<std::string_view, 5> usual_parameters = {"bleeding.speed", "bleeding.max_extent",
+                                                                     "smoke.haze.accumulation",
+                                                                     "smoke.haze.ventilation", "smoke.plume.density"};
 
 /// Keys of the preset, else of the scene; each may have bounds of its own, KEY=LOW..HIGH. Throws Error (bad_input) with
 /// place "--parameters": every key that is unknown, named twice or no number, bounds that are reversed or beyond those

@@ -1,0 +1,210 @@
+#include "app/measure/fitting.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/base/editor_options.h"
+#include "app/base/jobs.h"
+#include "app/base/notices.h"
+#include "app/base/render_steps.h"
+#include "app/measure/measuring.h"
+#include "app/preview/preview_host.h"
+#include "app/preview/scene_pace.h"
+#include "app/reference/reference.h"
+#include "app/tuning/tuning.h"
+#include "lapfx/authoring/compare.h"
+
+namespace lapfx::app {
+
+namespace {
+
+constexpr double look_again = 0.05;                          // s
+constexpr double frame_budget = 8e-3;                        // s of a frame for drawing; one picture is drawn anyway
+constexpr std::size_t clip_memory = std::size_t{128} << 20;  // bytes: the clips of the preview are there already
+constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double told_from = 0.1;  // of the progress: before, how long it takes is not known
+
+std::vector<Fault> because(const char* reason) {
+    return {{.file = "", .place = "", .reason = reason}};
+}
+
+/// Whether the tools of both scenes work alike.
+bool same_tools(const Scene& a, const Scene& b) {
+    Scene other = b;
+    other.events = a.events, other.curves.emission = a.curves.emission;
+    return a.organ.file == b.organ.file && equal(scene_table(), &b, &other);
+}
+
+}  // namespace
+
+Fitting::Fitting(const Parts& parts)
+    : document_(parts.document),
+      host_(parts.preview),
+      reference_(parts.reference),
+      measuring_(parts.measuring),
+      tuning_(parts.tuning),
+      pace_(parts.pace),
+      jobs_(parts.jobs),
+      notices_(parts.notices),
+      clip_folders_(parts.options.clip_folders),
+      exact_(parts.options.exact),
+      software_(parts.options.software) {}
+Fitting::~Fitting() = default;
+
+bool Fitting::locked(const std::string& key) const {
+    const std::size_t entry = parameters().find(key);
+    return entry != no_entry && tuning_.locked(entry);
+}
+
+std::vector<std::string> Fitting::free_keys() const {
+    std::vector<std::string> keys = look.keys;
+    std::erase_if(keys, [this](const std::string& key) { return locked(key); });
+    return keys;
+}
+
+const std::vector<match::FrameAmounts>& Fitting::frames() const {
+    static const std::vector<match::FrameAmounts> none;
+    if (found_ && found_->result && !taken_) return found_->result->after;
+    return best_ ? *best_ : none;
+}
+
+double Fitting::seconds_left() const {
+    const double share = progress();
+    return share < told_from ? -1.0 : (now_ - began_) * (1.0 - share) / share;
+}
+
+void Fitting::begin(bool proposal_alone) {
+    end_run();
+    faults_.clear();
+    leave();
+    measuring_asked_ = false;
+    asked_ = proposal_alone;
+}
+
+void Fitting::cancel() {
+    if (run_ && !proposes()) return run_->cancel();
+    if (measuring_asked_) measuring_.cancel();
+    asked_.reset();
+    end_run();
+}
+
+void Fitting::leave() {
+    found_.reset(), best_.reset();
+    taken_ = false;
+    ++version_;
+}
+
+void Fitting::forget() {
+    asked_.reset();
+    end_run();
+    leave();
+    faults_.clear();
+}
+
+void Fitting::end_run() {
+    run_.reset();
+    curve_.reset();
+    steps_.reset();
+}
+
+void Fitting::fail(std::vector<Fault> faults) {
+    asked_.reset();
+    end_run();
+    best_.reset();
+    faults_ = std::move(faults);
+    ++version_;
+}
+
+void Fitting::update(double now) {
+    now_ = now, due_ = never;
+    if (!asked_) return;
+    if (!run_ && (!measured() || !prepare(now))) return;
+    go_on(now);
+}
+
+/// False while the reference is being measured, or where it cannot be.
+bool Fitting::measured() {
+    if (reference_.opening()) return false;
+    if (reference_.video() == nullptr) return fail(because("there is no reference to fit to")), false;
+    if (measuring_.running()) return false;
+    if (measuring_.found() != nullptr && !measuring_.stale()) return true;
+    if (!measuring_.faults().empty() && measuring_asked_) return fail(measuring_.faults()), false;
+    if (std::exchange(measuring_asked_, true)) return fail(because("measuring the reference was cancelled")), false;
+    measuring_.start();
+    return false;
+}
+
+/// False while the organ or the clips are still being loaded, or where it cannot begin.
+bool Fitting::prepare(double now) {
+    const Scene& scene = document_.scene();
+    if (scene.organ.file.empty()) return fail(because("there is no organ yet: open a mesh or a scene")), false;
+    const std::shared_ptr<const PreparedOrgan> organ = host_.organ_of(scene);
+    if (!organ || host_.loading()) {
+        if (!host_.loading() && !host_.organ_faults().empty()) fail(host_.organ_faults());
+        due_ = now + look_again;
+        return false;
+    }
+    if (!document_.preset_faults().empty()) return fail(document_.preset_faults()), false;
+    const glm::ivec2 size = match::preview_size(reference_.video()->info().size, scene.reference.aspect);
+    steps_ = std::make_unique<RenderSteps>([this] { jobs_.wake(); });
+    match::RenderThread render;
+    if (!exact_) render = [this](const std::function<void()>& drawing) { return steps_->carry_out(drawing); };
+    curve_ = std::make_unique<match::PreviewCurve>(
+        organ,
+        PreviewOptions{.clip_folders = clip_folders_,
+                       .wait_for_clips = true,
+                       .streaming = {.memory = clip_memory},
+                       .clip_cache = host_.clip_cache()},
+        match::PreviewCurve::Options{.size = size, .estimator = measure_options(scene.reference.measure).estimator},
+        std::move(render));
+    FitWanted wanted{.start = {scene, document_.preset()},
+                     .keys = free_keys(),
+                     .tools = look.tools,
+                     .proposal_alone = *asked_,
+                     .weights = look.weights,
+                     .seed = look.seed,
+                     .reference = measuring_.found()->frames,
+                     .offset = scene.reference.offset,
+                     .organ = organ,
+                     .aspect = static_cast<double>(size.x) / size.y};
+    began_ = now, of_version_ = document_.version();
+    run_ = std::make_unique<FittingRun>(std::move(wanted), curve_.get(), *steps_, jobs_, !exact_);
+    return true;
+}
+
+void Fitting::go_on(double now) {
+    if (software_ && !exact_ && pace_.touched(now))
+        due_ = now + look_again;
+    else
+        steps_->serve(frame_budget);
+    if (std::shared_ptr<const FittingRun::Frames> best = run_->best(); best != best_)
+        best_ = std::move(best), ++version_;
+    if (!run_->ended()) return;
+    if (std::vector<Fault> faults = run_->faults(); !faults.empty()) return fail(std::move(faults));
+    found_ = run_->take();
+    best_.reset();
+    asked_.reset();
+    end_run();
+    ++version_;
+}
+
+void Fitting::take() {
+    if (!found_ || std::exchange(taken_, true)) return;
+    const FitFound& found = *found_;
+    const bool tools = same_tools(found.start.scene, document_.scene());
+    document_.change(found.result ? "Fit" : "Take proposal", [&](document::Content& content) {
+        match::Tuned present{std::move(content.scene), std::move(content.preset)};
+        for (const match::FreeParameter& p : found.parameters)
+            if (const double value = p.get(found.tuned); value != p.get(found.start)) p.set(present, value);
+        content = {std::move(present.scene), std::move(present.preset)};
+        if (!tools) return;
+        content.scene.events = found.tuned.scene.events;
+        content.scene.curves.emission = found.tuned.scene.curves.emission;
+    });
+    if (!tools)
+        notices_.add({.kind = ui::ToastKind::warning,
+                      .text = "The scene has changed since: its tools stay as they are, the parameters are taken"});
+    ++version_;
+}
+
+}  // namespace lapfx::app

@@ -1,0 +1,127 @@
+// Finds the values with which the preview shows as much blood and smoke as the reference: the Fit button. It works
+// beside the UI on a copy of the document, and what it found is a proposal that a person takes, as one undo step, or
+// leaves.
+//
+//     fitting.start();
+//     each frame:  fitting.update(now);
+//     if (const FitFound* found = fitting.found()) show(*found);  // fitting.take();
+//
+// UI thread, context current.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/measure/fitting_run.h"
+#include "document/document.h"
+
+namespace lapfx::app {
+
+class Measuring;
+class Notices;
+class PreviewHost;
+class Reference;
+class ScenePace;
+class Tuning;
+struct EditorOptions;
+
+/// What a person chooses; no part of the document.
+struct FitLook {
+    std::vector<std::string> keys{match::usual_parameters.begin(), match::usual_parameters.end()};
+    bool tools = true;  ///< they may be moved, added and silenced, so that smoke and blood begin as in the reference
+    match::Weights weights = {};
+    std::uint32_t seed = 1;
+};
+
+class Fitting {
+  public:
+    /// All must outlive it.
+    struct Parts {
+        document::Document& document;
+        const PreviewHost& preview;
+        const Reference& reference;
+        Measuring& measuring;
+        const Tuning& tuning;  ///< for its locks
+        const ScenePace& pace;
+        Jobs& jobs;
+        Notices& notices;
+        const EditorOptions& options;
+    };
+    explicit Fitting(const Parts& parts);
+    ~Fitting();
+    Fitting(const Fitting&) = delete;
+    Fitting& operator=(const Fitting&) = delete;
+
+    FitLook look;
+
+    /// Once before each frame. `now`: s, the clock of the UI.
+    void update(double now);
+    /// s: when update() wants to be called next; infinity: whenever.
+    double due() const { return due_; }
+    /// Another document has been opened.
+    void forget();
+
+    // --- finding -----------------------------------------------------------------------------------------------------
+    /// What the curves say without drawing: under two seconds.
+    void propose() { begin(true); }
+    /// The whole fit. The reference is measured before, if it is not yet.
+    void start() { begin(false); }
+    void cancel();  ///< with the best so far
+    bool busy() const { return asked_.has_value(); }
+    bool measures_first() const { return asked_ && !run_; }  ///< and is not fitting yet
+    bool proposes() const { return asked_ && *asked_; }      ///< busy() with a proposal alone
+    double progress() const { return run_ ? run_->progress() : 0.0; }
+    double seconds_left() const;  ///< negative: not known yet
+    const std::vector<Fault>& faults() const { return faults_; }
+    bool locked(const std::string& key) const;  ///< it is no parameter of a fit as long as it is
+
+    // --- found -------------------------------------------------------------------------------------------------------
+    /// The last that was found, also once it has been taken; null: nothing.
+    const FitFound* found() const { return found_ ? &*found_ : nullptr; }
+    bool taken() const { return taken_; }
+    /// Its curve until it is taken, and the best so far while it fits; empty: none.
+    const std::vector<match::FrameAmounts>& frames() const;
+    std::uint64_t version() const { return version_; }  ///< changes with frames() and found()
+    /// The document is no longer what it started from: its values are taken all the same.
+    bool stale() const { return found_ && !taken_ && document_.version() != of_version_; }
+    void take();  ///< one undo step
+    void leave();
+
+  private:
+    void begin(bool proposal_alone);
+    void go_on(double now);
+    bool measured();
+    bool prepare(double now);
+    std::vector<std::string> free_keys() const;
+    void fail(std::vector<Fault> faults);
+    void end_run();
+
+    document::Document& document_;
+    const PreviewHost& host_;
+    const Reference& reference_;
+    Measuring& measuring_;
+    const Tuning& tuning_;
+    const ScenePace& pace_;
+    Jobs& jobs_;
+    Notices& notices_;
+    const std::vector<std::filesystem::path> clip_folders_;
+    const bool exact_, software_;
+    std::optional<bool> asked_;  ///< for a proposal alone; nothing: neither is wanted
+    bool measuring_asked_ = false;
+    double began_ = 0.0, now_ = 0.0, due_ = std::numeric_limits<double>::infinity();
+    std::unique_ptr<RenderSteps> steps_;
+    std::unique_ptr<match::PreviewCurve> curve_;
+    std::unique_ptr<FittingRun> run_;
+    std::shared_ptr<const FittingRun::Frames> best_;
+    std::optional<FitFound> found_;
+    bool taken_ = false;
+    std::uint64_t of_version_ = 0, version_ = 1;
+    std::vector<Fault> faults_;
+};
+
+}  // namespace lapfx::app

@@ -1,0 +1,106 @@
+#include "app/measure/fitting_run.h"
+
+#include <utility>
+
+#include "app/base/jobs.h"
+#include "app/base/render_steps.h"
+#include "match/fit/proposal.h"
+
+namespace lapfx::app {
+
+FittingRun::FittingRun(FitWanted wanted, match::PreviewCurve* curve, RenderSteps& steps, Jobs& jobs, bool beside)
+    : wanted_(std::move(wanted)), curve_(curve), steps_(steps), jobs_(jobs) {
+    if (beside)
+        thread_ = std::thread([this] { work(); });
+    else
+        work();
+}
+
+FittingRun::~FittingRun() {
+    cancelled_ = true;
+    steps_.stop();
+    if (thread_.joinable()) thread_.join();
+}
+
+std::shared_ptr<const FittingRun::Frames> FittingRun::best() const {
+    const std::lock_guard lock(mutex_);
+    return best_;
+}
+
+bool FittingRun::ended() const {
+    const std::lock_guard lock(mutex_);
+    return ended_;
+}
+
+std::optional<FitFound> FittingRun::take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(found_, {});
+}
+
+std::vector<Fault> FittingRun::faults() const {
+    const std::lock_guard lock(mutex_);
+    return faults_;
+}
+
+void FittingRun::work() {
+    std::vector<Fault> faults;
+    std::optional<FitFound> found;
+    try {
+        found = find();
+        if (found->result && found->result->after.empty()) found.reset();  // cancelled before anything was drawn
+    } catch (const Error& error) {
+        faults = error.faults();
+    } catch (const std::exception& error) {
+        faults = {{.file = "", .place = "", .reason = error.what()}};
+    }
+    {
+        const std::lock_guard lock(mutex_);
+        found_ = std::move(found), faults_ = std::move(faults);
+        ended_ = true;
+    }
+    jobs_.wake();
+}
+
+/// `share`: 0..1 of the curve that is being drawn.
+bool FittingRun::drawing(double share) {
+    progress_ = share_ + share * (next_ - share_);
+    return !cancelled_;
+}
+
+FitFound FittingRun::find() {
+    FitFound found{.start = wanted_.start, .tuned = wanted_.start};
+    found.parameters = match::free_parameters(found.start, wanted_.keys);
+    found.target = match::target_of(wanted_.reference, {.offset = wanted_.offset, .to = found.start.scene.duration});
+    if (wanted_.tools || wanted_.proposal_alone) {
+        match::Proposal proposal =
+            match::propose(found.start, wanted_.organ, found.target, {.aspect = wanted_.aspect, .keys = wanted_.keys});
+        found.tuned = std::move(proposal.tuned), found.lines = std::move(proposal.lines);
+    }
+    if (wanted_.proposal_alone) return found;
+    match::FitInput input{.start = found.tuned,
+                          .before = wanted_.start,
+                          .parameters = found.parameters,
+                          .target = found.target,
+                          .organ = wanted_.organ,
+                          .aspect = wanted_.aspect,
+                          .weights = wanted_.weights,
+                          .seed = wanted_.seed};
+    input.draw = [this](const match::Tuned& tuned, std::span<const double> times) {
+        return curve_->measure(tuned.scene, tuned.preset, times,
+                               {.progress = [this](double share) { return drawing(share); }});
+    };
+    input.progress = [this](const match::FitProgress& progress) {
+        share_ = progress.share, next_ = progress.next;
+        if (progress.best != nullptr) {
+            const std::lock_guard lock(mutex_);
+            best_ = std::make_shared<const Frames>(*progress.best);
+        }
+        jobs_.wake();
+        return drawing(0.0);
+    };
+    found.result = match::fit(input);
+    found.tuned = found.result->tuned;
+    return found;
+}
+
+}  // namespace lapfx::app

@@ -1,0 +1,92 @@
+// One fit, or the proposal that it begins with, on a thread of its own that asks the render thread for each picture.
+//
+//     FittingRun run(wanted, curve, steps, jobs, true);
+//     each frame:  steps.serve(8e-3); plot(*run.best());
+//     if (run.ended()) show(run.found(), run.faults());
+//
+// UI thread.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "lapfx/error.h"
+#include "match/fit/fit.h"
+#include "match/fit/preview_curve.h"
+
+namespace lapfx::app {
+
+class Jobs;
+class RenderSteps;
+
+/// All that a fit goes by; a copy, so that the document may change meanwhile.
+struct FitWanted {
+    match::Tuned start;
+    std::vector<std::string> keys = {};
+    bool tools = true;            ///< the proposal may move, add and silence them
+    bool proposal_alone = false;  ///< nothing is drawn
+    match::Weights weights = {};
+    std::uint32_t seed = 1;
+    std::vector<match::FrameAmounts> reference = {};
+    double offset = 0.0;  ///< s; reference time = scene time + offset
+    std::shared_ptr<const PreparedOrgan> organ = {};
+    double aspect = 1.25;  ///< of the pictures, width over height
+};
+
+/// What came of it.
+struct FitFound {
+    match::Tuned start, tuned;
+    std::vector<std::string> lines = {};  ///< of the proposal, for people
+    std::vector<match::FreeParameter> parameters = {};
+    std::vector<match::TargetPoint> target = {};
+    std::optional<match::FitResult> result = {};  ///< none: a proposal alone
+};
+
+class FittingRun {
+  public:
+    using Frames = std::vector<match::FrameAmounts>;
+
+    /// `beside`: else all of it is done here, at once. `curve` draws by way of `steps`; all must outlive it.
+    FittingRun(FitWanted wanted, match::PreviewCurve* curve, RenderSteps& steps, Jobs& jobs, bool beside);
+    ~FittingRun();  ///< waits for the picture that is being measured
+    FittingRun(const FittingRun&) = delete;
+    FittingRun& operator=(const FittingRun&) = delete;
+
+    const FitWanted& wanted() const { return wanted_; }
+    /// It ends soon, with the best so far.
+    void cancel() { cancelled_ = true; }
+    bool cancelled() const { return cancelled_; }
+    double progress() const { return progress_; }  ///< 0..1
+    /// What the nearest place so far shows; null: nothing was drawn yet.
+    std::shared_ptr<const Frames> best() const;
+    bool ended() const;
+    /// Once it has ended: nothing where it was cancelled before anything was drawn, or faults() say why.
+    std::optional<FitFound> take();
+    std::vector<Fault> faults() const;
+
+  private:
+    void work();
+    FitFound find();
+    bool drawing(double share);
+
+    const FitWanted wanted_;
+    match::PreviewCurve* curve_;
+    RenderSteps& steps_;
+    Jobs& jobs_;
+    std::atomic<bool> cancelled_ = false;
+    std::atomic<double> progress_ = 0.0;
+    double share_ = 0.0, next_ = 0.0;  ///< of the thread that works
+    mutable std::mutex mutex_;
+    std::shared_ptr<const Frames> best_;
+    bool ended_ = false;
+    std::optional<FitFound> found_;
+    std::vector<Fault> faults_;
+    std::thread thread_;
+};
+
+}  // namespace lapfx::app

@@ -1,0 +1,183 @@
+// The Fit panel: what may change is found beside the UI, shown, and taken as one undo step.
+#include <gmock/gmock.h>
+
+#include "app/measure/fitting.h"
+#include "app/measure/measuring.h"
+#include "app/reference/reference.h"
+#include "app/tuning/parameters.h"
+#include "app/tuning/tuning.h"
+#include "document/document.h"
+#include "editor/support/editor_test.h"
+#include "support/wait_until.h"
+
+namespace lapfx::test {
+namespace {
+
+using testing::ElementsAre;
+
+const std::string panel = "Workspace/Fit/";
+
+class FitPanel : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        begin(true);
+    }
+    void begin(bool exact) {
+        start({1440, 900}, exact);
+        open_sample();
+        editor().document.change("Short", [](document::Content& c) { c.scene.duration = 4; });
+        editor().timeline.speed = 0;
+        layout("Compare");
+        ui().frame().frame();
+    }
+    app::Fitting& fitting() { return editor().fitting(); }
+    void press(const std::string& button) { ui().click(panel + button).frame().frame().frame(); }
+    bool says(const std::string& text) { return ui().dump().find(text) != std::string::npos; }
+    std::size_t steps() { return editor().document.done(); }
+};
+
+TEST_F(FitPanel, TheProposalIsTakenAsOneStep) {
+    const document::Content before = editor().document.content();
+    const std::size_t steps_before = steps();
+    press("Propose");
+    ASSERT_NE(fitting().found(), nullptr) << ui().dump();
+    EXPECT_NE(editor().measuring().found(), nullptr) << "the reference is measured before";
+    EXPECT_FALSE(fitting().found()->result) << "nothing is drawn";
+    EXPECT_TRUE(document::same(before, editor().document.content())) << "nothing changes until it is taken";
+    ASSERT_FALSE(fitting().found()->lines.empty());
+    EXPECT_TRUE(says(fitting().found()->lines.front()));
+    const match::Tuned found = fitting().found()->tuned;
+    press("Take");
+    EXPECT_EQ(steps(), steps_before + 1);
+    EXPECT_EQ(editor().document.steps().back().name, "Take proposal");
+    EXPECT_TRUE(document::same({found.scene, found.preset}, editor().document.content()));
+    EXPECT_FALSE(document::same(before, editor().document.content()));
+    EXPECT_TRUE(fitting().taken());
+    EXPECT_TRUE(says("Taken")) << "what was found can still be read";
+    editor().document.undo();
+    EXPECT_TRUE(document::same(before, editor().document.content()));
+}
+
+TEST_F(FitPanel, AFitComesNearerAndIsTakenAsOneStep) {
+    fitting().look.keys = {"smoke.haze.accumulation"};
+    fitting().look.tools = false;
+    editor().document.change("Thin", [](document::Content& c) { c.preset.smoke.haze.accumulation *= 0.3; });
+    const document::Content before = editor().document.content();
+    press("Fit");
+    ASSERT_NE(fitting().found(), nullptr) << ui().dump();
+    ASSERT_TRUE(fitting().found()->result);
+    const match::FitResult result = *fitting().found()->result;
+    ASSERT_TRUE(result.veil_before && result.veil_after);
+    EXPECT_LT(*result.veil_after, 0.7 * *result.veil_before);
+    ASSERT_EQ(result.parameters.size(), 1U);
+    EXPECT_GT(result.parameters[0].after, 1.5 * before.preset.smoke.haze.accumulation);
+    EXPECT_EQ(fitting().frames().size(), result.after.size()) << "its curve is plotted";
+    press("Take");
+    EXPECT_EQ(editor().document.preset().smoke.haze.accumulation, result.parameters[0].after);
+    EXPECT_EQ(editor().document.steps().back().name, "Fit");
+    EXPECT_TRUE(fitting().frames().empty()) << "the preview's own curve shows it now";
+    editor().document.undo();
+    EXPECT_TRUE(document::same(before, editor().document.content()));
+}
+
+TEST_F(FitPanel, WhatIsLockedStays) {
+    editor().tuning().lock(app::parameters().find("smoke.haze.accumulation"), true);
+    ui().frame();
+    EXPECT_TRUE(says("locked"));
+    press("Propose");
+    ASSERT_NE(fitting().found(), nullptr);
+    EXPECT_EQ(fitting().found()->tuned.preset.smoke.haze.accumulation,
+              editor().document.preset().smoke.haze.accumulation);
+    for (const match::FreeParameter& p : fitting().found()->parameters) EXPECT_NE(p.key, "smoke.haze.accumulation");
+}
+
+TEST_F(FitPanel, NothingFreeIsTold) {
+    fitting().look.keys.clear();
+    ui().frame();
+    EXPECT_TRUE(says("Nothing: all parameters stay as they are."));
+    press("Fit");
+    EXPECT_EQ(fitting().found(), nullptr);
+    EXPECT_FALSE(fitting().busy());
+    EXPECT_TRUE(says("names no parameter: nothing is free")) << ui().dump();
+}
+
+TEST_F(FitPanel, ParametersAreTakenAwayAndAdded) {
+    ASSERT_EQ(fitting().look.keys.size(), match::usual_parameters.size());
+    fitting().look.keys = {"bleeding.speed", "smoke.haze.accumulation"};
+    ui().frame();
+    ui().click("**/Keep Bleeding: Speed").frame();
+    EXPECT_THAT(fitting().look.keys, ElementsAre("smoke.haze.accumulation"));
+    ui().click("**/Add parameter").frame().type("Ventilation").frame().key(ui::Key::enter).frame().frame();
+    EXPECT_THAT(fitting().look.keys, ElementsAre("smoke.haze.accumulation", "smoke.haze.ventilation"));
+}
+
+TEST_F(FitPanel, ToolsThatChangedMeanwhileStay) {
+    press("Propose");
+    ASSERT_NE(fitting().found(), nullptr);
+    const double found = fitting().found()->tuned.preset.smoke.haze.accumulation;
+    ASSERT_NE(found, editor().document.preset().smoke.haze.accumulation);
+    editor().document.change("Move", [](document::Content& c) { c.scene.events.front().time += 0.25; });
+    const auto events = editor().document.scene().events;
+    ui().frame();
+    EXPECT_TRUE(fitting().stale());
+    press("Take");
+    EXPECT_EQ(editor().document.preset().smoke.haze.accumulation, found);
+    ASSERT_EQ(editor().document.scene().events.size(), events.size());
+    for (std::size_t i = 0; i < events.size(); ++i) EXPECT_EQ(editor().document.scene().events[i].time, events[i].time);
+    EXPECT_TRUE(says("its tools stay as they are"));
+}
+
+TEST_F(FitPanel, WithoutAReferenceThereIsNothingToFitTo) {
+    editor().document.change("Without", [](document::Content& c) { c.scene.reference.file.clear(); });
+    ui().frame().frame();
+    EXPECT_TRUE(says("There is no reference to fit to"));
+    fitting().start();
+    ui().frame().frame();
+    EXPECT_FALSE(fitting().busy());
+    ASSERT_FALSE(fitting().faults().empty());
+    EXPECT_EQ(fitting().faults().front().reason, "there is no reference to fit to");
+}
+
+/// Beside the UI, as in the window.
+class FitBeside : public FitPanel {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (!IsSkipped()) begin(false);
+    }
+    bool wait_for(const std::function<bool()>& so) {
+        return wait_until(so, [&] { ui().frame(0.02); });
+    }
+};
+
+TEST_F(FitBeside, ACancelledFitGivesTheNearestSoFar) {
+    fitting().look.keys = {"smoke.haze.accumulation", "smoke.haze.ventilation"};
+    fitting().look.tools = false;
+    const document::Content before = editor().document.content();
+    fitting().start();
+    ASSERT_TRUE(wait_for([&] { return !fitting().busy() || !fitting().frames().empty(); }));
+    ASSERT_TRUE(fitting().busy()) << ui().dump();
+    EXPECT_GT(fitting().progress(), 0.0);
+    fitting().cancel();
+    ASSERT_TRUE(wait_for([&] { return !fitting().busy(); }));
+    ASSERT_NE(fitting().found(), nullptr);
+    EXPECT_TRUE(fitting().found()->result->ended_early);
+    ui().frame();
+    EXPECT_TRUE(says("the nearest so far")) << ui().dump();
+    EXPECT_TRUE(document::same(before, editor().document.content()));
+}
+
+TEST_F(FitBeside, AnotherDocumentEndsIt) {
+    fitting().start();
+    ASSERT_TRUE(wait_for([&] { return !fitting().busy() || fitting().progress() > 0.0; }));
+    ASSERT_TRUE(fitting().busy());
+    editor().forget_document();
+    EXPECT_FALSE(fitting().busy());
+    EXPECT_EQ(fitting().found(), nullptr);
+    ui().frame().frame();
+}
+
+}  // namespace
+}  // namespace lapfx::test
