@@ -12,18 +12,21 @@ namespace lapfx::match {
 namespace {
 
 constexpr std::size_t most_times = 20;  // that are drawn for one measuring
-// Of the video: below, what is taken for blood or smoke may be an error of measuring, whose colour is the tissue's.
-constexpr double least_blood = 0.01, least_veil = 0.1;
+// Below, what is taken for blood or smoke of the video may be an error of measuring, whose colour is the tissue's. The
+// interval of blood begins at 0 behind thin smoke, too, so much of it counts all the same.
+constexpr double least_blood = 0.01, much_blood = 0.05, least_veil = 0.1;
 constexpr double least_blood_drawn = 0.005, least_veil_drawn = 0.05;  // of the scene, which has no such errors
 constexpr double darkest = 0.004, brightest = 0.8;                    // mean light that tells an exposure
 constexpr double clipped = 0.96;                                      // light from which a channel says nothing
-constexpr double least_light = 1e-4, least_field = 6e-4;  // of measured light; of a colour's (2 code values)
-constexpr double most_factor = 6.0;                       // on a colour's light, either way
-constexpr double least_step = 0.02, least_slope = 0.25, most_slope = 1.5;  // of logarithms
-constexpr double light_weight = 25.0;                                      // Delta E for a factor of e in brightness
-constexpr double good = 1.0;                                               // Delta E: less cannot be seen
-constexpr double plain = 5.0;
-constexpr double light_tolerance = 0.1;
+constexpr double least_light = 1e-4;                                  // that is measured
+constexpr double least_field = 6e-4;  // light of 2 code values, from which a colour can grow
+// On a colour's light: blood has little green, which the tissue's own hides. Down, it soon makes no difference.
+constexpr double least_factor = 1.0 / 6.0, most_factor = 20.0;
+constexpr double least_step = 0.02;                    // of what was given: nearer tries tell no slope
+constexpr double least_slope = 0.1, most_slope = 1.5;  // of a line through the origin
+constexpr double light_weight = 25.0;                  // Delta E for a factor of e in brightness
+constexpr double good = 1.0, plain = 5.0;              // Delta E: cannot be seen, is worth a word
+constexpr double light_tolerance = 0.1;                // of a logarithm
 
 const std::string exposure_key = "camera.exposure";
 
@@ -101,11 +104,12 @@ struct Part {
     std::optional<glm::dvec3> MeasuredColors::*seen;
     std::optional<double> ColorLikeness::*off;
     Amount ColorsAtPeak::*amount;
-    double least, least_drawn;
+    double least, much, least_drawn;
 };
 constexpr std::array<Part, 2> parts = {{
-    {"blood", &MeasuredColors::blood, &ColorLikeness::blood, &ColorsAtPeak::blood, least_blood, least_blood_drawn},
-    {"smoke", &MeasuredColors::smoke, &ColorLikeness::smoke, &ColorsAtPeak::veil, least_veil, least_veil_drawn},
+    {"blood", &MeasuredColors::blood, &ColorLikeness::blood, &ColorsAtPeak::blood, least_blood, much_blood,
+     least_blood_drawn},
+    {"smoke", &MeasuredColors::smoke, &ColorLikeness::smoke, &ColorsAtPeak::veil, least_veil, 1.0, least_veil_drawn},
 }};
 
 /// What was drawn: the factor on each part's colours, and what was seen.
@@ -116,20 +120,20 @@ struct Tried {
     MeasuredColors seen = {};
 };
 
-/// The next of what gives `wanted` for what was given: along the line, of logarithms, through the two nearest tries; of
-/// one try, in proportion.
+/// The next of what gives `wanted` for what was given: along the line through the two nearest tries, that is as steep
+/// as light can be; of one try, in proportion.
 double next_of(std::vector<glm::dvec2> given_and_seen, double wanted) {
-    const double aim = std::log(std::max(wanted, least_light));
-    for (glm::dvec2& pair : given_and_seen) pair = {std::log(pair.x), std::log(std::max(pair.y, least_light))};
-    std::ranges::stable_sort(given_and_seen, {}, [&](const glm::dvec2& pair) { return std::abs(pair.y - aim); });
+    for (glm::dvec2& pair : given_and_seen) pair.y = std::max(pair.y, least_light);
+    std::ranges::stable_sort(given_and_seen, {}, [&](const glm::dvec2& pair) { return std::abs(pair.y - wanted); });
     const glm::dvec2 best = given_and_seen.front();
-    double slope = 1.0;
+    const double proportion = best.y / best.x;
+    double slope = proportion;
     for (const glm::dvec2& other : given_and_seen) {
-        if (std::abs(other.x - best.x) < least_step) continue;
-        slope = std::clamp((other.y - best.y) / (other.x - best.x), least_slope, most_slope);
+        if (std::abs(other.x - best.x) < least_step * best.x) continue;
+        slope = std::clamp((other.y - best.y) / (other.x - best.x), least_slope * proportion, most_slope * proportion);
         break;
     }
-    return std::exp(best.x + (aim - best.y) / slope);
+    return best.x + (wanted - best.y) / slope;
 }
 
 class Matching {
@@ -210,13 +214,16 @@ class Matching {
             moves_exposure_ = true;
     }
     std::string why_untold(const Part& part) const {
-        const auto little = [&](const ColorsAtPeak& at, double least) {
+        const auto no_color = [&](const ColorsAtPeak& at) {
             const std::optional<glm::dvec3>& color = at.colors.*part.seen;
-            return !color || !finite(*color) || (at.*part.amount).low <= 0.0 || (at.*part.amount).value < least;
+            return !color || !finite(*color);
         };
+        const Amount &there = input_.reference.*part.amount, &here = first_.*part.amount;
         const std::string name = part.name;
-        if (little(input_.reference, part.least)) return "the video shows too little " + name + " to tell its colour";
-        if (little(first_, part.least_drawn)) return "the scene shows too little " + name + " to compare its colour";
+        if (no_color(input_.reference) || there.value < part.least || (there.low <= 0.0 && there.value < part.much))
+            return "the video shows too little " + name + " to tell its colour";
+        if (no_color(first_) || here.value < part.least_drawn)
+            return "the scene shows too little " + name + " to compare its colour";
         const glm::dvec3& color = *(input_.reference.colors.*part.seen);
         if (std::max({color.r, color.g, color.b}) >= clipped) return "the video shows its " + name + " overexposed";
         return {};
@@ -248,7 +255,7 @@ class Matching {
                 pairs.emplace_back(tried.factor[i][channel], (*color)[channel] / tried.exposure);
         if (pairs.empty()) return 1.0;
         const double wanted = (*(input_.reference.colors.*parts[i].seen))[channel] / exposure;
-        return std::clamp(next_of(std::move(pairs), wanted), 1.0 / most_factor, most_factor);
+        return std::clamp(next_of(std::move(pairs), wanted), least_factor, most_factor);
     }
     double wanted_exposure() const {
         std::vector<glm::dvec2> pairs;
