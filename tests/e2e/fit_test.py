@@ -118,6 +118,7 @@ def check_colors(lapfx, scene, folder):
         assert after[name] < 3 < before[name], (name, before, after, said)
     assert "<h2>Colours</h2>" in open(report).read()
 
+
 def check_ended(lapfx, scene, video, folder):
     """Out of time it gives the best so far, and a fit that is stopped leaves nothing."""
     short = os.path.join(folder, "short.json")
