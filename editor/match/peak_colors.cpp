@@ -12,7 +12,10 @@ void PeakColors::add(const Image& frame, const Estimator* estimator, const Frame
     if (!more_blood && !more_veil && any_) return;
     const MeasuredColors colors = colors_of(frame, *estimator);
     if (more_blood) any_blood_ = true, found_.blood = amounts.blood, found_.colors.blood = colors.blood;
-    if (more_veil) any_veil_ = true, found_.veil = amounts.veil, found_.colors.smoke = colors.smoke;
+    if (more_veil) {
+        any_veil_ = true, found_.veil = amounts.veil;
+        found_.colors.smoke = colors.smoke, found_.colors.tinted = colors.tinted;
+    }
     if (!any_) found_.colors.tissue = colors.tissue;
     any_ = true;
 }

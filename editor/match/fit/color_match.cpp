@@ -76,19 +76,19 @@ bool finite(const glm::dvec3& color) {
     return std::isfinite(color.r) && std::isfinite(color.g) && std::isfinite(color.b);
 }
 
-std::optional<double> light_of(const MeasuredColors& colors) {
+std::optional<double> tissue_light(const MeasuredColors& colors) {
     if (!colors.tissue || !finite(*colors.tissue)) return {};
-    return glm::dot(*colors.tissue, glm::dvec3(0.2126, 0.7152, 0.0722));
+    return light_of(*colors.tissue);
 }
 
 bool tells_exposure(const MeasuredColors& colors) {
-    const std::optional<double> light = light_of(colors);
+    const std::optional<double> light = tissue_light(colors);
     return light && *light >= darkest && *light <= brightest;
 }
 
 std::optional<double> relative_light(const MeasuredColors& shown, const MeasuredColors& reference) {
     if (!tells_exposure(shown) || !tells_exposure(reference)) return {};
-    return *light_of(shown) / *light_of(reference);
+    return *tissue_light(shown) / *tissue_light(reference);
 }
 
 /// In whole code values, as an editor shows it.
@@ -192,6 +192,9 @@ class Matching {
             if (keys.empty()) continue;
             const std::string why = why_untold(parts[i]);
             moves_[i] = why.empty();
+            if (moves_[i] && !by_channel(i))
+                say(joined(keys) + (keys.size() > 1 ? ": keep their tint, " : ": keeps its tint, ") +
+                    "the video does not tell that of its smoke; only how bright it is was matched");
             if (!why.empty()) say(joined(keys) + (keys.size() > 1 ? ": stay, " : ": stays, ") + why);
         }
     }
@@ -205,7 +208,7 @@ class Matching {
         }
         if (input_.start.scene.plate.use)
             say(exposure_key + ": stays, the tissue is the plate, which is shown as it is");
-        else if (!light_of(input_.reference.colors) || !light_of(first_.colors))
+        else if (!tissue_light(input_.reference.colors) || !tissue_light(first_.colors))
             say(exposure_key + ": stays, no tissue is measurable in both");
         else if (!light)
             say(exposure_key + ": stays, the " + (tells_exposure(first_.colors) ? "video" : "scene") +
@@ -235,9 +238,14 @@ class Matching {
         const std::optional<double> light = relative_light(tried.seen, input_.reference.colors);
         return light ? light_weight * std::abs(std::log(*light)) : lost;
     }
-    /// Of a part that is not seen any more: as far as can be.
+    bool tinted() const { return input_.reference.colors.tinted && first_.colors.tinted; }
+    /// Else only how bright it is.
+    bool by_channel(std::size_t i) const { return parts[i].seen != &MeasuredColors::smoke || tinted(); }
+    /// Of a part that is not seen any more, or not as at first: as far as can be.
     double part_off(const Tried& tried, std::size_t i) const {
-        return moves_[i] ? (off(tried).*parts[i].off).value_or(lost) : 0.0;
+        if (!moves_[i]) return 0.0;
+        if (by_channel(i) && parts[i].seen == &MeasuredColors::smoke && !tried.seen.tinted) return lost;
+        return (off(tried).*parts[i].off).value_or(lost);
     }
     double cost(const Tried& tried) const { return light_off(tried) + part_off(tried, 0) + part_off(tried, 1); }
     bool is_good(const Tried& tried) const {
@@ -249,20 +257,21 @@ class Matching {
 
     /// What is seen grows with the exposure, so the factors on colours go by what is seen for an exposure of 1.
     double wanted_factor(std::size_t i, int channel, double exposure) const {
+        const auto light = [&](const glm::dvec3& color) { return by_channel(i) ? color[channel] : light_of(color); };
         std::vector<glm::dvec2> pairs;
         for (const Tried& tried : tried_)
             if (const std::optional<glm::dvec3>& color = tried.seen.*parts[i].seen)
-                pairs.emplace_back(tried.factor[i][channel], (*color)[channel] / tried.exposure);
+                pairs.emplace_back(tried.factor[i][channel], light(*color) / tried.exposure);
         if (pairs.empty()) return 1.0;
-        const double wanted = (*(input_.reference.colors.*parts[i].seen))[channel] / exposure;
+        const double wanted = light(*(input_.reference.colors.*parts[i].seen)) / exposure;
         return std::clamp(next_of(std::move(pairs), wanted), least_factor, most_factor);
     }
     double wanted_exposure() const {
         std::vector<glm::dvec2> pairs;
         for (const Tried& tried : tried_)
-            if (const std::optional<double> light = light_of(tried.seen); light && *light > 0.0)
+            if (const std::optional<double> light = tissue_light(tried.seen); light && *light > 0.0)
                 pairs.emplace_back(tried.exposure, *light);
-        const double found = next_of(std::move(pairs), *light_of(input_.reference.colors));
+        const double found = next_of(std::move(pairs), *tissue_light(input_.reference.colors));
         return std::clamp(found, exposure_->minimum, exposure_->maximum);
     }
     /// Nothing: it would be one that was drawn.

@@ -11,7 +11,8 @@
 //   bright and not cut off has 0.62 to 0.92 as much green as red, and 0.59 to 0.98 as much blue (18 clips of cholec80,
 //   linear light): that is more about the tissue beneath than about the lamp. Its intensity does what exposure does.
 // - Blood: thin and deep colour are changed by one factor for each channel of their light, which keeps the gradient.
-// - Smoke: likewise colours of haze and plume, which measuring does not tell apart.
+// - Smoke: likewise colours of haze and plume, which measuring does not tell apart. Of a video whose dark places do not
+//   tell the tint (smoke_tint.h), only how bright it is.
 //
 // The thread of `draw`; the same input gives the same result.
 #pragma once

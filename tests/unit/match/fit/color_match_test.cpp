@@ -56,7 +56,8 @@ struct Camera {
         const glm::dvec3 of_smoke = mean_light(p.smoke.haze.color, p.smoke.plume.color);
         return {.colors = {.blood = shoulder(exposure * (0.7 * of_blood + 0.1 * tissue + 0.002)),
                            .smoke = shoulder(exposure * 0.9 * of_smoke),
-                           .tissue = shoulder(exposure * tissue)},
+                           .tissue = shoulder(exposure * tissue),
+                           .tinted = true},
                 .blood = {blood, 0.5 * blood, 1.5 * blood},
                 .veil = {veil, 0.8 * veil, 1.2 * veil}};
     }
@@ -156,6 +157,23 @@ TEST(ColorMatch, LittleBloodOrSmokeOfTheVideoSaysNothing) {
     EXPECT_FALSE(clear.after.smoke);
     EXPECT_THAT(clear.lines, Contains(HasSubstr("the video shows too little smoke to tell its colour")));
     EXPECT_THAT(likeness_lines(clear), Contains("smoke: colour not measurable in both"));
+}
+
+TEST(ColorMatch, SmokeWhoseTintIsNotToldKeepsItsOwn) {
+    ColorsAtPeak video = video_of(hidden());
+    video.colors.tinted = false;
+    const ColorMatch found = matched(video);
+    EXPECT_LT(*found.after.smoke, 1.0);
+    EXPECT_LT(*found.after.smoke, *found.before.smoke);
+    const auto tint = [](const glm::dvec3& color) {
+        const glm::dvec3 light = glm::convertSRGBToLinear(color);
+        return light / light.g;
+    };
+    const glm::dvec3 before = tint(usual().preset.smoke.haze.color), after = tint(found.tuned.preset.smoke.haze.color);
+    EXPECT_NE(found.tuned.preset.smoke.haze.color, usual().preset.smoke.haze.color);
+    EXPECT_NEAR(after.r, before.r, 0.03);
+    EXPECT_NEAR(after.b, before.b, 0.03);
+    EXPECT_THAT(found.lines, Contains(HasSubstr("smoke.haze.color and smoke.plume.color: keep their tint")));
 }
 
 TEST(ColorMatch, MuchBloodCountsBehindSmokeThatHidesWhetherItIsThere) {
