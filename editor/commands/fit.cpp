@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "commands/command.h"
+#include "commands/fit_colors.h"
 #include "commands/fit_files.h"
 #include "commands/fit_report.h"
 #include "commands/matched_videos.h"
@@ -33,6 +34,7 @@ struct Options {
     FitFiles files;
     std::string parameters = usual_parameters;
     MatchOptions match;  ///< match.reference is files.reference
+    bool colors = false;
     double budget = 600.0;
     std::uint32_t seed = 1;
 };
@@ -170,7 +172,9 @@ void run(const Options& o) {
     VideoReader video = opened_video(files.reference);
     const SceneReference reference = reference_of(o.match, shown.scene);
     Steps steps(o.budget);
-    const match::MeasureOptions options = measure_options(o.match, reference);
+    match::MeasureOptions options = measure_options(o.match, reference);
+    match::PeakColors peaks(window.from + reference.offset, window.to + reference.offset);
+    if (o.colors) watch_colors(options, peaks);
     const match::Measurement found = measured(o, video, options, steps);
     input.target = match::target_of(found.frames, {.offset = reference.offset, .from = window.from, .to = window.to});
     if (!input.target.empty())
@@ -181,11 +185,16 @@ void run(const Options& o) {
     input.aspect = static_cast<double>(size.x) / size.y;
     if (!files.fitted_scene.empty()) begin_with_proposal(input);
     match::PreviewCurve curve = preview_curve(shown, input.organ, options.estimator, size);
-    const match::FitResult result = fitted(o, input, curve, steps);
+    match::FitResult result = fitted(o, input, curve, steps);
+    std::vector<std::string> colors;
+    if (o.colors)
+        colors = fit_colors(result, peaks, input.target, curve, !files.fitted_scene.empty(),
+                            [&](double) { return steps.to(1.0); });
     const double seconds = steps.seconds();
     if (!files.report.empty()) {
         match::FitReport report = report_of(o, shown.scene, window, input, result);
         report.offset = reference.offset, report.seconds = seconds, report.notes = found.notes;
+        report.colors = colors;
         if (!video.info().warning.empty()) report.notes.push_back(video.info().warning);
         add_pictures(report, video, input.before.value_or(input.start), input.organ, preview_options(shown));
         write_file(files.report, match::report_html(report));
@@ -194,6 +203,7 @@ void run(const Options& o) {
     write_file(files.output, write_preset(result.tuned.preset));
     if (!files.fitted_scene.empty()) save_scene(fitted_scene(files, reference, result.tuned.scene), files.fitted_scene);
     print(result);
+    for (const std::string& line : colors) std::cout << line << '\n';
     std::cout << "curves drawn: " << result.curves << ", evaluations of the core: " << result.evaluations << ", "
               << seconds << " s" << (result.ended_early ? ", ended early: the best so far" : "") << '\n';
 }
@@ -214,6 +224,8 @@ void add_fit(CLI::App& app) {
         ->option_text("KEY,...")
         ->capture_default_str();
     add_match_options(*verb, o->match, "scene", "fitted");
+    verb->add_flag("--colors", o->colors,
+                   "Then match the colours of blood and smoke, and with --fitted-scene the exposure");
     verb->add_option("--seed", o->seed, "Of the chance in the search and in the intervals")
         ->option_text("NUMBER")
         ->capture_default_str();

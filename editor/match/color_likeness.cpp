@@ -2,6 +2,7 @@
 
 #include "match/color_difference.h"
 #include "match/colors.h"
+#include "match/smoke_tint.h"
 
 namespace lapfx::match {
 
@@ -29,7 +30,17 @@ std::optional<double> difference(const std::optional<glm::dvec3>& a, const std::
     return delta_e_2000(lab_of_linear(*a), lab_of_linear(*b));
 }
 
+/// Without a tint only how bright it is.
+std::optional<glm::dvec3> smoke_of(const MeasuredColors& colors, bool tinted) {
+    if (!colors.smoke || tinted) return colors.smoke;
+    return glm::dvec3(light_of(*colors.smoke));
+}
+
 }  // namespace
+
+double light_of(const glm::dvec3& color) {
+    return glm::dot(color, glm::dvec3(0.2126, 0.7152, 0.0722));
+}
 
 MeasuredColors colors_of(const Image& frame, const ColorLayers& layers) {
     cv::Mat code, seen, clear;
@@ -50,20 +61,31 @@ MeasuredColors colors_of(const Image& frame, const ColorLayers& layers) {
             blood.add((seen.at<cv::Vec3f>(y, x) - light[x] * veil[x]) * (1.0F / (1.0F - veil[x])));
         }
     }
-    return {.blood = blood.found(), .smoke = smoke.found(), .tissue = tissue.found()};
+    return {.blood = blood.found(), .smoke = smoke.found(), .tissue = tissue.found(), .tinted = false};
 }
 
 MeasuredColors colors_of(const Image& frame, const Estimator& estimator) {
-    return colors_of(frame, {.blood = estimator.blood(),
-                             .veil = estimator.veil(),
-                             .valid = estimator.valid(),
-                             .light = estimator.light(),
-                             .baseline = estimator.baseline()});
+    MeasuredColors found = colors_of(frame, {.blood = estimator.blood(),
+                                             .veil = estimator.veil(),
+                                             .valid = estimator.valid(),
+                                             .light = estimator.light(),
+                                             .baseline = estimator.baseline()});
+    if (!found.smoke) return found;
+    cv::Mat code, seen, clear;
+    shrink(frame, estimator.working_size(), code);
+    to_linear(code, seen);
+    to_linear(estimator.baseline(), clear);
+    if (const auto tint = smoke_tint({seen, clear, estimator.veil(), estimator.light(), estimator.valid()})) {
+        found.smoke = *tint * (light_of(*found.smoke) / light_of(*tint));
+        found.tinted = true;
+    }
+    return found;
 }
 
 ColorLikeness likeness_of(const MeasuredColors& preview, const MeasuredColors& reference) {
+    const bool tinted = preview.tinted && reference.tinted;
     return {.blood = difference(preview.blood, reference.blood),
-            .smoke = difference(preview.smoke, reference.smoke),
+            .smoke = difference(smoke_of(preview, tinted), smoke_of(reference, tinted)),
             .tissue = difference(preview.tissue, reference.tissue)};
 }
 

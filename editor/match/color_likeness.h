@@ -24,7 +24,11 @@ struct MeasuredColors {
     std::optional<glm::dvec3> blood;   ///< where there is blood, with the veil removed; not behind dense_veil
     std::optional<glm::dvec3> smoke;   ///< light of dense smoke where the veil is colored_veil or more
     std::optional<glm::dvec3> tissue;  ///< of the baseline, in the valid view
+    bool tinted = false;  ///< dark places tell the tint of the smoke (smoke_tint.h); else only how bright it is counts
 };
+
+/// How bright linear light is: its luminance.
+double light_of(const glm::dvec3& color);
 
 /// Of one frame, all at one size; types and meaning are those of the estimator's layers.
 struct ColorLayers {
@@ -32,10 +36,12 @@ struct ColorLayers {
 };
 /// `frame`: that of the layers, at any size.
 MeasuredColors colors_of(const Image& frame, const ColorLayers& layers);
-/// `frame`: the one that `estimator` measured last, at any size, and that was measurable.
+/// `frame`: the one that `estimator` measured last, at any size, and that was measurable. Where dark places tell the
+/// tint of the smoke, it has that.
 MeasuredColors colors_of(const Image& frame, const Estimator& estimator);
 
-/// CIE Delta E 2000 (color_difference.h); nothing where either picture has too few pixels.
+/// CIE Delta E 2000 (color_difference.h); nothing where either picture has too few pixels. Smoke: of how bright it is
+/// alone, unless both are tinted.
 struct ColorLikeness {
     std::optional<double> blood, smoke, tissue;
 };

@@ -1,10 +1,7 @@
-// A likeness as one line for people.
+#include "match/likeness_words.h"
+
 #include <cmath>
 #include <cstdio>
-#include <string>
-#include <vector>
-
-#include "match/likeness.h"
 
 namespace lapfx::match {
 
@@ -15,11 +12,34 @@ constexpr double onset_error = 0.3, duration_error = 0.4;  // s
 constexpr double duration_share = 0.2;                     // of the reference's rise or decay: less is not worth a word
 constexpr double ratio_share = 0.005;                      // less than that is 0 %
 
-struct Name {
+/// How an amount is spoken of, and what makes it.
+struct Words {
     std::string_view amount;
     std::string_view little, much;  ///< what too little and too much of it is
+    /// Parameters of the preset; empty: none does it. How fast haze rises, its event says (`duration`).
+    std::string_view size, rise, fall;
+    bool (*makes)(const ToolContact& event);
+    std::string_view silenced;  ///< what a silenced event has none of
+    double ToolContact::*loudness;
 };
-constexpr Name blood_name{"blood", "small", "large"}, veil_name{"veil", "thin", "dense"};
+constexpr Words blood_words{.amount = "blood",
+                            .little = "small",
+                            .much = "large",
+                            .size = "bleeding.max_extent",
+                            .rise = "bleeding.speed",
+                            .fall = "",
+                            .makes = [](const ToolContact& event) { return divides(event.action); },
+                            .silenced = "strength",
+                            .loudness = &ToolContact::strength};
+constexpr Words veil_words{.amount = "veil",
+                           .little = "thin",
+                           .much = "dense",
+                           .size = "smoke.haze.accumulation",
+                           .rise = "",
+                           .fall = "smoke.haze.ventilation",
+                           .makes = [](const ToolContact& event) { return event.hot(); },
+                           .silenced = "power",
+                           .loudness = &ToolContact::power};
 
 template <typename... Values>
 std::string text(const char* format, Values... values) {
@@ -37,12 +57,12 @@ std::string joined(const std::vector<std::string>& parts) {
 }
 
 /// "is 30 % too thin".
-std::string size_text(double ratio, const Name& name) {
+std::string size_text(double ratio, const Words& words) {
     constexpr double several = 2.0;  // from here on times are easier to read than percent
-    const std::string much(name.much);
+    const std::string much(words.much);
     if (ratio >= several) return text("is %.1f times too %s", ratio, much.c_str());
     const double percent = 100.0 * std::abs(ratio - 1.0);
-    return text("is %.0f %% too %s", percent, ratio < 1.0 ? std::string(name.little).c_str() : much.c_str());
+    return text("is %.0f %% too %s", percent, ratio < 1.0 ? std::string(words.little).c_str() : much.c_str());
 }
 
 /// "rises 0.8 s too slowly"; empty where that is within the error.
@@ -53,45 +73,116 @@ std::string speed_text(const char* verb, const std::optional<double>& difference
     return text("%s %.1f s too %s", verb, std::abs(*difference), *difference > 0.0 ? "slowly" : "fast");
 }
 
-std::vector<std::string> differences(const AmountLikeness& a, const Name& name) {
-    const bool changes = a.preview.peak_at.has_value(), should = a.reference.peak_at.has_value();
-    if (changes != should) return {changes ? "changes in the preview alone" : "does not change in the preview"};
-    std::vector<std::string> parts;
-    if (a.late && std::abs(*a.late) > onset_error)
-        parts.push_back(text("comes %.1f s too %s", std::abs(*a.late), *a.late > 0.0 ? "late" : "early"));
-    if (a.peak_ratio && std::abs(*a.peak_ratio - 1.0) >= ratio_share && a.peak_over_error > 1.0)
-        parts.push_back(size_text(*a.peak_ratio, name));
-    for (const std::string& speed : {speed_text("rises", a.rise_difference, a.reference.rise),
-                                     speed_text("falls", a.decay_difference, a.reference.decay)})
-        if (!speed.empty()) parts.push_back(speed);
-    if (parts.empty())
-        parts.push_back(text("differs by %.2g, %.1f times the error of measuring", *a.rms, *a.rms_over_error));
-    return parts;
-}
+/// One amount in clauses.
+class Telling {
+  public:
+    Telling(const AmountLikeness& amount, const Words& words, std::span<const ToolContact> events)
+        : a_(amount), words_(words), events_(events) {}
 
-/// Of an amount that does not match.
-std::string clause(const AmountLikeness& a, const Name& name) {
-    const std::string amount(name.amount);
-    const bool preview = a.in_preview == Presence::unmeasurable, reference = a.in_reference == Presence::unmeasurable;
-    if (a.frames == 0) return amount + " is at no time measurable in both";
-    if (preview || reference) {
-        const char* where = !reference ? "preview" : !preview ? "reference" : "preview and of the reference";
-        return amount + " is not measurable in most of the " + where;
+    std::vector<Clause> run() {
+        if (a_.matches())
+            say("matches within the error of measuring", Said::match);
+        else if (!tell_unmeasurable() && !tell_presence())
+            tell_differences();
+        return std::move(clauses_);
     }
-    if (a.missing_in_preview()) return amount + " is missing in the preview";
-    if (a.missing_in_reference()) return amount + " is in the preview alone";
-    return amount + " " + joined(differences(a, name));
+
+  private:
+    void say(std::string text, Said what, std::string key = {}) {
+        clauses_.push_back({.amount = words_.amount, .text = std::move(text), .what = what, .key = std::move(key)});
+    }
+    bool tell_unmeasurable() {
+        const bool preview = a_.in_preview == Presence::unmeasurable,
+                   reference = a_.in_reference == Presence::unmeasurable;
+        if (a_.frames == 0) {
+            say("is at no time measurable in both", Said::unmeasurable);
+        } else if (preview || reference) {
+            const char* where = !reference ? "preview" : !preview ? "reference" : "preview and of the reference";
+            say(std::string("is not measurable in most of the ") + where, Said::unmeasurable);
+        }
+        return !clauses_.empty();
+    }
+    bool tell_presence() {
+        const bool changes = a_.preview.peak_at.has_value(), should = a_.reference.peak_at.has_value();
+        if (a_.missing_in_preview())
+            say("is missing in the preview", Said::missing, event_key(a_.reference, true));
+        else if (a_.missing_in_reference())
+            say("is in the preview alone", Said::surplus, silencing_key());
+        else if (changes && !should)
+            say("changes in the preview alone", Said::surplus, silencing_key());
+        else if (should && !changes)
+            say("does not change in the preview", Said::missing, event_key(a_.reference, true));
+        return !clauses_.empty();
+    }
+    void tell_differences() {
+        if (a_.late && std::abs(*a_.late) > onset_error)
+            say(text("comes %.1f s too %s", std::abs(*a_.late), *a_.late > 0.0 ? "late" : "early"), Said::timing,
+                event_key(a_.preview, false));
+        if (a_.peak_ratio && std::abs(*a_.peak_ratio - 1.0) >= ratio_share && a_.peak_over_error > 1.0)
+            say(size_text(*a_.peak_ratio, words_), Said::size, std::string(words_.size));
+        if (std::string rises = speed_text("rises", a_.rise_difference, a_.reference.rise); !rises.empty())
+            say(std::move(rises), Said::rise,
+                words_.rise.empty() ? key_of(nearest(a_.preview), "duration") : std::string(words_.rise));
+        if (std::string falls = speed_text("falls", a_.decay_difference, a_.reference.decay); !falls.empty())
+            say(std::move(falls), Said::fall, std::string(words_.fall));
+        if (clauses_.empty())
+            say(text("differs by %.2g, %.1f times the error of measuring", *a_.rms, *a_.rms_over_error), Said::course,
+                std::string(words_.size));
+    }
+
+    /// That begins nearest to where the amount does; of an amount without a beginning, to its peak, else the first.
+    std::optional<std::size_t> nearest(const Episode& episode) const {
+        const std::optional<double> begins = episode.onset ? episode.onset : episode.peak_at;
+        std::optional<std::size_t> found;
+        const auto far = [&](std::size_t i) { return begins ? std::abs(events_[i].time - *begins) : events_[i].time; };
+        for (std::size_t i = 0; i < events_.size(); ++i)
+            if (words_.makes(events_[i]) && (!found || far(i) < far(*found))) found = i;
+        return found;
+    }
+    static std::string key_of(const std::optional<std::size_t>& event, std::string_view row) {
+        return event ? "events." + std::to_string(*event) + "." + std::string(row) : std::string();
+    }
+    /// `missing`: an event that is silenced is to be heard before it is to be moved.
+    std::string event_key(const Episode& episode, bool missing) const {
+        const std::optional<std::size_t> event = nearest(episode);
+        const bool silent = event && missing && events_[*event].*words_.loudness <= 0.0;
+        return key_of(event, silent ? words_.silenced : "time");
+    }
+    std::string silencing_key() const { return key_of(nearest(a_.preview), words_.silenced); }
+
+    const AmountLikeness& a_;
+    const Words& words_;
+    std::span<const ToolContact> events_;
+    std::vector<Clause> clauses_;
+};
+
+/// What one amount's clauses say, "veil comes 1.2 s too late and is 30 % too thin".
+std::string sentence_of(const std::vector<Clause>& all, std::string_view amount) {
+    std::vector<std::string> parts;
+    for (const Clause& clause : all)
+        if (clause.amount == amount) parts.push_back(clause.text);
+    return std::string(amount) + ' ' + joined(parts);
 }
 
 }  // namespace
 
+std::vector<Clause> clauses(const Likeness& likeness, std::span<const ToolContact> events) {
+    if (!likeness.overlap)
+        return {{.text = "preview and reference have no time in common", .what = Said::no_time, .key = {}}};
+    std::vector<Clause> all = Telling(likeness.blood, blood_words, events).run();
+    std::vector<Clause> of_veil = Telling(likeness.veil, veil_words, events).run();
+    const bool veil_first = likeness.blood.matches() && !likeness.veil.matches();
+    all.insert(veil_first ? all.begin() : all.end(), std::make_move_iterator(of_veil.begin()),
+               std::make_move_iterator(of_veil.end()));
+    return all;
+}
+
 std::string in_words(const Likeness& likeness) {
-    if (!likeness.overlap) return "preview and reference have no time in common";
-    const bool blood = likeness.blood.matches(), veil = likeness.veil.matches();
-    if (blood && veil) return "blood and veil match within the error of measuring";
-    if (blood) return clause(likeness.veil, veil_name) + "; blood matches within the error of measuring";
-    if (veil) return clause(likeness.blood, blood_name) + "; veil matches within the error of measuring";
-    return clause(likeness.blood, blood_name) + "; " + clause(likeness.veil, veil_name);
+    const std::vector<Clause> all = clauses(likeness);
+    if (all.size() == 1) return all.front().sentence();
+    if (likeness.blood.matches() && likeness.veil.matches())
+        return "blood and veil match within the error of measuring";
+    return sentence_of(all, all.front().amount) + "; " + sentence_of(all, all.back().amount);
 }
 
 }  // namespace lapfx::match

@@ -15,6 +15,12 @@
 
 namespace lapfx::match {
 
+/// With the amounts of the frames that blood and smoke were taken from: how far their colours can be told.
+struct ColorsAtPeak {
+    MeasuredColors colors = {};
+    Amount blood = {}, veil = {};  ///< the most of each; 0: it is not measurable
+};
+
 class PeakColors {
   public:
     /// Of frames at these times of the video, s, both included.
@@ -23,13 +29,13 @@ class PeakColors {
     /// What MeasureOptions::measured gives, in any order. A frame that does not have an amount is none of its peak.
     void add(const Image& frame, const Estimator* estimator, const FrameAmounts& amounts);
     /// The tissue is the baseline's as laid over the first measurable frame.
-    const MeasuredColors& found() const { return found_; }
+    const MeasuredColors& found() const { return found_.colors; }
+    const ColorsAtPeak& at_peak() const { return found_; }
 
   private:
     double from_, to_;
-    double most_blood_ = -1.0, most_veil_ = -1.0;  // less than any amount
-    bool any_ = false;
-    MeasuredColors found_;
+    bool any_ = false, any_blood_ = false, any_veil_ = false;
+    ColorsAtPeak found_;
 };
 
 }  // namespace lapfx::match

@@ -31,11 +31,13 @@ def render_hidden(lapfx, scene, folder):
 def check_found(lapfx, scene, video, folder):
     fitted, curves = os.path.join(folder, "fitted.json"), os.path.join(folder, "curves.csv")
     code, said, told = run(lapfx, "fit", scene, "--reference", video, "--offset", "0", "--window", "0,6",
-                           "--parameters", "smoke.haze.accumulation,bleeding.pulse_rate", "-o", fitted, "--csv", curves)
+                           "--parameters", "smoke.haze.accumulation,bleeding.pulse_rate", "--colors", "-o", fitted,
+                           "--csv", curves)
     assert code == 0, told
     found = json.load(open(fitted))["smoke"]["haze"]["accumulation"]
     assert abs(found / ACCUMULATION - 1) < 0.15, (found, said)
     assert "bleeding.pulse_rate: 0, kept: not determined" in said, said
+    assert "camera.exposure: stays, the scene is written with --fitted-scene only" in said, said
     code, _, told = run(lapfx, "check", fitted)
     assert code == 0, told
     rows = list(csv.DictReader(open(curves)))
@@ -70,6 +72,60 @@ def check_scene(lapfx, scene, video, folder):
     assert code == 0, told
     code, _, told = run(lapfx, "render", written, "--at", "2", "--size", "64x52", "-o", os.path.join(folder, "p.png"))
     assert code == 0, told
+
+
+def write_bleeding(scene, folder):
+    """The scene's preset with so much blood that its colour is told."""
+    preset = json.load(open(os.path.join(os.path.dirname(scene), json.load(open(scene))["preset"])))
+    preset["bleeding"]["speed"], preset["bleeding"]["max_extent"] = 12, 30
+    path = os.path.join(folder, "bleeding.json")
+    json.dump(preset, open(path, "w"))
+    return path
+
+
+def render_colors(lapfx, scene, preset, folder):
+    """Another blood, another haze and a darker picture."""
+    darker = json.load(open(scene))
+    beside = os.path.dirname(os.path.abspath(scene))
+    for part in (darker["organ"], darker["tool"]):
+        part["file"] = os.path.join(beside, part["file"])
+    darker["preset"] = preset
+    darker["camera"]["exposure"] = 1.3
+    del darker["reference"]
+    path, video = os.path.join(folder, "darker.scene.json"), os.path.join(folder, "colors.mp4")
+    json.dump(darker, open(path, "w"))
+    code, _, told = run(lapfx, "render", path, "--size", "256x206", "--fps", "5", "--to", "7",
+                        "--set", "bleeding.color_thin=#c04020", "--set", "bleeding.color_deep=#802010",
+                        "--set", "smoke.haze.color=#606a90", "--set", "smoke.plume.color=#8090c0", "-o", video)
+    assert code == 0, told
+    return video
+
+
+def compared(lapfx, scene, preset, video, folder):
+    path = os.path.join(folder, "compared.json")
+    code, _, told = run(lapfx, "compare", scene, video, "--preset", preset, "--offset", "0", "--window", "0,6",
+                        "--json", path)
+    assert code == 0, told
+    return json.load(open(path))["figures"]
+
+
+def check_colors(lapfx, scene, folder):
+    """Colours and exposure are found again."""
+    start = write_bleeding(scene, folder)
+    video = render_colors(lapfx, scene, start, folder)
+    fitted, written = os.path.join(folder, "colors.json"), os.path.join(folder, "colors.scene.json")
+    report = os.path.join(folder, "colors.html")
+    code, said, told = run(lapfx, "fit", scene, "--reference", video, "--preset", start, "--offset", "0", "--window",
+                           "0,6", "--parameters", "smoke.haze.accumulation", "--colors", "-o", fitted,
+                           "--fitted-scene", written, "--report", report)
+    assert code == 0, told
+    exposure = json.load(open(written))["camera"]["exposure"]
+    assert abs(exposure / 1.3 - 1) < 0.05, (exposure, said)
+    before = compared(lapfx, scene, start, video, folder)
+    after = compared(lapfx, written, fitted, video, folder)
+    for name in ("blood_delta_e", "smoke_delta_e", "tissue_delta_e"):
+        assert after[name] < 3 < before[name], (name, before, after, said)
+    assert "<h2>Colours</h2>" in open(report).read()
 
 
 def check_ended(lapfx, scene, video, folder):
@@ -146,6 +202,7 @@ def main(lapfx, scene):
         check_ended(lapfx, scene, video, folder)
         check_found(lapfx, scene, video, folder)
         check_scene(lapfx, scene, video, folder)
+        check_colors(lapfx, scene, folder)
 
 
 if __name__ == "__main__":

@@ -234,6 +234,7 @@ std::string report_html(const FitReport& report) {
     html += "<h2>Amounts over time</h2>\n" + plots(report);
     if (compared) html += misfits(report.result);
     html += "<h2>Parameters</h2>\n" + parameters(report.result);
+    if (!report.colors.empty()) html += "<h2>Colours</h2>\n" + list(report.colors);
     if (!report.moments.empty()) html += "<h2>Pictures</h2>\n";
     for (const ReportMoment& moment : report.moments) html += pictures(report, moment);
     if (!report.notes.empty()) html += "<h2>Notes of measuring the reference</h2>\n" + list(report.notes);

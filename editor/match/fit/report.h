@@ -37,8 +37,9 @@ struct FitReport {
     double offset = 0.0;          ///< s; reference time = scene time + offset
     double from = 0.0, to = 0.0;  ///< s of the scene, the window
     std::uint32_t seed = 1;
-    double seconds = 0.0;                 ///< that it took
-    std::vector<std::string> notes = {};  ///< of measuring the reference, one line each
+    double seconds = 0.0;                  ///< that it took
+    std::vector<std::string> notes = {};   ///< of measuring the reference, one line each
+    std::vector<std::string> colors = {};  ///< how near they are, and which were changed, one line each; empty: none
     std::vector<TargetPoint> target = {};
     FitResult result = {};
     std::vector<ReportMoment> moments = {};

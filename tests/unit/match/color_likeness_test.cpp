@@ -53,7 +53,9 @@ TEST(ColorLikeness, SmokeIsTheLightWhereTheVeilIs) {
     const cv::Mat picture = test::veiled(clear, test::ramp(0.3, 0.6), test::light_of(light));
     const MeasuredColors found = colors_of(test::image_of(picture), measured(clear, picture, light));
     ASSERT_TRUE(found.smoke);
-    expect_near(*found.smoke, light.color, 1e-4);
+    EXPECT_TRUE(found.tinted);
+    EXPECT_NEAR(light_of(*found.smoke), light_of(light.color), 1e-4);
+    expect_near(*found.smoke, light.color, 0.03);  // the tint is that of the darkest places
 }
 
 TEST(ColorLikeness, OfTooFewPixelsIsNone) {
@@ -132,6 +134,11 @@ TEST(ColorLikeness, IsTheDifferenceOfTheLightAsSeen) {
     // Greys differ by their lightness alone: 116 times the cube root of the light.
     const double dark = 116.0 * std::cbrt(0.2) - 16.0, light = 116.0 * std::cbrt(0.3) - 16.0;
     EXPECT_NEAR(*found.smoke, delta_e_2000({dark, 0, 0}, {light, 0, 0}), 1e-2);
+    MeasuredColors red = b, tinted = a;
+    red.smoke = glm::dvec3(0.3) / light_of({0.4, 0.2, 0.2}) * glm::dvec3(0.4, 0.2, 0.2);
+    EXPECT_NEAR(*likeness_of(a, red).smoke, 0.0, 1e-2) << "as bright, and no tint is told";
+    red.tinted = tinted.tinted = true;
+    EXPECT_GT(*likeness_of(tinted, red).smoke, 10.0);
 }
 
 }  // namespace

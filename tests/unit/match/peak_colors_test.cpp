@@ -40,6 +40,8 @@ TEST_F(PeakColorsTest, BloodIsThatOfTheFrameWithMost) {
     add(colors, with_blood(clear, 25, dark_blood), 2.0);
     ASSERT_TRUE(colors.found().blood);
     EXPECT_NEAR(colors.found().blood->r, light_blood[2], 0.03);
+    const double share = 3.14159 * 45.0 * 45.0 / static_cast<double>(clear.total());
+    EXPECT_NEAR(colors.at_peak().blood.value, share, 0.2 * share);
     ASSERT_TRUE(colors.found().tissue);
     const cv::Scalar mean = cv::mean(clear);
     EXPECT_NEAR(colors.found().tissue->r, mean[2], 0.01);

@@ -292,5 +292,14 @@ TEST(Report, LeavesOutAPictureThatTheReferenceDoesNotHave) {
     EXPECT_EQ(count(report_html(report), "<img"), 4);
 }
 
+TEST(Report, ColoursAreTold) {
+    FitReport report = usual();
+    EXPECT_THAT(words_of(report_html(report)), Not(HasSubstr("Colours")));
+    report.colors = {"blood: Delta E 7.4 before, 0.9 after", "<b>"};
+    const std::string html = report_html(report);
+    EXPECT_THAT(words_of(html), HasSubstr("Colours blood: Delta E 7.4 before, 0.9 after"));
+    EXPECT_EQ(fault_of(html), "");
+}
+
 }  // namespace
 }  // namespace lapfx::match

@@ -1,0 +1,387 @@
+#include "match/fit/color_match.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <glm/gtc/color_space.hpp>
+#include <limits>
+
+namespace lapfx::match {
+
+namespace {
+
+constexpr std::size_t most_times = 20;  // that are drawn for one measuring
+// Below, what is taken for blood or smoke of the video may be an error of measuring, whose colour is the tissue's. The
+// interval of blood begins at 0 behind thin smoke, too, so much of it counts all the same.
+constexpr double least_blood = 0.01, much_blood = 0.05, least_veil = 0.1;
+constexpr double least_blood_drawn = 0.005, least_veil_drawn = 0.05;  // of the scene, which has no such errors
+constexpr double darkest = 0.004, brightest = 0.8;                    // mean light that tells an exposure
+constexpr double clipped = 0.96;                                      // light from which a channel says nothing
+constexpr double least_light = 1e-4;                                  // that is measured
+constexpr double least_field = 6e-4;  // light of 2 code values, from which a colour can grow
+// On a colour's light: blood has little green, which the tissue's own hides. Down, it soon makes no difference.
+constexpr double least_factor = 1.0 / 6.0, most_factor = 20.0;
+constexpr double least_step = 0.02;                    // of what was given: nearer tries tell no slope
+constexpr double least_slope = 0.1, most_slope = 1.5;  // of a line through the origin
+constexpr double light_weight = 25.0;                  // Delta E for a factor of e in brightness
+constexpr double good = 1.0, plain = 5.0;              // Delta E: cannot be seen, is worth a word
+constexpr double light_tolerance = 0.1;                // of a logarithm
+
+const std::string exposure_key = "camera.exposure";
+
+/// A colour of the preset that is changed in the light of one of the measured colours.
+struct Field {
+    std::string key;
+    std::optional<glm::dvec3> MeasuredColors::*seen;
+    glm::dvec3& (*of)(Preset&);
+};
+using FieldColors = std::array<glm::dvec3, 4>;
+const std::array<Field, 4>& fields() {
+    static const std::array<Field, 4> all = {{
+        {"bleeding.color_thin", &MeasuredColors::blood, [](Preset& p) -> glm::dvec3& { return p.bleeding.color_thin; }},
+        {"bleeding.color_deep", &MeasuredColors::blood, [](Preset& p) -> glm::dvec3& { return p.bleeding.color_deep; }},
+        {"smoke.haze.color", &MeasuredColors::smoke, [](Preset& p) -> glm::dvec3& { return p.smoke.haze.color; }},
+        {"smoke.plume.color", &MeasuredColors::smoke, [](Preset& p) -> glm::dvec3& { return p.smoke.plume.color; }},
+    }};
+    return all;
+}
+
+FieldColors colors_of(Preset preset) {
+    FieldColors colors;
+    for (std::size_t k = 0; k < colors.size(); ++k) colors[k] = fields()[k].of(preset);
+    return colors;
+}
+
+template <typename... Values>
+std::string text(const char* format, Values... values) {
+    char made[160];
+    std::snprintf(made, sizeof made, format, values...);
+    return made;
+}
+
+std::string hex(const glm::dvec3& color) {
+    const glm::ivec3 code(glm::round(255.0 * color));
+    return text("#%02x%02x%02x", code.r, code.g, code.b);
+}
+
+/// "a", "a and b".
+std::string joined(const std::vector<std::string>& keys) {
+    std::string all;
+    for (const std::string& key : keys) all += (all.empty() ? "" : " and ") + key;
+    return all;
+}
+
+bool finite(const glm::dvec3& color) {
+    return std::isfinite(color.r) && std::isfinite(color.g) && std::isfinite(color.b);
+}
+
+std::optional<double> tissue_light(const MeasuredColors& colors) {
+    if (!colors.tissue || !finite(*colors.tissue)) return {};
+    return light_of(*colors.tissue);
+}
+
+bool tells_exposure(const MeasuredColors& colors) {
+    const std::optional<double> light = tissue_light(colors);
+    return light && *light >= darkest && *light <= brightest;
+}
+
+std::optional<double> relative_light(const MeasuredColors& shown, const MeasuredColors& reference) {
+    if (!tells_exposure(shown) || !tells_exposure(reference)) return {};
+    return *tissue_light(shown) / *tissue_light(reference);
+}
+
+/// In whole code values, as an editor shows it.
+glm::dvec3 scaled(const glm::dvec3& color, const glm::dvec3& factor) {
+    if (factor == glm::dvec3(1.0)) return color;
+    const glm::dvec3 light = glm::max(glm::convertSRGBToLinear(color), glm::dvec3(least_field)) * factor;
+    return glm::round(glm::convertLinearToSRGB(glm::clamp(light, 0.0, 1.0)) * 255.0) / 255.0;
+}
+
+/// One measured colour that can be corrected.
+struct Part {
+    const char* name;  ///< "blood"
+    std::optional<glm::dvec3> MeasuredColors::*seen;
+    std::optional<double> ColorLikeness::*off;
+    Amount ColorsAtPeak::*amount;
+    double least, much, least_drawn;
+};
+constexpr std::array<Part, 2> parts = {{
+    {"blood", &MeasuredColors::blood, &ColorLikeness::blood, &ColorsAtPeak::blood, least_blood, much_blood,
+     least_blood_drawn},
+    {"smoke", &MeasuredColors::smoke, &ColorLikeness::smoke, &ColorsAtPeak::veil, least_veil, 1.0, least_veil_drawn},
+}};
+
+/// What was drawn: the factor on each part's colours, and what was seen.
+struct Tried {
+    double exposure = 1.0;
+    std::array<glm::dvec3, parts.size()> factor = {glm::dvec3(1.0), glm::dvec3(1.0)};
+    FieldColors colors = {};
+    MeasuredColors seen = {};
+};
+
+/// The next of what gives `wanted` for what was given: along the line through the two nearest tries, that is as steep
+/// as light can be; of one try, in proportion.
+double next_of(std::vector<glm::dvec2> given_and_seen, double wanted) {
+    for (glm::dvec2& pair : given_and_seen) pair.y = std::max(pair.y, least_light);
+    std::ranges::stable_sort(given_and_seen, {}, [&](const glm::dvec2& pair) { return std::abs(pair.y - wanted); });
+    const glm::dvec2 best = given_and_seen.front();
+    const double proportion = best.y / best.x;
+    double slope = proportion;
+    for (const glm::dvec2& other : given_and_seen) {
+        if (std::abs(other.x - best.x) < least_step * best.x) continue;
+        slope = std::clamp((other.y - best.y) / (other.x - best.x), least_slope * proportion, most_slope * proportion);
+        break;
+    }
+    return best.x + (wanted - best.y) / slope;
+}
+
+class Matching {
+  public:
+    explicit Matching(const ColorMatchInput& input) : input_(input), result_{.tuned = input.start} {
+        if (is_free(exposure_key))
+            exposure_ = free_parameters(input.start, std::vector<std::string>{exposure_key}).front();
+    }
+
+    ColorMatch run() {
+        Tried first{.colors = start_};
+        if (exposure_) first.exposure = exposure_->get(input_.start);
+        if (!draw(std::move(first))) return std::move(result_);
+        decide();
+        for (int round = 0; round < input_.rounds && (moves_exposure_ || moves_[0] || moves_[1]); ++round) {
+            if (is_good(best())) break;
+            std::optional<Tried> next = corrected();
+            if (!next || !draw(std::move(*next))) break;
+        }
+        finish();
+        return std::move(result_);
+    }
+
+  private:
+    bool is_free(const std::string& key) const { return std::ranges::find(input_.keys, key) != input_.keys.end(); }
+    std::vector<std::string> free_fields(const Part& part) const {
+        std::vector<std::string> keys;
+        for (const Field& field : fields())
+            if (field.seen == part.seen && is_free(field.key)) keys.push_back(field.key);
+        return keys;
+    }
+    void say(std::string line) { result_.lines.push_back(std::move(line)); }
+
+    Tuned tuned_of(const Tried& tried) const {
+        Tuned tuned = input_.start;
+        if (exposure_) exposure_->set(tuned, tried.exposure);
+        for (std::size_t k = 0; k < start_.size(); ++k) fields()[k].of(tuned.preset) = tried.colors[k];
+        return tuned;
+    }
+    bool draw(Tried next) {
+        const std::optional<ColorsAtPeak> drawn = input_.draw(tuned_of(next));
+        result_.ended_early = !drawn;
+        if (!drawn) return false;
+        ++result_.drawn;
+        if (tried_.empty()) first_ = *drawn;
+        next.seen = drawn->colors;
+        tried_.push_back(std::move(next));
+        return true;
+    }
+
+    /// What is corrected; says what is not, and why.
+    void decide() {
+        decide_exposure();
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const std::vector<std::string> keys = free_fields(parts[i]);
+            if (keys.empty()) continue;
+            const std::string why = why_untold(parts[i]);
+            moves_[i] = why.empty();
+            if (moves_[i] && !by_channel(i))
+                say(joined(keys) + (keys.size() > 1 ? ": keep their tint, " : ": keeps its tint, ") +
+                    "the video does not tell that of its smoke; only how bright it is was matched");
+            if (!why.empty()) say(joined(keys) + (keys.size() > 1 ? ": stay, " : ": stays, ") + why);
+        }
+    }
+    void decide_exposure() {
+        const std::optional<double> light = relative_light(first_.colors, input_.reference.colors);
+        if (!exposure_) {
+            if (light && std::abs(std::log(*light)) > light_tolerance)
+                say(exposure_key + ": is not free; the tissue of the video is " + text("%.2f", 1.0 / *light) +
+                    " times as bright as that of the scene");
+            return;
+        }
+        if (input_.start.scene.plate.use)
+            say(exposure_key + ": stays, the tissue is the plate, which is shown as it is");
+        else if (!tissue_light(input_.reference.colors) || !tissue_light(first_.colors))
+            say(exposure_key + ": stays, no tissue is measurable in both");
+        else if (!light)
+            say(exposure_key + ": stays, the " + (tells_exposure(first_.colors) ? "video" : "scene") +
+                " is too dark or too bright to tell it");
+        else
+            moves_exposure_ = true;
+    }
+    std::string why_untold(const Part& part) const {
+        const auto no_color = [&](const ColorsAtPeak& at) {
+            const std::optional<glm::dvec3>& color = at.colors.*part.seen;
+            return !color || !finite(*color);
+        };
+        const Amount &there = input_.reference.*part.amount, &here = first_.*part.amount;
+        const std::string name = part.name;
+        if (no_color(input_.reference) || there.value < part.least || (there.low <= 0.0 && there.value < part.much))
+            return "the video shows too little " + name + " to tell its colour";
+        if (no_color(first_) || here.value < part.least_drawn)
+            return "the scene shows too little " + name + " to compare its colour";
+        const glm::dvec3& color = *(input_.reference.colors.*part.seen);
+        if (std::max({color.r, color.g, color.b}) >= clipped) return "the video shows its " + name + " overexposed";
+        return {};
+    }
+
+    ColorLikeness off(const Tried& tried) const { return likeness_of(tried.seen, input_.reference.colors); }
+    double light_off(const Tried& tried) const {
+        if (!moves_exposure_) return 0.0;
+        const std::optional<double> light = relative_light(tried.seen, input_.reference.colors);
+        return light ? light_weight * std::abs(std::log(*light)) : lost;
+    }
+    bool tinted() const { return input_.reference.colors.tinted && first_.colors.tinted; }
+    /// Else only how bright it is.
+    bool by_channel(std::size_t i) const { return parts[i].seen != &MeasuredColors::smoke || tinted(); }
+    /// Of a part that is not seen any more, or not as at first: as far as can be.
+    double part_off(const Tried& tried, std::size_t i) const {
+        if (!moves_[i]) return 0.0;
+        if (by_channel(i) && parts[i].seen == &MeasuredColors::smoke && !tried.seen.tinted) return lost;
+        return (off(tried).*parts[i].off).value_or(lost);
+    }
+    double cost(const Tried& tried) const { return light_off(tried) + part_off(tried, 0) + part_off(tried, 1); }
+    bool is_good(const Tried& tried) const {
+        return light_off(tried) < good && part_off(tried, 0) < good && part_off(tried, 1) < good;
+    }
+    const Tried& best() const {
+        return *std::ranges::min_element(tried_, {}, [&](const Tried& tried) { return cost(tried); });
+    }
+
+    /// What is seen grows with the exposure, so the factors on colours go by what is seen for an exposure of 1.
+    double wanted_factor(std::size_t i, int channel, double exposure) const {
+        const auto light = [&](const glm::dvec3& color) { return by_channel(i) ? color[channel] : light_of(color); };
+        std::vector<glm::dvec2> pairs;
+        for (const Tried& tried : tried_)
+            if (const std::optional<glm::dvec3>& color = tried.seen.*parts[i].seen)
+                pairs.emplace_back(tried.factor[i][channel], light(*color) / tried.exposure);
+        if (pairs.empty()) return 1.0;
+        const double wanted = light(*(input_.reference.colors.*parts[i].seen)) / exposure;
+        return std::clamp(next_of(std::move(pairs), wanted), least_factor, most_factor);
+    }
+    double wanted_exposure() const {
+        std::vector<glm::dvec2> pairs;
+        for (const Tried& tried : tried_)
+            if (const std::optional<double> light = tissue_light(tried.seen); light && *light > 0.0)
+                pairs.emplace_back(tried.exposure, *light);
+        const double found = next_of(std::move(pairs), *tissue_light(input_.reference.colors));
+        return std::clamp(found, exposure_->minimum, exposure_->maximum);
+    }
+    /// Nothing: it would be one that was drawn.
+    std::optional<Tried> corrected() const {
+        Tried next{.exposure = best().exposure, .colors = start_};
+        if (moves_exposure_) {
+            const double rounded = std::round(100.0 * wanted_exposure()) / 100.0;
+            next.exposure = std::clamp(rounded, exposure_->minimum, exposure_->maximum);
+        }
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            for (int c = 0; moves_[i] && c < 3; ++c) next.factor[i][c] = wanted_factor(i, c, next.exposure);
+        for (std::size_t k = 0; k < start_.size(); ++k)
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                if (fields()[k].seen == parts[i].seen && is_free(fields()[k].key))
+                    next.colors[k] = scaled(start_[k], next.factor[i]);
+        const auto is_same = [&](const Tried& tried) {
+            return tried.exposure == next.exposure && tried.colors == next.colors;
+        };
+        return std::ranges::any_of(tried_, is_same) ? std::optional<Tried>() : next;
+    }
+
+    void finish() {
+        const Tried& found = best();
+        result_.tuned = tuned_of(found);
+        result_.before = off(tried_.front());
+        result_.after = off(found);
+        result_.light_before = relative_light(tried_.front().seen, input_.reference.colors);
+        result_.light_after = relative_light(found.seen, input_.reference.colors);
+        tell_exposure(found);
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            if (moves_[i]) tell_part(found, i);
+    }
+    void tell_exposure(const Tried& found) {
+        if (!moves_exposure_) return;
+        const double before = tried_.front().exposure, after = found.exposure;
+        if (before == after)
+            say(exposure_key + ": stays, the tissue of the video is as bright");
+        else
+            say(exposure_key + text(": %.4g -> %.4g, ", before, after) + "the tissue of the video was " +
+                text("%.2f", 1.0 / *result_.light_before) + " times as bright as that of the scene");
+        say("light.color and light.intensity: stay, the video does not tell the lamp's colour from the tissue's, and "
+            "exposure does what intensity would");
+    }
+    void tell_part(const Tried& found, std::size_t i) {
+        const Part& part = parts[i];
+        for (std::size_t k = 0; k < start_.size(); ++k) {
+            const Field& field = fields()[k];
+            if (field.seen != part.seen || !is_free(field.key)) continue;
+            const glm::dvec3 &from = start_[k], &to = found.colors[k];
+            say(field.key + (from == to ? ": stays, nothing nearer was found" : ": " + hex(from) + " -> " + hex(to)));
+        }
+        if (const double left = part_off(found, i); left > plain)
+            say(std::string(part.name) + text(": a difference of Delta E %.0f is left, which no colour mends", left));
+    }
+
+    static constexpr double lost = 100.0;
+    const ColorMatchInput& input_;
+    const FieldColors start_ = colors_of(input_.start.preset);
+    ColorMatch result_;
+    std::optional<FreeParameter> exposure_;
+    bool moves_exposure_ = false;
+    std::array<bool, parts.size()> moves_ = {};
+    ColorsAtPeak first_;
+    std::vector<Tried> tried_;
+};
+
+}  // namespace
+
+std::span<const std::string> color_keys() {
+    static const std::vector<std::string> all = [] {
+        std::vector<std::string> keys = {exposure_key};
+        for (const Field& field : fields()) keys.push_back(field.key);
+        return keys;
+    }();
+    return all;
+}
+
+ColorMatch match_colors(const ColorMatchInput& input) {
+    return Matching(input).run();
+}
+
+std::vector<std::string> likeness_lines(const ColorMatch& match) {
+    std::vector<std::string> lines;
+    const auto add = [&](const char* name, const std::optional<double>& before, const std::optional<double>& after) {
+        lines.push_back(std::string(name) + (before && after
+                                                 ? text(": Delta E %.1f before, %.1f after", *before, *after)
+                                                 : ": colour not measurable in both"));
+    };
+    add("blood", match.before.blood, match.after.blood);
+    add("smoke", match.before.smoke, match.after.smoke);
+    add("tissue", match.before.tissue, match.after.tissue);
+    if (match.light_before && match.light_after)
+        lines.back() +=
+            text("; %.2f times as bright as in the video before, %.2f after", *match.light_before, *match.light_after);
+    return lines;
+}
+
+std::optional<ColorsAtPeak> drawn_colors(PreviewCurve& curve, const Tuned& tuned, std::span<const TargetPoint> target,
+                                         const Progress& progress) {
+    std::vector<double> times;
+    const std::size_t count = std::min(target.size(), most_times);
+    for (std::size_t i = 0; i < count; ++i)
+        times.push_back(target[i * (target.size() - 1) / std::max(count - 1, std::size_t{1})].time);
+    if (times.empty()) return ColorsAtPeak{};
+    PeakColors colors(times.front(), times.back());
+    const auto take = [&](const Image& frame, const Estimator* estimator, const FrameAmounts& amounts) {
+        colors.add(frame, estimator, amounts);
+    };
+    if (!curve.measure(tuned.scene, tuned.preset, times, progress, take)) return {};
+    return colors.at_peak();
+}
+
+}  // namespace lapfx::match
