@@ -380,7 +380,7 @@ std::optional<ColorsAtPeak> drawn_colors(PreviewCurve& curve, const Tuned& tuned
     const auto take = [&](const Image& frame, const Estimator* estimator, const FrameAmounts& amounts) {
         colors.add(frame, estimator, amounts);
     };
-    if (!curve.measure(tuned.scene, tuned.preset, times, progress, take)) return {};
+    if (!curve.measure(tuned.scene, tuned.preset, times, {.progress = progress, .measured = take})) return {};
     return colors.at_peak();
 }
 
