@@ -198,8 +198,9 @@ std::string legend(bool has_gaps, bool compared) {
         const char* look;
         double x;
     };
-    constexpr Entry entries[] = {
-        {"Reference, 90 %", "reference", 0.0}, {"Before", "before", 152.0}, {"After", "after", 242.0}};
+    const Entry entries[] = {{compared ? "Reference, 90 %" : "Measured, 90 %", "reference", 0.0},
+                             {"Before", "before", 152.0},
+                             {"After", "after", 242.0}};
     constexpr double middle = 32.0, sample = 24.0, space = 6.0, gap_x = 322.0, thick = 12.0;
     const auto box = [&](double x, const char* look) {
         return "<rect class=\"" + std::string(look) + "\" x=\"" + at(x) + "\" y=\"" + at(middle - 0.5 * thick) +
