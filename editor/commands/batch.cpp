@@ -159,9 +159,9 @@ void add_batch(CLI::App& app) {
     add_run(*verb);
     add_collect(*verb);
     verb->footer(
-        "What runs the processes is GNU parallel, a job array of a cluster, or a loop:\n"
-        "  lapfx batch list videos | parallel lapfx batch run videos {} --scene usual.scene.json --into results\n"
-        "  lapfx batch collect results\n\n"
+        "What starts the processes is GNU parallel, the job array of a cluster, or a loop:\n\n"
+        "    lapfx batch list videos | parallel lapfx batch run videos {} --scene usual.scene.json --into results\n"
+        "    lapfx batch collect results\n\n"
         "Run again, it goes on where it stopped.");
 }
 
