@@ -216,8 +216,8 @@ BatchItem batch_item(const fs::path& folder, const std::string& name) {
     require_folder(folder);
     const fs::path path(name);
     const auto wrong = [&](const std::string& reason) { return wrong_option("ITEM", "\"" + name + "\" " + reason); };
-    if (name.empty() || path.is_absolute() || path.lexically_normal().generic_string() != name || path.begin()->string() == ".." ||
-        name == "." || !path.has_filename())
+    if (name.empty() || path.is_absolute() || path.lexically_normal().generic_string() != name ||
+        path.begin()->string() == ".." || name == "." || !path.has_filename())
         throw wrong("is not a path below " + folder.string() + " as `lapfx batch list` prints it");
     const std::optional<ItemKind> kind = kind_of(name);
     if (!kind || has_line_break(name))
