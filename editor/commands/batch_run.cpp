@@ -8,6 +8,7 @@
 
 #include "commands/batch_result.h"
 #include "commands/content_hash.h"
+#include "commands/file_kind.h"
 #include "commands/fit_report.h"
 #include "commands/options.h"
 #include "commands/progress.h"
@@ -108,12 +109,29 @@ void bring_clips(const FitFiles& files) {
         for (const fs::path& image : images) {
             const fs::path place = to / fs::path(clip.file).parent_path() / image.filename();
             std::error_code error;
-            if (fs::exists(place, error)) continue;
+            if (is_same_file(image, place)) continue;
+            fs::remove(place, error);  // of a run before, with another clip
             fs::create_directories(place.parent_path(), error);
             fs::create_hard_link(fs::canonical(image, error), place, error);
             if (error) write_file(place, read_file(image, std::numeric_limits<std::size_t>::max()));
         }
     }
+}
+
+/// What was found for an item may be where the next fit of it begins, but not while it is replaced.
+void check_reads(const Job& job, const fs::path& folder) {
+    std::vector<fs::path> files;
+    try {
+        if (job.fitted) files = read_files(job.options.files, load_scene(job.options.files.scene));
+    } catch (const Error&) {
+        return;  // told by the fit
+    }
+    for (const fs::path& file : files)
+        if (lies_in(folder, file))
+            throw Error(Failure::bad_input, Fault{.file = file.string(),
+                                                  .place = "",
+                                                  .reason = "is a result of this item, which would be replaced: copy "
+                                                            "it to another place"});
 }
 
 void remove_files(const fs::path& folder) {
@@ -251,6 +269,7 @@ void run_item(const BatchRunOptions& o, const BatchItem& item, std::ostream& out
     BatchResult result{.kind = item.kind, .fitted = job.fitted, .input = input_of(job)};
     const std::optional<BatchResult> done = read_result(folder);
     if (done && !o.again && done->input == result.input) return tell_done(item, *done, out);
+    check_reads(job, folder);
     remove_files(folder);
     try {
         if (without_reference) throw *without_reference;

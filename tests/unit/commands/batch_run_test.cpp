@@ -122,6 +122,14 @@ TEST_F(BatchRunTest, ASceneWithoutAReferenceIsAFault) {
     EXPECT_EQ(said, "s.scene.json: failed before\n");
 }
 
+TEST_F(BatchRunTest, WhatItReadsIsNotReplaced) {
+    write("results/week/a.mp4/fitted.json", test::preset_text());
+    write("s.scene.json", test::scene_text());
+    options.fit.files.scene = folder / "s.scene.json", options.fit.files.preset = results(video) / "fitted.json";
+    EXPECT_THAT(run(video), ElementsAre(HasSubstr("fitted.json: is a result of this item")));
+    EXPECT_THAT(files(video), ElementsAre("fitted.json"));
+}
+
 TEST_F(BatchRunTest, AFitIsOfAllFilesThatTheSceneNames) {
     write("videos/s.scene.json", test::scene_text(R"(, "organ": {"file": "o.ply"}, "preset": "p.json",
         "reference": {"file": "week/a.mp4"})"));
