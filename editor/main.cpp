@@ -29,6 +29,7 @@ int run(int argc, char** argv) {
     lapfx::commands::add_picture(app);
     lapfx::commands::add_measure(app);
     lapfx::commands::add_fit(app);
+    lapfx::commands::add_batch(app);
     lapfx::commands::add_compare(app);
     lapfx::commands::add_inspect(app);
     lapfx::commands::add_check(app);

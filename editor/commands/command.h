@@ -15,6 +15,7 @@ void add_edit(CLI::App& app);
 void add_check(CLI::App& app);
 void add_measure(CLI::App& app);
 void add_fit(CLI::App& app);
+void add_batch(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_inspect(CLI::App& app);
 void add_migrate(CLI::App& app);

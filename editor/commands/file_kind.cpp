@@ -56,6 +56,12 @@ bool is_sequence(const fs::path& file) {
     return !fs::exists(file, code) && file.filename().string().find('%') != std::string::npos;
 }
 
+/// Also of a file that does not exist yet; empty where it cannot be told.
+fs::path real_path(const fs::path& path) {
+    std::error_code error;
+    return fs::weakly_canonical(fs::absolute(path, error), error);
+}
+
 }  // namespace
 
 FileKind kind_of_file(const fs::path& file) {
@@ -68,6 +74,10 @@ FileKind kind_of_file(const fs::path& file) {
 bool is_same_file(const fs::path& a, const fs::path& b) {
     std::error_code none;
     return fs::equivalent(a, b, none);
+}
+
+bool will_be_same_file(const fs::path& a, const fs::path& b) {
+    return is_same_file(a, b) || (!real_path(a).empty() && real_path(a) == real_path(b));
 }
 
 }  // namespace lapfx::commands

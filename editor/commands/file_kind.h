@@ -19,5 +19,7 @@ FileKind kind_of_file(const std::filesystem::path& file);
 
 /// Whether both are the same file, by whatever names. One that does not exist is none.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+/// The same, also of files that do not exist yet and of the patterns of numbered images.
+bool will_be_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 }  // namespace lapfx::commands

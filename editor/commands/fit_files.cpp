@@ -29,25 +29,6 @@ std::vector<Written> written(const FitFiles& files) {
             {"--report", files.report, ".html"}};
 }
 
-/// Also of a file that does not exist yet; empty where it cannot be told.
-fs::path real_path(const fs::path& path) {
-    std::error_code error;
-    return fs::weakly_canonical(fs::absolute(path, error), error);
-}
-
-bool will_be_same_file(const fs::path& a, const fs::path& b) {
-    return is_same_file(a, b) || (!real_path(a).empty() && real_path(a) == real_path(b));
-}
-
-/// The files that are read: those that were given, and those that the scene names.
-std::vector<fs::path> read_files(const FitFiles& files, const Scene& scene) {
-    std::vector<fs::path> all = {files.scene, files.reference, files.preset};
-    for (const std::string& file : {scene.organ.file, scene.organ.texture, scene.tool.file, scene.preset})
-        if (!file.empty()) all.push_back(named_path(scene.folder, file, Reach::anywhere));
-    std::erase_if(all, [](const fs::path& file) { return file.empty(); });
-    return all;
-}
-
 void check_clips(const FitFiles& files, const Preset& preset) {
     const fs::path folder = document::folder_of(files.output);
     for (const SmokeClip& clip : preset.smoke.clips) {
@@ -62,6 +43,14 @@ void check_clips(const FitFiles& files, const Preset& preset) {
 }
 
 }  // namespace
+
+std::vector<fs::path> read_files(const FitFiles& files, const Scene& scene) {
+    std::vector<fs::path> all = {files.scene, files.reference, files.preset};
+    for (const std::string& file : {scene.organ.file, scene.organ.texture, scene.tool.file, scene.preset})
+        if (!file.empty()) all.push_back(named_path(scene.folder, file, Reach::anywhere));
+    std::erase_if(all, [](const fs::path& file) { return file.empty(); });
+    return all;
+}
 
 void check_names(const FitFiles& files) {
     for (const auto& [option, file, ending] : written(files)) {

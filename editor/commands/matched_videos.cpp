@@ -41,7 +41,7 @@ Window window_of(const std::string& text, double duration, const std::string& wh
 
 SceneReference reference_of(const MatchOptions& options, const Scene& scene) {
     SceneReference reference;
-    if (!scene.reference.file.empty() && is_same_file(scene.folder / scene.reference.file, options.reference))
+    if (!scene.reference.file.empty() && will_be_same_file(scene.folder / scene.reference.file, options.reference))
         reference = scene.reference;
     if (options.offset) reference.offset = *options.offset;
     return reference;

@@ -32,7 +32,7 @@ BROWSERS_OWN = ("localhost:1", "update.googleapis.com", "clients2.google.com", "
 OUTSIDE = "http://outside.invalid/"
 # Reads the report in a frame, which a page of the same folder may with --allow-file-access-from-files.
 READER = """<!DOCTYPE html><html><body style="margin:0">
-<iframe id="frame" src="report.html" style="border:0;width:WIDTHpx;height:1000px"></iframe><pre id="found"></pre>
+<iframe id="frame" src="PAGE" style="border:0;width:WIDTHpx;height:1000px"></iframe><pre id="found"></pre>
 <script>
 frame.onload = () => {
   const page = frame.contentDocument;
@@ -40,7 +40,7 @@ frame.onload = () => {
     images: Array.from(page.images, i => [i.complete, i.naturalWidth, i.naturalHeight, i.alt]),
     plots: Array.from(page.querySelectorAll("svg"), s => [s.getBoundingClientRect().width, s.id]),
     curves: Array.from(page.querySelectorAll("polyline"), p => p.getTotalLength()),
-    title: page.title, scripts: page.scripts.length,
+    title: page.title, scripts: page.scripts.length, more: MORE,
     wider: page.documentElement.scrollWidth - page.documentElement.clientWidth});
 };
 </script></body></html>"""
@@ -139,10 +139,11 @@ class Browser:
         return tuple(pixels[:3])
 
 
-def read(browser, folder, width):
+def read(browser, folder, width, page="report.html", more="null"):
+    """What a page of the folder shows, and what was asked for. `more`: an expression of JavaScript on `page`."""
     reader = os.path.join(folder, "reader.html")
     with open(reader, "w", encoding="utf-8") as file:
-        file.write(READER.replace("WIDTH", str(width)))
+        file.write(READER.replace("WIDTH", str(width)).replace("PAGE", page).replace("MORE", more))
     dom, asked = browser.open(reader, "--allow-file-access-from-files", "--dump-dom")
     found = dom.split('<pre id="found">')[1].split("</pre>")[0]
     return json.loads(html.unescape(found)), asked

@@ -9,6 +9,9 @@ namespace lapfx::match {
 
 namespace {
 
+constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";  // base64
+constexpr std::size_t group = 3;  // bytes become four letters
+
 constexpr std::string_view unshowable = "\xEF\xBF\xBD";  // U+FFFD in UTF-8
 
 struct Letter {
@@ -96,8 +99,6 @@ std::string escaped(std::string_view text) {
 }
 
 std::string base64(std::string_view bytes) {
-    constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    constexpr std::size_t group = 3;  // bytes become four letters
     std::string text;
     text.reserve((bytes.size() + group - 1) / group * (group + 1));
     for (std::size_t i = 0; i < bytes.size(); i += group) {
@@ -109,6 +110,20 @@ std::string base64(std::string_view bytes) {
             text += j <= count ? letters[(bits >> (6U * (group - j))) & 0x3FU] : '=';
     }
     return text;
+}
+
+std::string bytes_of_base64(std::string_view text) {
+    std::string bytes;
+    std::uint32_t bits = 0;
+    const std::size_t end = std::min(text.find('='), text.size());
+    for (std::size_t i = 0; i < end; ++i) {
+        const std::size_t value = letters.find(text[i]);
+        if (value == std::string_view::npos) return {};
+        bits = (bits << 6U) | static_cast<std::uint32_t>(value);
+        // The first letter of a group holds six bits of a byte, each other one ends a byte.
+        if (i % (group + 1) != 0) bytes += static_cast<char>((bits >> (2U * (group - i % (group + 1)))) & 0xFFU);
+    }
+    return base64(bytes) == text ? bytes : std::string{};
 }
 
 std::string digits(double value) {

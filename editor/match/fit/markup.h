@@ -17,6 +17,8 @@ std::string escaped(std::string_view text);
 
 /// RFC 4648, section 4: with padding, without line breaks.
 std::string base64(std::string_view bytes);
+/// The bytes of such a text; empty for any other text.
+std::string bytes_of_base64(std::string_view text);
 
 /// Three digits that count, or all before the point: "0.0123", "1250"; "-" for what is no number.
 std::string digits(double value);

@@ -4,21 +4,13 @@
 #include <cmath>
 
 #include "match/fit/markup.h"
+#include "match/fit/page.h"
 #include "match/fit/report_plot.h"
-#include "match/fit/report_style.h"
 #include "match/likeness.h"
 
 namespace lapfx::match {
 
 namespace {
-
-/// Whatever a browser could be talked into loading is forbidden.
-constexpr const char* policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
-
-/// A name from outside keeps its own direction of letters to itself.
-std::string name_of(const std::string& name) {
-    return "<bdi>" + escaped(name) + "</bdi>";
-}
 
 std::string paragraph(const std::string& html, const std::string& look = {}) {
     return "<p" + (look.empty() ? "" : " class=\"" + look + "\"") + ">" + html + "</p>\n";
@@ -157,10 +149,10 @@ std::string done(const FitReport& report) {
     const auto row = [&](const char* name, const std::string& value) {
         html += "<dt>" + std::string(name) + "</dt><dd>" + value + "</dd>\n";
     };
-    row("Scene", name_of(report.scene));
-    row("Reference", name_of(report.reference));
-    row("Preset before", report.preset.empty() ? "built-in values" : name_of(report.preset));
-    row("Preset after", name_of(report.fitted));
+    row("Scene", name_element(report.scene));
+    row("Reference", name_element(report.reference));
+    row("Preset before", report.preset.empty() ? "built-in values" : name_element(report.preset));
+    row("Preset after", name_element(report.fitted));
     row("Window", span_words(report.from, report.to) + " of the scene");
     if (!report.target.empty())
         row("Compared", std::to_string(report.target.size()) + " moments, " +
@@ -171,16 +163,6 @@ std::string done(const FitReport& report) {
     row("Evaluations", std::to_string(report.result.evaluations) + " of the core");
     row("Took", decimals(report.seconds, 1) + " s");
     return html + "</dl>\n";
-}
-
-std::string head(const FitReport& report) {
-    return "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n"
-           "<meta charset=\"utf-8\"/>\n<meta http-equiv=\"Content-Security-Policy\" content=\"" +
-           std::string(policy) +
-           "\"/>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-           "<meta name=\"color-scheme\" content=\"light dark\"/>\n<title>Fit of " +
-           escaped(report.scene) + " to " + escaped(report.reference) + "</title>\n<style>" +
-           std::string(report_style) + "</style>\n</head>\n";
 }
 
 struct Named {
@@ -223,8 +205,8 @@ std::vector<ReportMoment> report_moments(std::span<const TargetPoint> target) {
 }
 
 std::string report_html(const FitReport& report) {
-    std::string html = head(report) + "<body>\n<main>\n<h1>Fit of " + name_of(report.scene) + " to " +
-                       name_of(report.reference) + "</h1>\n";
+    std::string html = page_head("Fit of " + report.scene + " to " + report.reference) + "<body>\n<main>\n<h1>Fit of " +
+                       name_element(report.scene) + " to " + name_element(report.reference) + "</h1>\n";
     const bool compared = !report.result.after.empty();
     if (!compared)
         html += paragraph("The fit ended before the scene was measured: nothing is compared.", "notice");

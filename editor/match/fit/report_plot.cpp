@@ -174,7 +174,7 @@ std::string gaps(const Axes& axes, const std::vector<Run>& runs, double half_ste
     return svg;
 }
 
-std::string grid(const Axes& axes, const AmountName& amount) {
+std::string grid(const Axes& axes, const AmountName& amount, const PlotPlace& place) {
     std::string svg;
     for (double value = 0.0; value <= axes.most() + 0.5 * axes.step(); value += axes.step()) {
         svg += line(left, axes.y(value), width - right, axes.y(value), value > 0.0 ? "grid" : "axis");
@@ -188,25 +188,26 @@ std::string grid(const Axes& axes, const AmountName& amount) {
         svg += line(axes.x(time), height - bottom, axes.x(time), height - bottom + tick, "axis");
         svg += text(axes.x(time), height - bottom + line_of_text + 2.0, "middle", axis_number(time, step));
     }
-    svg += text(0.5 * (left + width - right), height - 8.0, "middle", "Time of the scene, s");
+    svg += text(0.5 * (left + width - right), height - 8.0, "middle", "Time of the " + place.of + ", s");
     return svg + text(0.0, line_of_text - 3.0, "name", std::string(amount.name) + ": " + amount.axis);
 }
 
-std::string legend(bool has_gaps) {
+std::string legend(bool has_gaps, bool compared) {
     struct Entry {
         const char* words;
         const char* look;
         double x;
     };
-    constexpr Entry entries[] = {
-        {"Reference, 90 %", "reference", 0.0}, {"Before", "before", 152.0}, {"After", "after", 242.0}};
+    const Entry entries[] = {{compared ? "Reference, 90 %" : "Measured, 90 %", "reference", 0.0},
+                             {"Before", "before", 152.0},
+                             {"After", "after", 242.0}};
     constexpr double middle = 32.0, sample = 24.0, space = 6.0, gap_x = 322.0, thick = 12.0;
     const auto box = [&](double x, const char* look) {
         return "<rect class=\"" + std::string(look) + "\" x=\"" + at(x) + "\" y=\"" + at(middle - 0.5 * thick) +
                "\" width=\"" + at(sample) + "\" height=\"" + at(thick) + "\"/>\n";
     };
     std::string svg = box(0.0, "band");
-    for (const Entry& entry : entries)
+    for (const Entry& entry : std::span(entries).first(compared ? std::size(entries) : 1))
         svg += line(entry.x, middle, entry.x + sample, middle, entry.look) +
                text(entry.x + sample + space, middle + tick, "", entry.words);
     if (has_gaps) svg += box(gap_x, "gap") + text(gap_x + sample + space, middle + tick, "", "not measurable");
@@ -222,29 +223,31 @@ std::string peak_words(const char* name, const std::vector<Run>& runs) {
     return std::string(name) + ": at most " + percent(peak->value) + ", at " + digits(peak->time) + " s. ";
 }
 
-std::string description(const Curves& curves, const Axes& axes) {
-    return "From " + digits(axes.from()) + " to " + digits(axes.from() + axes.length()) + " s of the scene. " +
-           peak_words("Reference", curves.reference) + peak_words("Before", curves.before) +
-           peak_words("After", curves.after);
+std::string description(const Curves& curves, const Axes& axes, const PlotPlace& place) {
+    const std::string said = "From " + digits(axes.from()) + " to " + digits(axes.from() + axes.length()) +
+                             " s of the " + place.of + ". " + peak_words("Reference", curves.reference);
+    if (!place.compared) return said;
+    return said + peak_words("Before", curves.before) + peak_words("After", curves.after);
 }
 
 }  // namespace
 
 std::string amount_plot(std::span<const TargetPoint> target, const FitResult& result, const AmountName& amount,
-                        double from, double to) {
+                        double from, double to, const PlotPlace& place) {
     const Curves curves = curves_of(target, result, amount);
     const Axes axes(from, to, most_of(curves));
     const double longest = longest_step(target);
     const std::string unmeasured = gaps(axes, curves.reference, std::isfinite(longest) ? 0.5 * longest : 0.0);
-    const std::string key = amount.key;
-    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot " + key + "\" id=\"plot-" + key +
-                      "\" role=\"img\" viewBox=\"0 0 " + digits(width) + " " + digits(height) +
-                      "\" aria-labelledby=\"" + key + "-title " + key + "-description\">\n";
-    svg += "<title id=\"" + key + "-title\">" + amount.name + " over time: reference, before and after</title>\n";
-    svg += "<desc id=\"" + key + "-description\">" + escaped(description(curves, axes)) + "</desc>\n";
-    svg += unmeasured + grid(axes, amount) + band(axes, curves.reference) + curve(axes, curves.after, "after") +
+    const std::string key = amount.key, id = place.id + key;
+    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot " + key + "\" id=\"" + place.id +
+                      "plot-" + key + "\" role=\"img\" viewBox=\"0 0 " + digits(width) + " " + digits(height) +
+                      "\" aria-labelledby=\"" + id + "-title " + id + "-description\">\n";
+    svg += "<title id=\"" + id + "-title\">" + amount.name + " over time" +
+           (place.compared ? ": reference, before and after" : "") + "</title>\n";
+    svg += "<desc id=\"" + id + "-description\">" + escaped(description(curves, axes, place)) + "</desc>\n";
+    svg += unmeasured + grid(axes, amount, place) + band(axes, curves.reference) + curve(axes, curves.after, "after") +
            curve(axes, curves.before, "before") + curve(axes, curves.reference, "reference");
-    return svg + legend(!unmeasured.empty()) + "</svg>\n";
+    return svg + legend(!unmeasured.empty(), place.compared) + "</svg>\n";
 }
 
 }  // namespace lapfx::match

@@ -33,9 +33,16 @@ inline constexpr AmountName amount_names[] = {
      &FitResult::veil_before, &FitResult::veil_after},
 };
 
-/// The element <svg>, with title and description for who does not see it. `from`, `to`: s of the scene, the axis. What
+/// Where a plot stands.
+struct PlotPlace {
+    std::string id = {};       ///< before its ids, which are once in a page: "item-3-"
+    std::string of = "scene";  ///< whose time it is: "scene", "video"
+    bool compared = true;      ///< else there is the reference alone
+};
+
+/// The element <svg>, with title and description for who does not see it. `from`, `to`: s, the axis. What
 /// is not measurable is shaded, and no line goes across it.
 std::string amount_plot(std::span<const TargetPoint> target, const FitResult& result, const AmountName& amount,
-                        double from, double to);
+                        double from, double to, const PlotPlace& place = {});
 
 }  // namespace lapfx::match

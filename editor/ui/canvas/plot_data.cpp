@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ui/canvas/plot.h"
+#include "ui/value/csv.h"
 #include "ui/value/number.h"
 
 namespace lapfx::ui {
@@ -19,19 +20,6 @@ double area_of(double x0, double y0, double x1, double y1, double& width) {
     if (!std::isfinite(y0) || !std::isfinite(y1)) return 0;
     width += x1 - x0;
     return (x1 - x0) * (y0 / 2 + y1 / 2);
-}
-
-void append_name(std::string& csv, std::string_view name) {
-    if (name.find_first_of(",\"\r\n") == std::string_view::npos) {
-        csv += name;
-        return;
-    }
-    csv += '"';
-    for (const char c : name) {
-        if (c == '"') csv += '"';
-        csv += c;
-    }
-    csv += '"';
 }
 
 void append_number(std::string& csv, double value) {
@@ -173,11 +161,11 @@ RangeStatistics PlotData::statistics(double low, double high) const {
 
 std::string plot_csv(std::span<const PlotSeries> series, std::string_view x_name, double low, double high) {
     std::string csv;
-    append_name(csv, x_name);
+    append_csv(csv, x_name);
     std::vector<std::size_t> at;
     for (const PlotSeries& s : series) {
         csv += ',';
-        append_name(csv, s.name);
+        append_csv(csv, s.name);
         at.push_back(s.data->index_from(low));
     }
     csv += '\n';

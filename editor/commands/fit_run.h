@@ -1,0 +1,42 @@
+// One fit from its files to its files: what lapfx fit does, and lapfx batch for each of its items.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "commands/fit_files.h"
+#include "commands/matched_videos.h"
+#include "match/fit/report.h"
+#include "match/measure.h"
+
+namespace lapfx::commands {
+
+/// match::usual_parameters, separated by commas.
+std::string usual_parameters();
+
+struct FitOptions {
+    FitFiles files = {};
+    std::string parameters = usual_parameters();  ///< keys, separated by commas
+    MatchOptions match = {};                      ///< without its reference
+    bool colors = false;                          ///< are matched, once the amounts are fitted
+    double budget = 600.0;                        ///< s
+    std::uint32_t seed = 1;
+};
+/// --preset, --parameters, those of add_match_options(), --colors, --seed and --budget. `of`: what names the preset
+/// that is replaced, "the scene".
+void add_fit_options(CLI::App& verb, FitOptions& options, const std::string& of);
+
+struct FitRun {
+    match::FitReport report;                 ///< with pictures only where a report was written
+    match::Measurement measured;             ///< the reference
+    std::vector<std::string> proposed = {};  ///< lines for people on where the events begin; none without fitted_scene
+};
+
+/// Measures, fits and writes the files. Progress and notes go to stderr. Makes an OpenGL context. Throws Error:
+/// bad_input for options and files, runtime where the budget ends before anything was drawn, it was interrupted or a
+/// file cannot be written, no_gl.
+FitRun run_fit(const FitOptions& options);
+
+}  // namespace lapfx::commands
