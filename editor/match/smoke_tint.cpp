@@ -13,7 +13,8 @@ constexpr std::size_t least_places = 1000;
 constexpr double darkest_from = 0.02, darkest_to = 0.1, darker_from = 0.05, darker_to = 0.25;
 // A known smoke in the sample reference differs by 0.12 between both; frames of another view by 0.3 and more.
 constexpr double most_apart = 0.15;
-constexpr double least_tint = 0.7, most_tint = 1.35;
+constexpr double least_tint = 0.6, most_tint = 1.6;
+constexpr double most_red = 1.2;  // smoke throws back more blue than red: what is redder is tissue
 
 struct Place {
     float tissue;  ///< how bright it is, without smoke
@@ -93,6 +94,7 @@ std::optional<glm::dvec3> smoke_tint(const SmokeLayers& layers) {
         if (std::abs((*darkest)[c] - (*darker)[c]) > most_apart) return {};
         if ((*darkest)[c] < least_tint || (*darkest)[c] > most_tint) return {};
     }
+    if (darkest->r > most_red) return {};
     return darkest;
 }
 

@@ -24,7 +24,7 @@ struct Smoky {
 
 TEST(SmokeTint, IsThatOfTheSmoke) {
     for (const glm::dvec3& light :
-         {glm::dvec3(0.2, 0.2, 0.2), glm::dvec3(0.2, 0.16, 0.24), glm::dvec3(0.3, 0.25, 0.2)}) {
+         {glm::dvec3(0.2, 0.2, 0.2), glm::dvec3(0.2, 0.16, 0.24), glm::dvec3(0.27, 0.25, 0.2)}) {
         const std::optional<glm::dvec3> found = Smoky(light).tint();
         ASSERT_TRUE(found);
         const glm::dvec3 wanted = light * (3.0 / (light.r + light.g + light.b));
