@@ -13,6 +13,7 @@
 #include "app/preview/timeline.h"
 #include "app/reference/reference.h"
 #include "panels/measured_curve.h"
+#include "panels/measured_words.h"
 #include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/scroll.h"
@@ -198,6 +199,7 @@ void measured_tool(ui::Ui& ui, const AmountsParts& on, std::size_t tool) {
 }
 
 void measured_state(ui::Ui& ui, const AmountsParts& on) {
+    if (measured_words(ui, on)) return;
     const State state = state_of(ui, on);
     ui::label(ui, state.text, {.tone = state.tone, .wrap = true, .number = true, .width = ui::grow()});
 }

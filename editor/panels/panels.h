@@ -106,6 +106,9 @@ struct AmountsParts {
     const app::Reference& reference;
     app::Timeline& timeline;
     const app::Fitting& fitting;  ///< for the curve that it has found
+    app::Tuning& tuning;          ///< whose row mends what differs
+    app::Layouts& layouts;
+    std::vector<std::size_t>& selected;  ///< of the scene's events
 };
 void amounts_panel(ui::Ui& ui, const AmountsParts& parts);
 struct FitParts {

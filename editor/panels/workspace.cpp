@@ -55,7 +55,10 @@ constexpr PanelRow panel_rows[] = {
                             .measuring = e.measuring(),
                             .reference = e.reference(),
                             .timeline = e.timeline,
-                            .fitting = e.fitting()});
+                            .fitting = e.fitting(),
+                            .tuning = e.tuning(),
+                            .layouts = e.layouts(),
+                            .selected = e.selected});
      }},
     {"Fit", "Finds the values with which the preview shows what the reference shows",
      [](Ui& ui, Editor& e) {

@@ -11,7 +11,10 @@
 #include "app/measure/measuring.h"
 #include "app/measure/preview_measuring.h"
 #include "app/reference/reference.h"
+#include "app/tuning/parameters.h"
+#include "app/tuning/tuning.h"
 #include "editor/support/editor_test.h"
+#include "match/likeness_words.h"
 #include "match/measure.h"
 #include "support/wait_until.h"
 
@@ -20,6 +23,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 constexpr double settled = 1;  // s: longer than a change takes to be followed
 const std::string bar = "Workspace/Amounts/Plots/", plots = "**/Measured plots/";
@@ -95,7 +99,11 @@ TEST_F(MeasuredAmounts, BothAreDrawnOnTheScenesTime) {
     ui().click(bar + "Measure").frame().frame();
     ASSERT_NE(measuring().found(), nullptr);
     settle();
-    EXPECT_TRUE(says("Both measured alike")) << ui().dump();
+    const Scene& scene = editor().document.scene();
+    const match::Likeness likeness =
+        match::likeness_of(preview().frames(), measuring().found()->frames, scene.reference.offset);
+    for (const match::Clause& clause : match::clauses(likeness, scene.events))
+        EXPECT_TRUE(says(clause.sentence())) << ui().dump();
     const double offset = editor().document.scene().reference.offset, length = editor().timeline.duration();
     ASSERT_EQ(offset, 0.5);
     for (const bool blood : {true, false}) {
@@ -122,6 +130,35 @@ TEST_F(MeasuredAmounts, BothAreDrawnOnTheScenesTime) {
     EXPECT_NEAR(moved.front().first, first.time - 1.5, 1e-9);
     EXPECT_EQ(moved.front().second, 100 * first.veil.value);
     EXPECT_EQ(preview().version(), before) << "the preview is the same";
+}
+
+TEST_F(MeasuredAmounts, WhatDiffersLeadsToWhatMendsIt) {
+    editor().document.change("Dense", [](document::Content& c) { c.preset.smoke.haze.accumulation *= 15; });
+    settle();
+    ui().click(bar + "Measure").frame().frame();
+    settle();
+    std::size_t parameters = 0, events = 0;
+    for (const double factor : {1.0, 0.01}) {
+        editor().document.change("Thin", [&](document::Content& c) { c.preset.smoke.haze.accumulation *= factor; });
+        settle();
+        const Scene& scene = editor().document.scene();
+        for (const match::Clause& clause :
+             match::clauses(match::likeness_of(preview().frames(), measuring().found()->frames, scene.reference.offset),
+                            scene.events)) {
+            if (clause.key.empty()) continue;
+            editor().selected.clear();
+            ui().click("**/" + clause.sentence()).frame().frame();
+            if (editor().selected.empty()) {
+                EXPECT_EQ(editor().tuning().current, app::parameters().find(clause.key)) << clause.key;
+                ++parameters;
+            } else {
+                EXPECT_THAT(clause.key, StartsWith("events." + std::to_string(editor().selected.front()) + "."));
+                ++events;
+            }
+        }
+    }
+    EXPECT_GT(parameters, 0U) << ui().dump();
+    EXPECT_GT(events, 0U);
 }
 
 TEST_F(MeasuredAmounts, ThePreviewIsMeasuredNearTheTruthThatIsAskedFor) {
