@@ -1,5 +1,5 @@
-// The colours of a measured video: of blood in the frame that has most of it, of smoke in the one with the most veil,
-// and of the tissue of the baseline.
+// The colours of a measured video: of blood in the frame that has most of it behind little smoke, of smoke in the one
+// with the most veil, and of the tissue of the baseline.
 //
 //     match::PeakColors colors(2.0, 8.0);
 //     options.measured = [&colors](Image& frame, const Estimator* estimator, const FrameAmounts& amounts) {
@@ -18,7 +18,7 @@ namespace lapfx::match {
 /// With the amounts of the frames that blood and smoke were taken from: how far their colours can be told.
 struct ColorsAtPeak {
     MeasuredColors colors = {};
-    Amount blood = {}, veil = {};  ///< the most of each; 0: it is not measurable
+    Amount blood = {}, veil = {};  ///< there; 0: it is not measurable
 };
 
 class PeakColors {
@@ -35,6 +35,7 @@ class PeakColors {
   private:
     double from_, to_;
     bool any_ = false, any_blood_ = false, any_veil_ = false;
+    double most_blood_ = 0.0;
     ColorsAtPeak found_;
 };
 

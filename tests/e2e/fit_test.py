@@ -75,26 +75,19 @@ def check_scene(lapfx, scene, video, folder):
 
 
 def write_bleeding(scene, folder):
-    """The scene's preset with so much blood that its colour is told."""
+    """The scene's preset with so much blood and haze that their colours are told."""
     preset = json.load(open(os.path.join(os.path.dirname(scene), json.load(open(scene))["preset"])))
     preset["bleeding"]["speed"], preset["bleeding"]["max_extent"] = 12, 30
+    preset["smoke"]["haze"]["accumulation"] = 0.06
     path = os.path.join(folder, "bleeding.json")
     json.dump(preset, open(path, "w"))
     return path
 
 
 def render_colors(lapfx, scene, preset, folder):
-    """Another blood, another haze and a darker picture."""
-    darker = json.load(open(scene))
-    beside = os.path.dirname(os.path.abspath(scene))
-    for part in (darker["organ"], darker["tool"]):
-        part["file"] = os.path.join(beside, part["file"])
-    darker["preset"] = preset
-    darker["camera"]["exposure"] = 1.3
-    del darker["reference"]
-    path, video = os.path.join(folder, "darker.scene.json"), os.path.join(folder, "colors.mp4")
-    json.dump(darker, open(path, "w"))
-    code, _, told = run(lapfx, "render", path, "--size", "256x206", "--fps", "5", "--to", "7",
+    """Another blood and another haze."""
+    video = os.path.join(folder, "colors.mp4")
+    code, _, told = run(lapfx, "render", scene, "--preset", preset, "--size", "256x206", "--fps", "5", "--to", "6",
                         "--set", "bleeding.color_thin=#c04020", "--set", "bleeding.color_deep=#802010",
                         "--set", "smoke.haze.color=#606a90", "--set", "smoke.plume.color=#8090c0", "-o", video)
     assert code == 0, told
@@ -110,20 +103,15 @@ def compared(lapfx, scene, preset, video, folder):
 
 
 def check_colors(lapfx, scene, folder):
-    """Colours and exposure are found again."""
     start = write_bleeding(scene, folder)
     video = render_colors(lapfx, scene, start, folder)
-    fitted, written = os.path.join(folder, "colors.json"), os.path.join(folder, "colors.scene.json")
-    report = os.path.join(folder, "colors.html")
+    fitted, report = os.path.join(folder, "colors.json"), os.path.join(folder, "colors.html")
     code, said, told = run(lapfx, "fit", scene, "--reference", video, "--preset", start, "--offset", "0", "--window",
-                           "0,6", "--parameters", "smoke.haze.accumulation", "--colors", "-o", fitted,
-                           "--fitted-scene", written, "--report", report)
+                           "0,6", "--parameters", "smoke.haze.accumulation", "--colors", "-o", fitted, "--report", report)
     assert code == 0, told
-    exposure = json.load(open(written))["camera"]["exposure"]
-    assert abs(exposure / 1.3 - 1) < 0.05, (exposure, said)
     before = compared(lapfx, scene, start, video, folder)
-    after = compared(lapfx, written, fitted, video, folder)
-    for name in ("blood_delta_e", "smoke_delta_e", "tissue_delta_e"):
+    after = compared(lapfx, scene, fitted, video, folder)
+    for name in ("blood_delta_e", "smoke_delta_e"):
         assert after[name] < 3 < before[name], (name, before, after, said)
     assert "<h2>Colours</h2>" in open(report).read()
 

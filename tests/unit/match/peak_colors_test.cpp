@@ -57,6 +57,15 @@ TEST_F(PeakColorsTest, SmokeIsThatOfTheDensestVeilAndBloodStaysThatOfAnotherFram
     EXPECT_EQ(colors.found().blood, blood);
 }
 
+TEST_F(PeakColorsTest, BloodBehindLittleSmokeIsWorthMore) {
+    PeakColors colors(0.0, 10.0);
+    add(colors, with_blood(clear, 40, dark_blood), 0.0);
+    add(colors, test::smoky(with_blood(clear, 45, light_blood), 0.3), 1.0);
+    ASSERT_TRUE(colors.found().blood);
+    EXPECT_NEAR(colors.found().blood->r, dark_blood[2], 0.03);
+    EXPECT_TRUE(colors.found().smoke);
+}
+
 TEST_F(PeakColorsTest, FramesOutsideTheTimesDoNotCount) {
     PeakColors colors(1.0, 2.0);
     add(colors, with_blood(clear, 45, dark_blood), 0.9);
