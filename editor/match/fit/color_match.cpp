@@ -22,11 +22,14 @@ constexpr double least_light = 1e-4;                                  // that is
 constexpr double least_field = 6e-4;  // light of 2 code values, from which a colour can grow
 // On a colour's light: blood has little green, which the tissue's own hides. Down, it soon makes no difference.
 constexpr double least_factor = 1.0 / 6.0, most_factor = 20.0;
-constexpr double least_step = 0.02;                    // of what was given: nearer tries tell no slope
-constexpr double least_slope = 0.1, most_slope = 1.5;  // of a line through the origin
-constexpr double light_weight = 25.0;                  // Delta E for a factor of e in brightness
-constexpr double good = 1.0, plain = 5.0;              // Delta E: cannot be seen, is worth a word
-constexpr double light_tolerance = 0.1;                // of a logarithm
+constexpr double least_step = 0.02;  // of what was given: nearer tries tell no slope
+// Tissue shines through blood, in green and blue more than blood itself. Light of smoke is all its own, but is measured
+// in steps, between which it seems not to change.
+constexpr double through_blood = 0.1, through_smoke = 0.7, through_exposure = 0.5;
+constexpr double most_slope = 1.5;         // of a line over that through the origin
+constexpr double light_weight = 25.0;      // Delta E for a factor of e in brightness
+constexpr double good = 1.0, plain = 5.0;  // Delta E: cannot be seen, is worth a word
+constexpr double light_tolerance = 0.1;    // of a logarithm
 
 const std::string exposure_key = "camera.exposure";
 
@@ -105,11 +108,13 @@ struct Part {
     std::optional<double> ColorLikeness::*off;
     Amount ColorsAtPeak::*amount;
     double least, much, least_drawn;
+    double least_slope;  ///< how much of what is seen the colour makes, at least
 };
 constexpr std::array<Part, 2> parts = {{
     {"blood", &MeasuredColors::blood, &ColorLikeness::blood, &ColorsAtPeak::blood, least_blood, much_blood,
-     least_blood_drawn},
-    {"smoke", &MeasuredColors::smoke, &ColorLikeness::smoke, &ColorsAtPeak::veil, least_veil, 1.0, least_veil_drawn},
+     least_blood_drawn, through_blood},
+    {"smoke", &MeasuredColors::smoke, &ColorLikeness::smoke, &ColorsAtPeak::veil, least_veil, 1.0, least_veil_drawn,
+     through_smoke},
 }};
 
 /// What was drawn: the factor on each part's colours, and what was seen.
@@ -121,8 +126,8 @@ struct Tried {
 };
 
 /// The next of what gives `wanted` for what was given: along the line through the two nearest tries, that is as steep
-/// as light can be; of one try, in proportion.
-double next_of(std::vector<glm::dvec2> given_and_seen, double wanted) {
+/// as light can be; of one try, in proportion. `least_slope`: of the line, over that through the origin.
+double next_of(std::vector<glm::dvec2> given_and_seen, double wanted, double least_slope) {
     for (glm::dvec2& pair : given_and_seen) pair.y = std::max(pair.y, least_light);
     std::ranges::stable_sort(given_and_seen, {}, [&](const glm::dvec2& pair) { return std::abs(pair.y - wanted); });
     const glm::dvec2 best = given_and_seen.front();
@@ -153,6 +158,8 @@ class Matching {
             std::optional<Tried> next = corrected();
             if (!next || !draw(std::move(*next))) break;
         }
+        if ((moves_[0] || moves_[1]) && !result_.ended_early && !is_good(best()))
+            if (std::optional<Tried> next = joined_best()) draw(std::move(*next));
         finish();
         return std::move(result_);
     }
@@ -264,17 +271,16 @@ class Matching {
                 pairs.emplace_back(tried.factor[i][channel], light(*color) / tried.exposure);
         if (pairs.empty()) return 1.0;
         const double wanted = light(*(input_.reference.colors.*parts[i].seen)) / exposure;
-        return std::clamp(next_of(std::move(pairs), wanted), least_factor, most_factor);
+        return std::clamp(next_of(std::move(pairs), wanted, parts[i].least_slope), least_factor, most_factor);
     }
     double wanted_exposure() const {
         std::vector<glm::dvec2> pairs;
         for (const Tried& tried : tried_)
             if (const std::optional<double> light = tissue_light(tried.seen); light && *light > 0.0)
                 pairs.emplace_back(tried.exposure, *light);
-        const double found = next_of(std::move(pairs), *tissue_light(input_.reference.colors));
+        const double found = next_of(std::move(pairs), *tissue_light(input_.reference.colors), through_exposure);
         return std::clamp(found, exposure_->minimum, exposure_->maximum);
     }
-    /// Nothing: it would be one that was drawn.
     std::optional<Tried> corrected() const {
         Tried next{.exposure = best().exposure, .colors = start_};
         if (moves_exposure_) {
@@ -283,6 +289,19 @@ class Matching {
         }
         for (std::size_t i = 0; i < parts.size(); ++i)
             for (int c = 0; moves_[i] && c < 3; ++c) next.factor[i][c] = wanted_factor(i, c, next.exposure);
+        return colored(std::move(next));
+    }
+    /// What came nearest of each, together: one may have gone too far while another was found.
+    std::optional<Tried> joined_best() const {
+        Tried next{.exposure = best().exposure, .colors = start_};
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const auto off_of = [&](const Tried& tried) { return part_off(tried, i); };
+            next.factor[i] = std::ranges::min_element(tried_, {}, off_of)->factor[i];
+        }
+        return colored(std::move(next));
+    }
+    /// With the colours of its factors; nothing: it was drawn.
+    std::optional<Tried> colored(Tried next) const {
         for (std::size_t k = 0; k < start_.size(); ++k)
             for (std::size_t i = 0; i < parts.size(); ++i)
                 if (fields()[k].seen == parts[i].seen && is_free(fields()[k].key))
