@@ -12,6 +12,7 @@
 #include "commands/options.h"
 #include "commands/shown_scene.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/preset.h"
 
 namespace lapfx::commands {
 
@@ -53,6 +54,7 @@ void check(const RunOptions& o) {
     if (!fit.match.window.empty()) (void)window_of(fit.match.window, std::numeric_limits<double>::max(), "item");
     const std::vector<std::string> presets =
         fit.files.preset.empty() ? std::vector<std::string>() : std::vector{fit.files.preset};
+    if (!fit.files.preset.empty()) (void)load_preset(fit.files.preset);
     if (!fit.files.scene.empty()) (void)open_shown(fit.files.scene, presets, {});
     std::error_code error;
     if (fs::exists(o.results, error) && !fs::is_directory(o.results, error))

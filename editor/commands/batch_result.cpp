@@ -119,6 +119,24 @@ BatchParameter parameter_of(const Json& json) {
             .determined = json.at("determined").get<bool>()};
 }
 
+/// Numbers that a plot can have.
+void require_sane(const BatchResult& result) {
+    constexpr double longest = 1e7;  // s
+    const auto is_time = [](double time) { return std::abs(time) <= longest; };
+    const auto is_share = [](double share) { return share >= -1.0 && share <= 2.0; };
+    bool sane = is_time(result.from) && is_time(result.to) && result.from <= result.to;
+    for (const match::TargetPoint& aim : result.target) {
+        sane = sane && is_time(aim.time);
+        for (const match::AmountName& amount : match::amount_names)
+            if (const std::optional<match::Amount>& shown = aim.*amount.aim)
+                sane = sane && is_share(shown->value) && is_share(shown->low) && is_share(shown->high);
+    }
+    for (const auto* const frames : {&result.before, &result.after})
+        for (const match::FrameAmounts& frame : *frames)
+            sane = sane && is_time(frame.time) && is_share(frame.blood.value) && is_share(frame.veil.value);
+    if (!sane) throw std::runtime_error("a time or an amount in it is none");
+}
+
 BatchResult result_of(const Json& json) {
     if (json.at("format") != format || json.at("version") != version)
         throw std::runtime_error("it is of another format or version");
@@ -137,6 +155,7 @@ BatchResult result_of(const Json& json) {
         result.pictures.push_back(
             {picture.at("name").get<std::string>(), match::bytes_of_base64(picture.at("jpeg").get<std::string>())});
     result.notes = json.at("notes").get<std::vector<std::string>>();
+    require_sane(result);
     return result;
 }
 

@@ -208,11 +208,9 @@ void measure(const Job& job, const fs::path& folder, BatchResult& result) {
 std::vector<std::string> lines_of(const Error& error, const fs::path& folder) {
     std::vector<std::string> lines;
     const std::string prefix = (folder / "").string();
-    for (const Fault& fault : error.faults()) {
-        std::string line = fault.text();
-        for (std::size_t at = line.find(prefix); at != std::string::npos; at = line.find(prefix, at))
-            line.erase(at, prefix.size());
-        lines.push_back(std::move(line));
+    for (Fault fault : error.faults()) {
+        if (fault.file.starts_with(prefix)) fault.file.erase(0, prefix.size());
+        lines.push_back(fault.text());
     }
     return lines;
 }
@@ -270,6 +268,7 @@ void run_item(const BatchRunOptions& o, const BatchItem& item, std::ostream& out
     BatchResult result{.kind = item.kind, .fitted = job.fitted, .input = input_of(job)};
     const std::optional<BatchResult> done = read_result(folder);
     if (done && !o.again && done->input == result.input) return tell_done(item, *done, out);
+    if (job.fitted) check_options(job.options);  // what is wrong with the command leaves what was found
     check_reads(job, folder);
     remove_files(folder);
     try {

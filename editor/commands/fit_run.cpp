@@ -150,6 +150,18 @@ void add_fit_options(CLI::App& verb, FitOptions& options, const std::string& of)
         ->capture_default_str();
 }
 
+void check_options(const FitOptions& options) {
+    const FitFiles& files = options.files;
+    std::optional<ShownScene> shown;
+    try {
+        shown.emplace(
+            open_shown(files.scene, files.preset.empty() ? std::vector<std::string>() : std::vector{files.preset}, {}));
+    } catch (const Error&) {
+        return;
+    }
+    (void)input_of(options, *shown);
+}
+
 FitRun run_fit(const FitOptions& given) {
     FitOptions o = given;
     o.match.reference = o.files.reference;

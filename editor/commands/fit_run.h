@@ -34,6 +34,9 @@ struct FitRun {
     std::vector<std::string> proposed = {};  ///< lines for people on where the events begin; none without fitted_scene
 };
 
+/// What is wrong with the options themselves, as far as the scene can be opened: else that is the scene's fault.
+void check_options(const FitOptions& options);
+
 /// Measures, fits and writes the files. Progress and notes go to stderr. Makes an OpenGL context. Throws Error:
 /// bad_input for options and files, runtime where the budget ends before anything was drawn, it was interrupted or a
 /// file cannot be written, no_gl.

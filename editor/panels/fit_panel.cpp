@@ -116,8 +116,8 @@ const match::FittedParameter* fitted(const FitFound* found, const std::string& k
 /// "4 to 6.3 mm/s", and the interval.
 void change_text(ui::Ui& ui, double before, double after, const Parameter& row) {
     ui::label(ui,
-              before == after ? formatted(ui, "%.3g %s", after, row.unit.data())
-                              : formatted(ui, "%.3g to %.3g %s", before, after, row.unit.data()),
+              ui.join({before == after ? formatted(ui, "%.3g", after) : formatted(ui, "%.3g to %.3g", before, after),
+                       row.unit.empty() ? "" : " ", row.unit}),
               {.tone = before == after ? ui::Tone::dim : ui::Tone::normal, .number = true, .width = ui::grow()});
 }
 

@@ -98,7 +98,7 @@ void line_of(ui::Ui& ui, const AmountsParts& on, const Words& words, std::string
 
 bool measured_words(ui::Ui& ui, const AmountsParts& on) {
     if (on.measuring.found() == nullptr || on.measuring.stale() || on.measuring.begun() || !on.preview.complete() ||
-        on.preview.stale())
+        on.preview.stale() || on.preview.stopped())
         return false;
     const Words& words = words_of(ui, on);
     line_of(ui, on, words, "", {});

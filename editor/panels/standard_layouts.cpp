@@ -30,7 +30,7 @@ DockLayout compare() {
         dock_split(Axis::y, 0.67F, dock_tabs({"Reference", "Measure", "View", "Keying"}),
                    dock_split(Axis::x, 0.5F, dock_tabs({"Timeline", "Curves", "Presets"}), dock_tabs({"Amounts"}))),
         dock_split(Axis::y, 0.66F, dock_tabs({"Preset", "Clips", "Scene"}),
-                   dock_tabs({"Fit", "Snapshots", "History"})));
+                   dock_tabs({"Snapshots", "Fit", "History"})));
 }
 
 DockLayout stage() {

@@ -28,7 +28,8 @@ std::string_view formatted(ui::Ui& ui, const char* format, double value) {
 
 /// The oldest job that no panel shows, and how many more there are.
 void jobs(ui::Ui& ui, const StatusParts& parts) {
-    if (parts.fitting.busy() && !parts.fitting.measures_first() && !parts.layouts.seen("Fit")) {
+    if (parts.fitting.busy() && !parts.fitting.proposes() && !parts.fitting.measures_first() &&
+        !parts.layouts.seen("Fit")) {
         if (ui::progress(ui, "Fitting", parts.fitting.progress(), {.cancellable = true, .width = ui::px(ui.em(20))}))
             parts.fitting.cancel();
         return;

@@ -9,6 +9,7 @@
 #include "app/clips/clip_shelf.h"
 #include "app/clips/keying_bench.h"
 #include "app/files/files.h"
+#include "app/measure/fitting.h"
 #include "app/reference/reference.h"
 #include "app/tuning/snapshots.h"
 #include "app/tuning/tuning.h"
@@ -72,6 +73,7 @@ class CommandsTest : public EditorTest {
         e.timeline.seek(3.3);
         e.tuning().current = app::parameters().find("bleeding.speed");
         e.tuning().search.clear();
+        e.fitting().look.keys.clear();  // it says so at once; what a fit finds is looked at in fit_panel_test
         e.tuning().changed_only = false;
         e.tool.action.reset();
         if (variant == 1) e.tool.action = ToolAction::tear;
@@ -129,9 +131,9 @@ TEST_F(CommandsTest, EachDoesSomethingWhereItIsOn) {
         if (on && !does) idle.insert(id);
     }
     EXPECT_THAT(idle, IsEmpty());
-    EXPECT_THAT(off, UnorderedElementsAre("clip.copy", "measure.export_csv", "measure.export_json",
-                                          "measure.export_png", "measure.take_marks"))
-        << "copy_clips_test has clips that lie elsewhere, measure_panel_test measures";
+    EXPECT_THAT(off, UnorderedElementsAre("clip.copy", "fit.leave", "fit.take", "measure.export_csv",
+                                          "measure.export_json", "measure.export_png", "measure.take_marks"))
+        << "copy_clips_test has clips that lie elsewhere, measure_panel_test measures, fit_panel_test fits";
 }
 
 TEST_F(CommandsTest, WhatIsOffSaysWhatIsMissing) {

@@ -1,6 +1,7 @@
 // The Fit panel: what may change is found beside the UI, shown, and taken as one undo step.
 #include <gmock/gmock.h>
 
+#include "app/base/layouts.h"
 #include "app/measure/fitting.h"
 #include "app/measure/measuring.h"
 #include "app/reference/reference.h"
@@ -30,6 +31,7 @@ class FitPanel : public EditorTest {
         editor().document.change("Short", [](document::Content& c) { c.scene.duration = 4; });
         editor().timeline.speed = 0;
         layout("Compare");
+        editor().layouts().bring_to_front("Fit");
         ui().frame().frame();
     }
     app::Fitting& fitting() { return editor().fitting(); }
@@ -48,6 +50,7 @@ TEST_F(FitPanel, TheProposalIsTakenAsOneStep) {
     EXPECT_TRUE(document::same(before, editor().document.content())) << "nothing changes until it is taken";
     ASSERT_FALSE(fitting().found()->lines.empty());
     EXPECT_TRUE(says(fitting().found()->lines.front()));
+    EXPECT_FALSE(says("(null)")) << "a parameter without a unit";
     const match::Tuned found = fitting().found()->tuned;
     press("Take");
     EXPECT_EQ(steps(), steps_before + 1);
@@ -91,6 +94,30 @@ TEST_F(FitPanel, WhatIsLockedStays) {
     EXPECT_EQ(fitting().found()->tuned.preset.smoke.haze.accumulation,
               editor().document.preset().smoke.haze.accumulation);
     for (const match::FreeParameter& p : fitting().found()->parameters) EXPECT_NE(p.key, "smoke.haze.accumulation");
+}
+
+TEST_F(FitPanel, WhatIsLockedMeanwhileStays) {
+    press("Propose");
+    ASSERT_NE(fitting().found(), nullptr);
+    const Preset before = editor().document.preset(), found = fitting().found()->tuned.preset;
+    ASSERT_NE(found.smoke.haze.accumulation, before.smoke.haze.accumulation);
+    editor().tuning().lock(app::parameters().find("smoke.haze.accumulation"), true);
+    press("Take");
+    EXPECT_EQ(editor().document.preset().smoke.haze.accumulation, before.smoke.haze.accumulation);
+    EXPECT_TRUE(says("What has been locked since stays as it is"));
+}
+
+TEST_F(FitPanel, ToolsStayWhereTheyMayNotChange) {
+    const auto events = editor().document.scene().events;
+    ui().click("**/Tools may change").frame();
+    press("Propose");
+    ASSERT_NE(fitting().found(), nullptr) << ui().dump();
+    press("Take");
+    ASSERT_EQ(editor().document.scene().events.size(), events.size());
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        EXPECT_EQ(editor().document.scene().events[i].time, events[i].time);
+        EXPECT_EQ(editor().document.scene().events[i].power, events[i].power);
+    }
 }
 
 TEST_F(FitPanel, NothingFreeIsTold) {

@@ -272,6 +272,10 @@ TEST_F(MeasuredAmounts, BesideTheUiItIsStoppedAndBegunAgain) {
     ui().frame();
     EXPECT_FALSE(preview().busy()) << "a change cancels it";
     EXPECT_FALSE(preview().stale()) << "this is known";
+    editor().document.redo();
+    wait_for([&] { return preview().busy(); });
+    ui().click(bar + "Stop measuring").frame();
+    EXPECT_TRUE(says("Measuring the preview was stopped")) << "no words about the scene before";
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ void Fitting::begin(bool proposal_alone) {
 }
 
 void Fitting::cancel() {
-    if (run_ && !proposes()) return run_->cancel();
+    if (run_) return run_->cancel();
     if (measuring_asked_) measuring_.cancel();
     asked_.reset();
     end_run();
@@ -129,7 +129,9 @@ bool Fitting::measured() {
     if (measuring_.running()) return false;
     if (measuring_.found() != nullptr && !measuring_.stale()) return true;
     if (!measuring_.faults().empty() && measuring_asked_) return fail(measuring_.faults()), false;
-    if (std::exchange(measuring_asked_, true)) return fail(because("measuring the reference was cancelled")), false;
+    if (measuring_asked_ && measuring_.cancelled())
+        return fail(because("measuring the reference was cancelled")), false;
+    measuring_asked_ = true;  // also again, where the scene now says otherwise how
     measuring_.start();
     return false;
 }
@@ -191,19 +193,25 @@ void Fitting::go_on(double now) {
 void Fitting::take() {
     if (!found_ || std::exchange(taken_, true)) return;
     const FitFound& found = *found_;
-    const bool tools = same_tools(found.start.scene, document_.scene());
+    const bool moved = !same_tools(found.tuned.scene, found.start.scene);
+    const bool tools = !moved || same_tools(found.start.scene, document_.scene());
+    bool kept_locked = false;
     document_.change(found.result ? "Fit" : "Take proposal", [&](document::Content& content) {
         match::Tuned present{std::move(content.scene), std::move(content.preset)};
         for (const match::FreeParameter& p : found.parameters)
-            if (const double value = p.get(found.tuned); value != p.get(found.start)) p.set(present, value);
+            if (locked(p.key))
+                kept_locked = true;
+            else if (const double value = p.get(found.tuned); value != p.get(found.start))
+                p.set(present, value);
         content = {std::move(present.scene), std::move(present.preset)};
-        if (!tools) return;
+        if (!moved || !tools) return;
         content.scene.events = found.tuned.scene.events;
         content.scene.curves.emission = found.tuned.scene.curves.emission;
     });
     if (!tools)
         notices_.add({.kind = ui::ToastKind::warning,
                       .text = "The scene has changed since: its tools stay as they are, the parameters are taken"});
+    if (kept_locked) notices_.add({.text = "What has been locked since stays as it is"});
     ++version_;
 }
 

@@ -47,7 +47,8 @@ void FittingRun::work() {
     std::optional<FitFound> found;
     try {
         found = find();
-        if (found->result && found->result->after.empty()) found.reset();  // cancelled before anything was drawn
+        const bool drawn = found->result && !found->result->after.empty();
+        if (cancelled_ && !drawn) found.reset();  // before there was anything to show
     } catch (const Error& error) {
         faults = error.faults();
     } catch (const std::exception& error) {
@@ -75,6 +76,11 @@ FitFound FittingRun::find() {
         match::Proposal proposal =
             match::propose(found.start, wanted_.organ, found.target, {.aspect = wanted_.aspect, .keys = wanted_.keys});
         found.tuned = std::move(proposal.tuned), found.lines = std::move(proposal.lines);
+        if (!wanted_.tools) {
+            found.tuned.scene.events = found.start.scene.events;
+            found.tuned.scene.curves.emission = found.start.scene.curves.emission;
+            found.lines.emplace_back("tools: stay as they are");
+        }
     }
     if (wanted_.proposal_alone) return found;
     match::FitInput input{.start = found.tuned,
@@ -91,11 +97,13 @@ FitFound FittingRun::find() {
     };
     input.progress = [this](const match::FitProgress& progress) {
         share_ = progress.share, next_ = progress.next;
-        if (progress.best != nullptr) {
-            const std::lock_guard lock(mutex_);
-            best_ = std::make_shared<const Frames>(*progress.best);
+        if (progress.best != nullptr && std::exchange(curves_, progress.curves) != progress.curves) {
+            {
+                const std::lock_guard lock(mutex_);
+                best_ = std::make_shared<const Frames>(*progress.best);
+            }
+            jobs_.wake();
         }
-        jobs_.wake();
         return drawing(0.0);
     };
     found.result = match::fit(input);

@@ -53,7 +53,7 @@ class FittingRun {
 
     /// `beside`: else all of it is done here, at once. `curve` draws by way of `steps`; all must outlive it.
     FittingRun(FitWanted wanted, match::PreviewCurve* curve, RenderSteps& steps, Jobs& jobs, bool beside);
-    ~FittingRun();  ///< waits for the picture that is being measured
+    ~FittingRun();  ///< waits for what is being done: a picture, or up to two seconds of a proposal
     FittingRun(const FittingRun&) = delete;
     FittingRun& operator=(const FittingRun&) = delete;
 
@@ -80,7 +80,8 @@ class FittingRun {
     Jobs& jobs_;
     std::atomic<bool> cancelled_ = false;
     std::atomic<double> progress_ = 0.0;
-    double share_ = 0.0, next_ = 0.0;  ///< of the thread that works
+    double share_ = 0.0, next_ = 0.0;  ///< of the thread that works,
+    int curves_ = 0;                   ///< and the curve that best_ is of
     mutable std::mutex mutex_;
     std::shared_ptr<const Frames> best_;
     bool ended_ = false;

@@ -65,6 +65,7 @@ class Measuring {
     /// It rests, and does not begin by itself again until something else is to be measured.
     void cancel();
     const std::shared_ptr<Job>& running() const { return running_; }  ///< null: nothing is measured now
+    bool cancelled() const { return stopped_ && is_now(*stopped_); }  ///< what is to be measured now, or it failed
     bool begun() const;                                               ///< and not complete: start() goes on
     double progress() const;                                          ///< 0..1, while begun()
     const std::vector<Fault>& faults() const { return faults_; }      ///< of the last start()

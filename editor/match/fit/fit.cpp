@@ -78,6 +78,7 @@ class Fit {
         if (early_) return false;
         if (input_.progress)
             early_ = !input_.progress({.share = std::min(static_cast<double>(curves_) / most_curves(), 1.0),
+                                       .curves = curves_,
                                        .next = std::min((curves_ + 1.0) / most_curves(), 1.0),
                                        .best = best_.frames.empty() ? nullptr : &best_.frames});
         return !early_;

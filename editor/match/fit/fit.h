@@ -35,6 +35,7 @@ using DrawCurve =
 /// How far a fit has come.
 struct FitProgress {
     double share = 0.0;                               ///< 0..1, of the curves that are drawn at most
+    int curves = 0;                                   ///< drawn so far; `best` changes with it only
     double next = 0.0;                                ///< 0..1, share once the next curve is drawn
     const std::vector<FrameAmounts>* best = nullptr;  ///< the nearest curve so far; null: none was drawn yet
 };

@@ -95,6 +95,16 @@ TEST_F(BatchRunTest, WhatIsDoneIsNotDoneAgain) {
     EXPECT_EQ(said, "") << "half a result is none";
 }
 
+TEST_F(BatchRunTest, AFaultOfTheCommandLeavesWhatWasFound) {
+    write("s.scene.json", test::scene_text()), write("o.ply", "ply");
+    options.fit.files.scene = folder / "s.scene.json";
+    run(video);
+    const std::string kept = test::read_text(results(video) / "result.json");
+    options.fit.parameters = "smoke.haze.acumulation";
+    EXPECT_THAT(run(video), ElementsAre(HasSubstr("--parameters: smoke.haze.acumulation")));
+    EXPECT_EQ(test::read_text(results(video) / "result.json"), kept);
+}
+
 TEST_F(BatchRunTest, WhatAKillLeftIsCleared) {
     for (const char* name :
          {"running.lock", "fitted.json", "report.html", "amounts.csv", ".lapfx-part-12-0f5a7bc9.tmp"})
