@@ -135,6 +135,11 @@ void add_bench(CLI::App& app) {
         ->option_text("NUMBER")
         ->check(CLI::Range(0, 1'000'000))
         ->capture_default_str();
+    const auto add_case = [part = fit](const char* name, int& value, const char* help) {
+        part->add_option(name, value, help)->option_text("NUMBER")->check(CLI::Range(1, fit_cases));
+    };
+    add_case("--first", fit_options->first, "Begin with this case");
+    add_case("--last", fit_options->last, "End with this case");
     const auto [frame, frame_options] =
         add("frame",
             "What 15 smoke clips add to a frame, how much they delay a haptic thread, and what blood and wounds cost",

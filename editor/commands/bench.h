@@ -26,20 +26,23 @@ struct BenchReport {
 };
 
 struct BenchOptions {
-    std::string json;                ///< file that the figures are written to, unless empty
-    std::string plot;                ///< PNG that they are drawn to, unless empty
-    std::string only;                ///< the only ratio that is measured, unless empty
-    bool simulation = false;         ///< measures only what is not drawn
-    int rounds = 3;                  ///< rounds of each case; the best counts
-    int seed = 2;                    ///< of what is drawn at random
-    std::vector<std::string> pairs;  ///< two folders of recordings, ranked instead of renders; none: renders
-    std::vector<std::string> over;   ///< videos and pictures of clear tissue that known amounts are laid over
-    std::string learn;               ///< file that a model of the veil is written to, learned instead; none: not
-    std::string model;               ///< file of the model of the veil that is measured with; none: the shipped one
-    std::string frames;              ///< CSV that each frame's figures are written to, unless empty
+    std::string json;                 ///< file that the figures are written to, unless empty
+    std::string plot;                 ///< PNG that they are drawn to, unless empty
+    std::string only;                 ///< the only ratio that is measured, unless empty
+    bool simulation = false;          ///< measures only what is not drawn
+    int rounds = 3;                   ///< rounds of each case; the best counts
+    int seed = 2;                     ///< of what is drawn at random
+    int first = 1, last = 1'000'000;  ///< cases that are measured, from 1 on
+    std::vector<std::string> pairs;   ///< two folders of recordings, ranked instead of renders; none: renders
+    std::vector<std::string> over;    ///< videos and pictures of clear tissue that known amounts are laid over
+    std::string learn;                ///< file that a model of the veil is written to, learned instead; none: not
+    std::string model;                ///< file of the model of the veil that is measured with; none: the shipped one
+    std::string frames;               ///< CSV that each frame's figures are written to, unless empty
     /// Does everything in a few seconds, for tests: it shows that the benchmark works, but its figures mean nothing.
     bool short_form = false;
 };
+
+inline constexpr int fit_cases = 24;  ///< of bench_fit
 
 /// Rows and ratios as text on stdout.
 void print(const BenchReport& report);
