@@ -78,10 +78,12 @@ void collect(const std::string& results) {
     write_file(folder / "index.html", index_html(entries));
     std::size_t done = 0, failed = 0;
     for (const BatchEntry& entry : entries) {
-        if (!entry.result)
-            note(entry.item + ": is not finished");
+        const std::string state = state_of(entry);
+        if (state == "unfinished")
+            note(entry.item + ": is not finished" +
+                 (entry.result && !entry.result->faults.empty() ? ": " + entry.result->faults.front() : ""));
         else
-            ++(entry.result->faults.empty() ? done : failed);
+            ++(state == "done" ? done : failed);
     }
     std::cout << entries.size() << (entries.size() == 1 ? " item, " : " items, ") << done << " done, " << failed
               << " failed, " << entries.size() - done - failed << " unfinished\n";

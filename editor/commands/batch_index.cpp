@@ -110,7 +110,8 @@ double rms_of(const BatchEntry& entry, BatchAmount BatchResult::*amount) {
 }
 
 double state_rank(const BatchEntry& entry) {
-    return !entry.result ? 1.0 : entry.result->faults.empty() ? 0.0 : 2.0;
+    const std::string state = state_of(entry);
+    return state == "unfinished" ? 1.0 : state == "done" ? 0.0 : 2.0;
 }
 
 std::string article(const BatchEntry& entry, std::size_t number, const Ranks& rank) {

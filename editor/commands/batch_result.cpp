@@ -145,6 +145,7 @@ BatchResult result_of(const Json& json) {
     result.fitted = json.at("fitted").get<bool>();
     result.input = json.at("input").get<std::string>();
     result.faults = json.at("faults").get<std::vector<std::string>>();
+    result.unfinished = json.at("state") == "unfinished";
     result.seconds = json.at("seconds").get<double>();
     result.ended_early = json.at("ended_early").get<bool>();
     result.from = json.at("from").get<double>(), result.to = json.at("to").get<double>();
@@ -161,12 +162,16 @@ BatchResult result_of(const Json& json) {
 
 }  // namespace
 
+const char* state_of(const BatchResult& result) {
+    return result.unfinished ? "unfinished" : result.faults.empty() ? "done" : "failed";
+}
+
 std::string text_of(const BatchResult& result) {
     Json json{{"format", format},
               {"version", version},
               {"kind", result.kind == ItemKind::scene ? "scene" : "video"},
               {"fitted", result.fitted},
-              {"state", result.faults.empty() ? "done" : "failed"},
+              {"state", state_of(result)},
               {"faults", result.faults},
               {"input", result.input},
               {"seconds", std::round(10.0 * result.seconds) / 10.0},

@@ -45,7 +45,8 @@ struct BatchResult {
     ItemKind kind = ItemKind::video;
     bool fitted = false;                   ///< else only measured
     std::string input = {};                ///< ContentHash of all that it was made from
-    std::vector<std::string> faults = {};  ///< of the input, one line each; none: it is done
+    std::vector<std::string> faults = {};  ///< one line each; none: it is done
+    bool unfinished = false;               ///< the faults are none of the input: the next run does it
     double seconds = 0.0;                  ///< that it took
     bool ended_early = false;
     double from = 0.0, to = 0.0;  ///< s, of the scene or of the video that was only measured
@@ -56,6 +57,9 @@ struct BatchResult {
     std::vector<BatchPicture> pictures = {};
     std::vector<std::string> notes = {};  ///< of measuring
 };
+
+/// "done", "failed" or "unfinished".
+const char* state_of(const BatchResult& result);
 
 std::string text_of(const BatchResult& result);
 /// Throws Error (bad_input) for what text_of() would not have written; `name` stands in messages.

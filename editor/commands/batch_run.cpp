@@ -16,6 +16,7 @@
 #include "document/lock.h"
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/pack.h"
 #include "match/fit/markup.h"
 
 namespace lapfx::commands {
@@ -77,6 +78,10 @@ void add_fit(ContentHash& hash, const FitOptions& o) {
     hash.add_file(o.files.scene);
     const Scene scene = load_scene(o.files.scene);
     for (const fs::path& file : read_files(o.files, scene)) hash.add_file(file);
+    for (const std::string& mesh : {scene.organ.file, scene.tool.file})  // with the files that it names
+        if (!mesh.empty())
+            for (const PackedFile& file : pack_organ(named_path(scene.folder, mesh, Reach::anywhere)))
+                hash.add({reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()});
     const Preset preset = preset_of(o.files, scene);
     for (const SmokeClip& clip : preset.smoke.clips) hash.add_file(find_clip(clip.file, preset.folder, clip_folders()));
 }
@@ -97,8 +102,8 @@ std::string input_of(const Job& job) {
 }
 
 /// The preset that is written lies beside the report, and finds its own clips there: the same files, or copies where
-/// the disk is another.
-void bring_clips(const FitFiles& files) {
+/// the disk is another. `brought`: what was put there.
+void bring_clips(const FitFiles& files, std::vector<fs::path>& brought) {
     const Scene scene = load_scene(files.scene);
     const Preset preset = preset_of(files, scene);
     const fs::path to = fs::path(files.output).parent_path();
@@ -113,6 +118,7 @@ void bring_clips(const FitFiles& files) {
             if (is_same_file(image, place)) continue;
             fs::remove(place, error);  // of a run before, with another clip
             fs::create_directories(place.parent_path(), error);
+            brought.push_back(place);
             fs::create_hard_link(fs::canonical(image, error), place, error);
             if (error) write_file(place, read_file(image, std::numeric_limits<std::size_t>::max()));
         }
@@ -142,6 +148,16 @@ void remove_files(const fs::path& folder) {
         fs::remove(folder / name, none);
 }
 
+/// With the folders that are empty then.
+void remove_clips(const fs::path& folder, const std::vector<fs::path>& brought) {
+    std::error_code none;
+    for (const fs::path& clip : brought) {
+        fs::remove(clip, none);
+        for (fs::path in = clip.parent_path(); in != folder && fs::is_empty(in, none); in = in.parent_path())
+            if (!fs::remove(in, none)) break;
+    }
+}
+
 BatchAmount amount_of(const match::Episode& episode) {
     return {.peak = episode.peak, .mean = episode.mean};
 }
@@ -159,7 +175,6 @@ void take_pictures(BatchResult& result, const match::FitReport& report) {
 }
 
 void fit(const Job& job, BatchResult& result) {
-    bring_clips(job.options.files);
     FitRun run = run_fit(job.options);
     write_file(fs::path(job.options.files.output).parent_path() / amounts_name, match::csv_of(run.measured));
     const match::FitResult& found = run.report.result;
@@ -267,24 +282,24 @@ void run_item(const BatchRunOptions& o, const BatchItem& item, std::ostream& out
     const std::optional<Error> without_reference = find_reference(job);
     BatchResult result{.kind = item.kind, .fitted = job.fitted, .input = input_of(job)};
     const std::optional<BatchResult> done = read_result(folder);
-    if (done && !o.again && done->input == result.input) return tell_done(item, *done, out);
+    if (done && !done->unfinished && !o.again && done->input == result.input) return tell_done(item, *done, out);
     if (job.fitted) check_options(job.options);  // what is wrong with the command leaves what was found
     check_reads(job, folder);
     remove_files(folder);
+    std::vector<fs::path> brought;
     try {
         if (without_reference) throw *without_reference;
+        if (job.fitted) bring_clips(job.options.files, brought);
         work(job, folder, result);
     } catch (const Error& error) {
         remove_files(folder);
-        if (error.failure() == Failure::bad_input) {
-            result = {
-                .kind = item.kind, .fitted = job.fitted, .input = result.input, .faults = lines_of(error, o.folder)};
-            write_file(folder / result_name, text_of(result));
-        } else {
-            lock.reset();
-            std::error_code not_empty;
-            fs::remove(folder, not_empty);
-        }
+        remove_clips(folder, brought);
+        result = {.kind = item.kind,
+                  .fitted = job.fitted,
+                  .input = result.input,
+                  .faults = lines_of(error, o.folder),
+                  .unfinished = error.failure() != Failure::bad_input};
+        write_file(folder / result_name, text_of(result));
         throw;
     }
     out << item.name << ": " << summary(result) << '\n';

@@ -21,8 +21,8 @@ std::filesystem::path folder_of(const std::filesystem::path& results, const Batc
 
 /// The result file is written last and makes the item done. It holds a hash of all that went in: what is fitted and
 /// how, and the contents of the video, of the scene with all files that it names, and of the preset with its clips. An
-/// item that is done from the same is told and not done again. One whose input is at fault is done, too; one that fails
-/// otherwise, or is killed, is not, and nothing of it is left but by a kill, which the next run clears away.
+/// item that is done from the same is told and not done again. One whose input is at fault is done, too; of one that
+/// fails otherwise the result says why, and the next run does it again, as what was killed.
 /// A lock that the kernel releases (flock) keeps two processes from one item: the second tells so and does nothing.
 ///
 /// `out`: one line on what was done, or why not. Throws Error: that of run_fit() or of measuring, and bad_input again

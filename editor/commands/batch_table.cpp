@@ -110,7 +110,7 @@ std::vector<BatchEntry> batch_entries(const fs::path& results) {
 }
 
 const char* state_of(const BatchEntry& entry) {
-    return !entry.result ? "unfinished" : entry.result->faults.empty() ? "done" : "failed";
+    return entry.result ? state_of(*entry.result) : "unfinished";
 }
 
 std::string table_csv(const std::vector<BatchEntry>& entries) {

@@ -26,7 +26,7 @@ struct BatchEntry {
 /// none.
 std::vector<BatchEntry> batch_entries(const std::filesystem::path& results);
 
-/// "done", "failed" or "unfinished".
+/// That of its result.
 const char* state_of(const BatchEntry& entry);
 
 /// One row for each: what is not known is empty. The columns of parameters are those of all results together:

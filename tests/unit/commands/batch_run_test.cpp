@@ -113,6 +113,25 @@ TEST_F(BatchRunTest, WhatAKillLeftIsCleared) {
     EXPECT_THAT(files(video), ElementsAre("result.json"));
 }
 
+TEST_F(BatchRunTest, WhatFailedByNoFaultOfItsInputIsDoneAgain) {
+    run(video);
+    auto kept = *read_result(results(video));
+    kept.unfinished = true;
+    write("results/week/a.mp4/result.json", text_of(kept));
+    EXPECT_STREQ(state_of(*read_result(results(video))), "unfinished");
+    run(video);
+    EXPECT_EQ(said, "");  // and not "failed before"
+    EXPECT_STREQ(state_of(*read_result(results(video))), "failed");
+}
+
+TEST_F(BatchRunTest, ClipsOfAFailedItemAreGone) {
+    write("videos/s.scene.json", test::scene_text(R"(, "preset": "p.json", "reference": {"file": "week/a.mp4"})"));
+    write("videos/p.json", test::preset_text(R"(, "smoke": {"clips": [{"file": "own/deep/clip.mp4"}]})"));
+    write("videos/own/deep/clip.mp4", "a clip");
+    EXPECT_THAT(run(scene), testing::Not(IsEmpty()));
+    EXPECT_THAT(files(scene), ElementsAre("result.json"));
+}
+
 TEST_F(BatchRunTest, OnlyOneProcessDoesIt) {
     const auto lock = document::Lock::take(results(video) / "running.lock");
     ASSERT_TRUE(lock);
@@ -140,8 +159,8 @@ TEST_F(BatchRunTest, WhatItReadsIsNotReplaced) {
     EXPECT_THAT(files(video), ElementsAre("fitted.json"));
 }
 
-TEST_F(BatchRunTest, AFitIsOfAllFilesThatTheSceneNames) {
-    write("videos/s.scene.json", test::scene_text(R"(, "organ": {"file": "o.ply"}, "preset": "p.json",
+TEST_F(BatchRunTest, AFitIsOfAllFilesThatTheSceneAndItsOrganName) {
+    write("videos/s.scene.json", test::scene_text(R"(, "organ": {"file": "o.obj"}, "preset": "p.json",
         "reference": {"file": "week/a.mp4"})"));
     write("videos/p.json", test::preset_text());
     std::vector<std::string> inputs;
@@ -150,7 +169,11 @@ TEST_F(BatchRunTest, AFitIsOfAllFilesThatTheSceneNames) {
         inputs.push_back(read_result(results(scene))->input);
     };
     add();
-    write("videos/o.ply", "ply");
+    write("videos/o.obj", "mtllib o.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    add();
+    write("videos/o.mtl", "newmtl a\nKd 1 0 0\n");
+    add();
+    write("videos/o.mtl", "newmtl a\nKd 1 1 0\n");
     add();
     write("videos/p.json", test::preset_text(R"(, "bleeding": {"speed": 3})"));
     add();
