@@ -41,9 +41,9 @@ struct Normal {
     explicit Normal(std::size_t columns)
         : matrix(cv::Mat::zeros(static_cast<int>(columns), static_cast<int>(columns), CV_64F)),
           side(cv::Mat::zeros(static_cast<int>(columns), 1, CV_64F)) {}
-    void add_row(const Linearised& at, std::size_t row) {
+    void add_row(const Linearised& at, std::size_t row, double weight = 1.0) {
         for (std::size_t a = 0; a < at.columns; ++a) {
-            const double slope = at.slopes[row * at.columns + a];
+            const double slope = weight * at.slopes[row * at.columns + a];
             side.at<double>(static_cast<int>(a)) += slope * at.residuals[row];
             for (std::size_t b = 0; b < at.columns; ++b)
                 matrix.at<double>(static_cast<int>(a), static_cast<int>(b)) += slope * at.slopes[row * at.columns + b];
@@ -76,21 +76,6 @@ std::vector<std::vector<double>> corrections(const Objective& objective, const L
     return steps;
 }
 
-/// Standard errors of the parameters that come from those of the two scales, which the curves do not show.
-std::vector<double> scale_errors(const Objective& objective, const Linearised& at, const cv::Mat& covariance) {
-    std::vector<double> errors(at.columns - 1, 0.0);
-    for (const std::vector<double>& changes : {objective.blood_scaled(), objective.veil_scaled()}) {
-        cv::Mat side = cv::Mat::zeros(static_cast<int>(at.columns), 1, CV_64F);
-        for (std::size_t row = 0; row < changes.size(); ++row)
-            for (std::size_t a = 0; a < at.columns; ++a)
-                side.at<double>(static_cast<int>(a)) += at.slopes[row * at.columns + a] * changes[row];
-        const cv::Mat step = covariance * side;
-        for (std::size_t k = 0; k < errors.size(); ++k)
-            errors[k] = std::hypot(errors[k], step.at<double>(static_cast<int>(k) + 1));
-    }
-    return errors;
-}
-
 /// How large the errors of this video are beside the stated ones, as what the fit leaves tells it (reduced
 /// chi-squared).
 double error_factor(const Objective& objective, const Linearised& at) {
@@ -106,30 +91,48 @@ double quantile(std::vector<double>& values, double share) {
     return *place;
 }
 
-cv::Mat covariance_of(const Linearised& at, std::size_t rows) {
+/// `data_weight`: of the rows of the amounts. What is known beforehand has its own errors, whatever those of a video.
+cv::Mat covariance_of(const Objective& objective, const Linearised& at, double data_weight) {
     Normal all(at.columns);
-    for (std::size_t row = 0; row < rows; ++row) all.add_row(at, row);
+    for (std::size_t row = 0; row < objective.size(); ++row)
+        all.add_row(at, row, row < 2 * objective.times() ? data_weight : 1.0);
     cv::Mat covariance;
     cv::invert(all.matrix, covariance, cv::DECOMP_SVD);
     return covariance;
+}
+
+/// Standard errors of the parameters that come from those of the two scales, which the curves do not show.
+std::vector<double> scale_errors(const Objective& objective, const Linearised& at, const cv::Mat& covariance,
+                                 double data_weight) {
+    std::vector<double> errors(at.columns - 1, 0.0);
+    for (const std::vector<double>& changes : {objective.blood_scaled(), objective.veil_scaled()}) {
+        cv::Mat side = cv::Mat::zeros(static_cast<int>(at.columns), 1, CV_64F);
+        for (std::size_t row = 0; row < changes.size(); ++row)
+            for (std::size_t a = 0; a < at.columns; ++a)
+                side.at<double>(static_cast<int>(a)) += data_weight * at.slopes[row * at.columns + a] * changes[row];
+        const cv::Mat step = covariance * side;
+        for (std::size_t k = 0; k < errors.size(); ++k)
+            errors[k] = std::hypot(errors[k], step.at<double>(static_cast<int>(k) + 1));
+    }
+    return errors;
 }
 
 }  // namespace
 
 std::vector<Certainty> certainty_of(const Objective& objective, const Linearised& at,
                                     std::span<const double> coordinates, std::uint32_t seed) {
-    const cv::Mat covariance = covariance_of(at, objective.size());
+    const double factor = error_factor(objective, at), data_weight = 1.0 / (factor * factor);
+    const cv::Mat covariance = covariance_of(objective, at, data_weight);
     std::vector<std::vector<double>> steps = corrections(objective, at, seed);
-    const std::vector<double> of_scales = scale_errors(objective, at, covariance);
+    const std::vector<double> of_scales = scale_errors(objective, at, covariance, data_weight);
     std::vector<Certainty> all(coordinates.size());
-    const double factor = error_factor(objective, at);
     const auto error = [&](std::size_t k) {
         const int i = static_cast<int>(k) + 1;  // after the offset
         return std::sqrt(std::max(covariance.at<double>(i, i), 0.0));
     };
     for (std::size_t k = 0; k < all.size(); ++k) {
         Certainty& c = all[k];
-        c.error = factor * error(k);
+        c.error = error(k);
         const double below = std::max(-quantile(steps[k], low_share), deviates * c.error),
                      above = std::max(quantile(steps[k], high_share), deviates * c.error);
         c.low = coordinates[k] - std::hypot(below, deviates * of_scales[k]);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lapfx/prepared_organ.h"
 #include "match/episode.h"
@@ -19,6 +20,8 @@ constexpr double learning_step = 0.25;    // coordinates: how far a parameter is
 constexpr double enough = 0.02;           // of the cost: a curve that gains less is the last
 constexpr double narrower = 0.4;          // of the last step, where a curve came out worse
 constexpr double bound_near = 1e-3;       // coordinates
+constexpr double held_error = 0.7;        // coordinates: a value of the preset is right within a factor of two
+constexpr int rounds_beside_held = 3;     // curves that are drawn at most once it is known what is held
 
 /// A drawn place.
 struct Drawn {
@@ -43,7 +46,7 @@ class Fit {
         if (draw_before() && draw(start_)) {
             if (!input_.before) first_ = best_.frames;
             leave_out_unseen();
-            if (learn_unknown()) search_rounds();
+            if (learn_unknown()) search_rounds(input_.rounds, {.others = other_places});
             hold_undetermined();
         }
         return result();
@@ -72,7 +75,7 @@ class Fit {
     int most_curves() const {
         const auto unknown = std::count_if(input_.parameters.begin(), input_.parameters.end(),
                                            [](const FreeParameter& p) { return !known_to_core(p); });
-        return 3 + input_.rounds + static_cast<int>(unknown);
+        return 2 + input_.rounds + rounds_beside_held + static_cast<int>(unknown);
     }
     bool goes_on() {
         if (early_) return false;
@@ -143,9 +146,9 @@ class Fit {
         }
         return true;
     }
-    void search_rounds() {
-        SearchOptions options{.others = other_places, .seed = input_.seed, .goes_on = [this] { return goes_on(); }};
-        for (int round = 0; round < input_.rounds && goes_on(); ++round) {
+    void search_rounds(int rounds, SearchOptions options) {
+        options.seed = input_.seed, options.goes_on = [this] { return goes_on(); };
+        for (int round = 0; round < rounds && goes_on(); ++round) {
             const std::vector<double> from = best_.coordinates;
             const double before = best_.cost;
             const std::vector<double> next = search(space(), from, options);
@@ -159,31 +162,73 @@ class Fit {
                 carried_.stand_at(from, space().core_at(from), curves_of(best_.frames));
         }
     }
-    std::vector<Certainty> certainties() {
-        return certainty_of(objective_, linearised(space(), best_.coordinates), best_.coordinates, input_.seed);
-    }
-    /// What the reference does not tell keeps its value, and the others are found once more beside it.
-    void hold_undetermined() {
-        std::vector<bool> held;
-        std::vector<double> next = best_.coordinates;
-        certainties_ = certainties();
-        for (std::size_t k = 0; k < certainties_.size(); ++k)
-            certainties_[k].determined =
-                certainties_[k].determined && shows_anything_of(input_.parameters[k].key, objective_.target());
-        for (std::size_t k = 0; k < next.size(); ++k) {
-            held.push_back(!certainties_[k].determined);
-            if (held[k]) next[k] = input_.parameters[k].coordinate(kept(input_.parameters[k]));
+    /// `error_of_held`: coordinates, of those that are held; 0: they are as they are.
+    std::vector<Certainty> certainties(const std::vector<double>& coordinates, double error_of_held = 0.0) {
+        Linearised linear = linearised(space(), coordinates);
+        for (std::size_t k = 0; k < held_.size(); ++k) {
+            if (!held_[k]) continue;
+            const std::size_t column = k + 1, prior = 2 * times_.size() + k;  // after the offset, and the amounts
+            linear.residuals[prior] = 0.0;
+            if (error_of_held > 0.0)
+                linear.slopes[prior * linear.columns + column] = 1.0 / error_of_held;
+            else
+                for (std::size_t row = 0; row < prior - k; ++row) linear.slopes[row * linear.columns + column] = 0.0;
         }
-        if (early_) return;
-        if (next == best_.coordinates) return;
-        next = search(space(), next, {.held = held, .seed = input_.seed, .goes_on = [this] { return goes_on(); }});
-        const std::optional<Drawn> drawn = curve(next);
-        if (!drawn) return;
-        carried_.drawn(next, space().core_at(next), curves_of(drawn->frames));
-        best_ = *drawn;
-        std::vector<Certainty> there = certainties();
-        for (std::size_t k = 0; k < next.size(); ++k) there[k].determined = there[k].determined && !held[k];
-        certainties_ = std::move(there);
+        std::vector<Certainty> all = certainty_of(objective_, linear, coordinates, input_.seed);
+        for (std::size_t k = 0; k < all.size(); ++k) all[k].determined = all[k].determined && shown_[k];
+        return all;
+    }
+    /// Once it is known what is held: that it is as it was is not certain, which makes the others less certain.
+    void tell_certainties(const std::vector<Certainty>& when_held) {
+        certainties_ = certainties(best_.coordinates);
+        const std::vector<Certainty> beside_unsure = certainties(best_.coordinates, held_error);
+        for (std::size_t k = 0; k < held_.size(); ++k) {
+            if (held_[k])
+                certainties_[k] = when_held[k], certainties_[k].determined = false;
+            else
+                certainties_[k].low = beside_unsure[k].low, certainties_[k].high = beside_unsure[k].high;
+        }
+    }
+    double kept_coordinate(std::size_t k) const { return input_.parameters[k].coordinate(kept(input_.parameters[k])); }
+    /// Of those that the reference does not tell, the one whose value before it denies least; nothing where it denies
+    /// that of each.
+    std::optional<std::size_t> least_told(const std::vector<double>& coordinates) const {
+        std::optional<std::size_t> least;
+        double least_denied = 0.0;
+        for (std::size_t k = 0; k < held_.size(); ++k) {
+            const Certainty& c = certainties_[k];
+            const double value = kept_coordinate(k);
+            if (held_[k] || c.determined || (shown_[k] && (value < c.low || value > c.high))) continue;
+            const double denied = shown_[k] ? std::abs(value - coordinates[k]) / c.error : -1.0;
+            if (!least || denied < least_denied) least = k, least_denied = denied;
+        }
+        return least;
+    }
+    /// What the reference does not tell keeps its value. Several that do the same to the curves are all unknown, but
+    /// once one of them is held the others may be known: so one after the other, and what is left is found beside it.
+    void hold_undetermined() {
+        held_.assign(start_.size(), false), shown_.clear();
+        for (const FreeParameter& p : input_.parameters)
+            shown_.push_back(shows_anything_of(p.key, objective_.target()));
+        std::vector<double> next = best_.coordinates;
+        certainties_ = certainties(next);
+        std::vector<Certainty> when_held = certainties_;
+        const auto search_beside = [&] {
+            next = search(space(), next, {.held = held_, .seed = input_.seed, .goes_on = [this] { return goes_on(); }});
+            certainties_ = certainties(next);
+        };
+        while (const std::optional<std::size_t> k = early_ ? std::nullopt : least_told(next)) {
+            held_[*k] = true, when_held[*k] = certainties_[*k];
+            const bool moves = next[*k] != kept_coordinate(*k);
+            next[*k] = kept_coordinate(*k);
+            if (moves && shown_[*k]) search_beside();
+        }
+        if (!early_ && next != best_.coordinates) {
+            Drawn before = std::exchange(best_, {});
+            if (draw(next)) search_rounds(rounds_beside_held - 1, {.held = held_});
+            if (best_.frames.empty()) best_ = std::move(before);
+        }
+        tell_certainties(when_held);
     }
     const Tuned& original() const { return input_.before ? *input_.before : input_.start; }
     /// The value of one that is not determined: that of the preset before any proposal; proposed events stay.
@@ -201,7 +246,7 @@ class Fit {
         result.veil_after = misfit(input_.target, result.after, &TargetPoint::veil);
         for (std::size_t k = 0; k < start_.size() && !certainties_.empty(); ++k) {
             const FittedParameter& p = result.parameters.emplace_back(fitted(k));
-            if (!p.determined && !early_) p.parameter.set(result.tuned, p.after);  // to the last bit
+            if (held_[k] && !early_) p.parameter.set(result.tuned, p.after);  // to the last bit
         }
         return result;
     }
@@ -219,8 +264,11 @@ class Fit {
             fitted.determined = false;
             fitted.why = "the fit ended before that was known";
         } else if (!c.determined) {
-            fitted.after = kept(p);
             fitted.why = why_undetermined(k, input_.parameters, certainties_, objective_.target());
+            if (held_[k])
+                fitted.after = kept(p);
+            else
+                fitted.why += "; the curves leave out the value before, so it is at the nearest ones";
         } else {
             fitted.at_bound = at - p.coordinate(p.minimum) < bound_near || p.coordinate(p.maximum) - at < bound_near;
         }
@@ -236,6 +284,7 @@ class Fit {
     std::vector<FrameAmounts> first_;
     Drawn best_;
     std::vector<Certainty> certainties_;
+    std::vector<bool> held_, shown_;  ///< of each parameter: it keeps its value; the reference shows anything of it
     double last_cost_ = 0.0;
     int curves_ = 0;
     bool early_ = false;

@@ -60,9 +60,10 @@ struct FittedParameter {
     FreeParameter parameter;
     double before = 0.0, after = 0.0;
     double low = 0.0, high = 0.0;  ///< 90 % interval
-    bool determined = false;       ///< else it has kept its value, or the fit ended early
-    bool at_bound = false;         ///< the curves would take it farther
-    std::string why = {};          ///< why it is not determined, and what would tell it; else empty
+    /// Else it has kept its value, the fit ended early, or it is only known that its value is another than before.
+    bool determined = false;
+    bool at_bound = false;  ///< the curves would take it farther
+    std::string why = {};   ///< why it is not determined, and what would tell it; else empty
 };
 
 struct FitResult {

@@ -124,6 +124,26 @@ TEST(Fit, FindsAHiddenPreset) {
     }
 }
 
+/// How fast it clears and how dense the plume is does to a few seconds of veil what the haze itself does: unknown, and
+/// held, they leave the haze to be known.
+TEST(Fit, HoldsOneAfterTheOther) {
+    const FitResult found = found_for(
+        {.hidden = hidden(4.0, 12.0, 0.4, 0.05),
+         .keys = {"smoke.haze.accumulation", "smoke.haze.ventilation", "smoke.plume.density", "events.1.power"},
+         .noise = 0.05,
+         .until = 3.0});
+    const FittedParameter& accumulation = of(found, "smoke.haze.accumulation");
+    EXPECT_TRUE(accumulation.determined) << accumulation.why;
+    EXPECT_NEAR(accumulation.after, 0.4, 0.08);
+    EXPECT_GT(accumulation.high, 2.0 * accumulation.after) << "what is held is not certain";
+    for (const FittedParameter& p : found.parameters) {
+        if (p.parameter.key == accumulation.parameter.key) continue;
+        EXPECT_FALSE(p.determined) << p.parameter.key;
+        EXPECT_EQ(p.after, p.before) << p.parameter.key;
+    }
+    EXPECT_LT(*found.veil_after, 0.3 * *found.veil_before);
+}
+
 TEST(Fit, FindsWhatTheCoreKnowsNothingOf) {
     Tuned truth = scene();
     truth.preset.smoke.plume.density = 1.2;
