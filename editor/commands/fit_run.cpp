@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "commands/fit_colors.h"
-#include "commands/fit_report.h"
 #include "commands/options.h"
 #include "commands/progress.h"
 #include "lapfx/authoring/documents.h"
@@ -14,6 +13,7 @@
 #include "lapfx/context.h"
 #include "match/fit/curves_file.h"
 #include "match/fit/proposal.h"
+#include "match/fit/report_pictures.h"
 
 namespace lapfx::commands {
 
@@ -74,6 +74,7 @@ match::FitReport report_of(const FitOptions& o, const Scene& scene, const Window
             .reference = name(o.files.reference),
             .preset = name(o.files.preset.empty() ? scene.preset : o.files.preset),
             .fitted = name(o.files.output),
+            .fitted_scene = name(o.files.fitted_scene),
             .from = window.from,
             .to = window.to,
             .seed = o.seed,
@@ -120,6 +121,20 @@ match::FitResult fitted(const FitOptions& o, match::FitInput& input, match::Prev
     } catch (const Error& error) {
         throw error.failure() == Failure::bad_input ? at_file(o.files.scene, error) : error;
     }
+}
+
+/// Not ended by the budget: what was found is to be shown.
+void add_pictures(match::FitReport& report, VideoReader& video, double aspect, const match::Tuned& before,
+                  match::PreviewCurve& curve, Steps& steps) {
+    match::add_pictures(
+        report, video, aspect, before,
+        [&curve](const match::Tuned& tuned, double time, glm::ivec2 size) {
+            return curve.picture(tuned.scene, tuned.preset, time, size);
+        },
+        [&steps](double) {
+            (void)steps.to(1.0);  // throws where it was interrupted
+            return true;
+        });
 }
 
 }  // namespace
@@ -201,7 +216,7 @@ FitRun run_fit(const FitOptions& given) {
     report.offset = reference.offset, report.seconds = steps.seconds(), report.notes = run.measured.notes;
     if (!video.info().warning.empty()) report.notes.push_back(video.info().warning);
     if (!files.report.empty()) {
-        add_pictures(report, video, input.before.value_or(input.start), input.organ, preview_options(shown));
+        add_pictures(report, video, reference.aspect, input.before.value_or(input.start), curve, steps);
         write_file(files.report, match::report_html(report));
     }
     if (!files.csv.empty()) write_file(files.csv, match::curves_csv(input.target, result));

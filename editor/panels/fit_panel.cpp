@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/measure/fit_reporting.h"
 #include "app/measure/fitting.h"
 #include "app/reference/reference.h"
 #include "app/tuning/parameters.h"
@@ -94,6 +95,11 @@ void misfit_line(ui::Ui& ui, const char* name, const std::optional<double>& befo
               {.number = true, .width = ui::grow()});
     ui.last().tip =
         "Root mean square difference between the preview's curve and the reference's, in percent of the view";
+}
+
+void report(ui::Ui& ui, const FitParts& on) {
+    if (!on.reporting.busy()) return ui::command_button(ui, on.commands, "fit.report"), void();
+    if (ui::progress(ui, "Writing the report", on.reporting.progress(), {.cancellable = true})) on.reporting.cancel();
 }
 
 void found_lines(ui::Ui& ui, const FitFound& found) {
@@ -220,7 +226,10 @@ void fit_panel(ui::Ui& ui, const FitParts& on) {
     state(ui, on);
     const ui::ScrollArea area(ui, "Fit settings", {.gap = 0.2F});
     if (const FitFound* const found = fitting.found())
-        if (const ui::Section section(ui, fitting.taken() ? "Taken" : "Found"); section) found_lines(ui, *found);
+        if (const ui::Section section(ui, fitting.taken() ? "Taken" : "Found"); section) {
+            found_lines(ui, *found);
+            if (found->result) report(ui, on);
+        }
     if (const ui::Section section(ui, "What may change"); section) what_may_change(ui, fitting);
     if (const ui::Section section(ui, "What counts", {.open = false}); section) {
         weight(ui, "Blood", fitting.look.weights.blood);

@@ -1,7 +1,10 @@
 // The Fit panel: what may change is found beside the UI, shown, and taken as one undo step.
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "app/base/layouts.h"
+#include "app/measure/fit_reporting.h"
 #include "app/measure/fitting.h"
 #include "app/measure/measuring.h"
 #include "app/reference/reference.h"
@@ -9,12 +12,16 @@
 #include "app/tuning/tuning.h"
 #include "document/document.h"
 #include "editor/support/editor_test.h"
+#include "match/fit/report.h"
 #include "support/wait_until.h"
 
 namespace lapfx::test {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
 
 const std::string panel = "Workspace/Fit/";
 
@@ -167,6 +174,62 @@ TEST_F(FitPanel, WithoutAReferenceThereIsNothingToFitTo) {
     EXPECT_EQ(fitting().faults().front().reason, "there is no reference to fit to");
 }
 
+// --- its report ------------------------------------------------------------------------------------------------------
+
+class FitReport : public FitPanel {
+  protected:
+    void fit() {
+        fitting().look.keys = {"smoke.haze.accumulation"};
+        fitting().look.tools = false;
+        press("Fit");
+        ASSERT_NE(fitting().found(), nullptr) << ui().dump();
+    }
+    void export_to(const fs::path& file) {
+        ui().click("**/Export report...").frame().frame();
+        ui().type("\b").key('A', ui::Mods::command).type(file.string()).key(ui::Key::enter);
+        ui().frame().frame();
+    }
+};
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+int count(const std::string& text, const std::string& part) {
+    int found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
+}
+
+TEST_F(FitReport, HasCurvesParametersAndPictures) {
+    press("Propose");
+    EXPECT_FALSE(ui().exists("**/Export report...")) << "a proposal has drawn nothing";
+    fit();
+    press("Take");
+    editor().document.change("Without", [](document::Content& c) { c.scene.reference.offset = 1; });
+    const fs::path file = folder() / "report.html";
+    export_to(file);
+    EXPECT_TRUE(says("Exported report.html")) << ui().dump();
+    const std::string page = text_of(file);
+    EXPECT_EQ(count(page, "<svg"), 2);
+    const std::vector<match::ReportMoment> moments = match::report_moments(fitting().found()->target);
+    EXPECT_EQ(count(page, "src=\"data:image/jpeg;base64,"), 3 * static_cast<int>(moments.size()));
+    EXPECT_EQ(count(page, "src="), 3 * static_cast<int>(moments.size())) << "nothing from elsewhere";
+    EXPECT_EQ(count(page, "<script"), 0);
+    EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+    EXPECT_THAT(page, HasSubstr("smoke.haze.accumulation"));
+    EXPECT_THAT(page, HasSubstr("lagb.scene.json"));
+    EXPECT_THAT(page, HasSubstr(editor().reference().file().filename().string()));
+    EXPECT_THAT(page, HasSubstr("<dt>Offset</dt><dd>0.5 s")) << "as it was fitted, whatever has changed since";
+    EXPECT_THAT(page, Not(HasSubstr("Preset after"))) << "no file was written";
+    fs::create_symlink(folder() / "elsewhere.html", folder() / "link.html");
+    editor().fit_reporting().write(*fitting().found(), folder() / "link.html");
+    ui().frame().frame();
+    EXPECT_TRUE(says("link.html: not written: it is a symbolic link")) << ui().dump();
+    EXPECT_FALSE(fs::exists(folder() / "elsewhere.html"));
+}
+
 /// Beside the UI, as in the window.
 class FitBeside : public FitPanel {
   protected:
@@ -194,6 +257,33 @@ TEST_F(FitBeside, ACancelledFitGivesTheNearestSoFar) {
     ui().frame();
     EXPECT_TRUE(says("the nearest so far")) << ui().dump();
     EXPECT_TRUE(document::same(before, editor().document.content()));
+}
+
+TEST_F(FitBeside, TheReportIsWrittenOrCancelled) {
+    fitting().look.keys = {"smoke.haze.accumulation"};
+    fitting().look.tools = false;
+    fitting().start();
+    ASSERT_TRUE(wait_for([&] { return !fitting().busy(); }));
+    ASSERT_NE(fitting().found(), nullptr) << ui().dump();
+    app::FitReporting& reporting = editor().fit_reporting();
+    const fs::path cancelled = folder() / "cancelled.html", written = folder() / "written.html";
+    reporting.write(*fitting().found(), cancelled);
+    ASSERT_TRUE(reporting.busy());
+    ui().frame();
+    EXPECT_TRUE(says("Writing the report")) << ui().dump();
+    reporting.cancel();
+    ASSERT_TRUE(wait_for([&] { return !reporting.busy(); }));
+    EXPECT_FALSE(fs::exists(cancelled));
+    reporting.write(*fitting().found(), written);
+    editor().document.change("Meanwhile", [](document::Content& c) { c.scene.events.clear(); });
+    ASSERT_TRUE(wait_for([&] { return !reporting.busy(); }));
+    ui().frame();
+    EXPECT_TRUE(says("Exported written.html")) << ui().dump();
+    EXPECT_THAT(text_of(written), HasSubstr("After at "));
+    std::vector<fs::path> others;
+    for (const auto& entry : fs::directory_iterator(folder()))
+        if (entry.path().extension() == ".tmp") others.push_back(entry.path());
+    EXPECT_THAT(others, testing::IsEmpty());
 }
 
 TEST_F(FitBeside, AnotherDocumentEndsIt) {

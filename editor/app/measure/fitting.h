@@ -98,6 +98,7 @@ class Fitting {
     bool measured();
     bool prepare(double now);
     std::vector<std::string> free_keys() const;
+    FitOf of_now(std::shared_ptr<const PreparedOrgan> organ) const;
     void fail(std::vector<Fault> faults);
     void end_run();
 

@@ -69,12 +69,12 @@ bool FittingRun::drawing(double share) {
 }
 
 FitFound FittingRun::find() {
-    FitFound found{.start = wanted_.start, .tuned = wanted_.start};
+    FitFound found{.start = wanted_.start, .tuned = wanted_.start, .of = wanted_.of};
     found.parameters = match::free_parameters(found.start, wanted_.keys);
-    found.target = match::target_of(wanted_.reference, {.offset = wanted_.offset, .to = found.start.scene.duration});
+    found.target = match::target_of(wanted_.reference, {.offset = wanted_.of.offset, .to = found.start.scene.duration});
     if (wanted_.tools || wanted_.proposal_alone) {
-        match::Proposal proposal =
-            match::propose(found.start, wanted_.organ, found.target, {.aspect = wanted_.aspect, .keys = wanted_.keys});
+        match::Proposal proposal = match::propose(found.start, wanted_.of.organ, found.target,
+                                                  {.aspect = wanted_.aspect, .keys = wanted_.keys});
         found.tuned = std::move(proposal.tuned), found.lines = std::move(proposal.lines);
         if (!wanted_.tools) {
             found.tuned.scene.events = found.start.scene.events;
@@ -87,10 +87,10 @@ FitFound FittingRun::find() {
                           .before = wanted_.start,
                           .parameters = found.parameters,
                           .target = found.target,
-                          .organ = wanted_.organ,
+                          .organ = wanted_.of.organ,
                           .aspect = wanted_.aspect,
                           .weights = wanted_.weights,
-                          .seed = wanted_.seed};
+                          .seed = wanted_.of.seed};
     input.draw = [this](const match::Tuned& tuned, std::span<const double> times) {
         return curve_->measure(tuned.scene, tuned.preset, times,
                                {.progress = [this](double share) { return drawing(share); }});

@@ -10,24 +10,19 @@
 #include <utility>
 
 #include "app/base/jobs.h"
-#include "app/base/render_steps.h"
+#include "app/measure/drawn_curve.h"
 #include "app/measure/measuring.h"
 #include "app/preview/preview_host.h"
 #include "app/preview/scene_pace.h"
 #include "app/reference/reference.h"
 #include "lapfx/authoring/compare.h"
-#include "lapfx/authoring/preview.h"
-#include "match/fit/preview_curve.h"
 #include "match/view.h"
 
 namespace lapfx::app {
 
 namespace {
 
-constexpr double settled_after = 0.4;                        // s without a change
-constexpr double look_again = 0.05;                          // s
-constexpr double frame_budget = 8e-3;                        // s of a frame for drawing; one picture is drawn anyway
-constexpr std::size_t clip_memory = std::size_t{128} << 20;  // bytes: the clips of the preview are there already
+constexpr double settled_after = 0.4;  // s without a change
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// Of what pictures are drawn: what the scene says about the reference concerns them as far as it is measured alike.
@@ -285,14 +280,7 @@ bool PreviewMeasuring::prepare() {
     }
     steps_ = std::make_unique<RenderSteps>([this] { jobs_.wake(); });
     if (curve_ && curve_->organ() == organ) return true;
-    match::RenderThread render;
-    if (!exact_) render = [this](const std::function<void()>& drawing) { return steps_->carry_out(drawing); };
-    curve_ = std::make_unique<match::PreviewCurve>(organ,
-                                                   PreviewOptions{.clip_folders = clip_folders_,
-                                                                  .wait_for_clips = true,
-                                                                  .streaming = {.memory = clip_memory},
-                                                                  .clip_cache = host_.clip_cache()},
-                                                   match::PreviewCurve::Options{}, std::move(render));
+    curve_ = drawn_curve(organ, host_, clip_folders_, exact_ ? nullptr : &steps_);
     return true;
 }
 
