@@ -94,6 +94,8 @@ class PreviewMeasuring::Run {
         truths.insert(truths.end(), truths_.begin(), truths_.end());
         frames_.clear(), truths_.clear();
     }
+    /// Once it is done.
+    std::shared_ptr<const match::ColorsOverTime> colors() const { return colors_; }
     bool done() const {
         const std::lock_guard lock(mutex_);
         return ended_;
@@ -128,7 +130,8 @@ class PreviewMeasuring::Run {
             progress_ = share;
             return !stopping_;
         };
-        calls.measured = [this](Image&, const match::Estimator*, const match::FrameAmounts& amounts) {
+        calls.measured = [this](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
+            colors_->add(frame, estimator, amounts);
             {
                 const std::lock_guard lock(mutex_);
                 frames_.push_back(amounts);
@@ -155,6 +158,7 @@ class PreviewMeasuring::Run {
     RenderSteps& steps_;
     Jobs& jobs_;
     const std::vector<double> times_;
+    const std::shared_ptr<match::ColorsOverTime> colors_ = std::make_shared<match::ColorsOverTime>();  // of the thread
     cv::Mat part_;  // of the picture, CV_8U, 255
     std::atomic<double> progress_ = 0;
     std::atomic<bool> stopping_ = false;
@@ -321,7 +325,7 @@ void PreviewMeasuring::take() {
     run_->take(frames_, truths_);
     if (frames_.size() != before || done) ++version_;
     if (!done) return;
-    complete_ = true, complete_of_ = run_->wanted;
+    complete_ = true, complete_of_ = run_->wanted, colors_ = run_->colors();
     known_ = asked_;
     run_.reset();
 }
