@@ -5,13 +5,13 @@
 #include <optional>
 #include <sstream>
 
-#include "commands/fit_colors.h"
 #include "commands/options.h"
 #include "commands/progress.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/context.h"
 #include "match/fit/curves_file.h"
+#include "match/fit/fit_colors.h"
 #include "match/fit/proposal.h"
 #include "match/fit/report_pictures.h"
 
@@ -53,18 +53,6 @@ class Steps {
     double budget_;
     Progress progress_;
 };
-
-/// Events begin where the reference says, and the search goes on from there.
-std::vector<std::string> begin_with_proposal(match::FitInput& input) {
-    std::vector<std::string> keys;
-    for (const match::FreeParameter& p : input.parameters) keys.push_back(p.key);
-    match::Proposal proposal =
-        match::propose(input.start, input.organ, input.target, {.aspect = input.aspect, .keys = keys});
-    input.before = std::move(input.start);
-    input.start = proposal.tuned;
-    for (const match::FreeParameter& p : input.parameters) p.set(input.start, p.get(input.start));  // within its bounds
-    return std::move(proposal.lines);
-}
 
 /// The figures of the fit; those of measuring, and pictures, are missing yet.
 match::FitReport report_of(const FitOptions& o, const Scene& scene, const Window& window, const match::FitInput& input,
@@ -121,6 +109,18 @@ match::FitResult fitted(const FitOptions& o, match::FitInput& input, match::Prev
     } catch (const Error& error) {
         throw error.failure() == Failure::bad_input ? at_file(o.files.scene, error) : error;
     }
+}
+
+std::vector<std::string> colors_of(const FitOptions& o, match::FitResult& result, const match::PeakColors& peaks,
+                                   std::span<const match::TargetPoint> target, match::PreviewCurve& curve,
+                                   Steps& steps) {
+    match::ColorFit input{
+        .reference = peaks.at_peak(), .target = target, .progress = [&steps](double) { return steps.to(1.0); }};
+    const bool of_preset_alone = o.files.fitted_scene.empty();
+    if (of_preset_alone) std::erase_if(input.keys, [](const std::string& key) { return key.starts_with("camera."); });
+    std::vector<std::string> lines = match::fit_colors(result, input, curve);
+    if (of_preset_alone) lines.emplace_back("camera.exposure: stays, the scene is written with --fitted-scene only");
+    return lines;
 }
 
 /// Not ended by the budget: what was found is to be shown.
@@ -192,7 +192,10 @@ FitRun run_fit(const FitOptions& given) {
     Steps steps(o.budget);
     match::MeasureOptions options = measure_options(o.match, reference);
     match::PeakColors peaks(window.from + reference.offset, window.to + reference.offset);
-    if (o.colors) watch_colors(options, peaks);
+    if (o.colors)
+        options.measured = [&peaks](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& found) {
+            peaks.add(frame, estimator, found);
+        };
     FitRun run;
     run.measured = measured(o, video, options, steps);
     input.target =
@@ -203,13 +206,11 @@ FitRun run_fit(const FitOptions& given) {
     input.organ = prepare_organ(shown.scene, input.start.preset.vessels);
     const glm::ivec2 size = match::preview_size(video.info().size, reference.aspect);
     input.aspect = static_cast<double>(size.x) / size.y;
-    if (!files.fitted_scene.empty()) run.proposed = begin_with_proposal(input);
+    if (!files.fitted_scene.empty()) run.proposed = match::begin_with_proposal(input);
     match::PreviewCurve curve = preview_curve(shown, input.organ, options.estimator, size);
     match::FitResult result = fitted(o, input, curve, steps);
     std::vector<std::string> colors;
-    if (o.colors)
-        colors = fit_colors(result, peaks, input.target, curve, !files.fitted_scene.empty(),
-                            [&](double) { return steps.to(1.0); });
+    if (o.colors) colors = colors_of(o, result, peaks, input.target, curve, steps);
     run.report = report_of(o, shown.scene, window, input, result);
     match::FitReport& report = run.report;
     report.colors = std::move(colors);

@@ -107,7 +107,8 @@ void found_lines(ui::Ui& ui, const FitFound& found) {
         misfit_line(ui, "Blood", found.result->blood_before, found.result->blood_after);
         misfit_line(ui, "Veil", found.result->veil_before, found.result->veil_after);
     }
-    for (const std::string& line : found.lines) wrapped(ui, line, ui::Tone::dim);
+    for (const auto* const lines : {&found.lines, &found.colors})
+        for (const std::string& line : *lines) wrapped(ui, line, ui::Tone::dim);
 }
 
 // --- what may change -------------------------------------------------------------------------------------------------
@@ -205,6 +206,9 @@ void what_may_change(ui::Ui& ui, Fitting& fitting) {
     add_free(ui, fitting);
     ui::checkbox(ui, "Tools may change", fitting.look.tools,
                  "Strokes may begin when smoke and blood of the reference begin, and be added or silenced");
+    ui::checkbox(ui, "Colours", fitting.look.colors,
+                 "Then matches the colours of blood and smoke, and the exposure of the scene. Not for Propose, which "
+                 "draws nothing");
 }
 
 void weight(ui::Ui& ui, std::string_view name, double& value) {

@@ -1,6 +1,7 @@
 // The Fit panel: what may change is found beside the UI, shown, and taken as one undo step.
 #include <gmock/gmock.h>
 
+#include <cstdio>
 #include <fstream>
 
 #include "app/base/layouts.h"
@@ -12,7 +13,9 @@
 #include "app/tuning/tuning.h"
 #include "document/document.h"
 #include "editor/support/editor_test.h"
+#include "lapfx/authoring/preview.h"
 #include "match/fit/report.h"
+#include "output/files.h"
 #include "support/wait_until.h"
 
 namespace lapfx::test {
@@ -172,6 +175,112 @@ TEST_F(FitPanel, WithoutAReferenceThereIsNothingToFitTo) {
     EXPECT_FALSE(fitting().busy());
     ASSERT_FALSE(fitting().faults().empty());
     EXPECT_EQ(fitting().faults().front().reason, "there is no reference to fit to");
+}
+
+// --- colours ---------------------------------------------------------------------------------------------------------
+
+/// The reference is the scene itself, with another blood and another haze.
+class FitColors : public FitPanel {
+  protected:
+    void SetUp() override {
+        FitPanel::SetUp();
+        if (IsSkipped()) return;
+        editor().document.change("Bleeds", [](document::Content& c) {
+            c.preset.bleeding.speed = 12, c.preset.bleeding.max_extent = 30;
+            c.preset.smoke.haze.accumulation = 0.06;
+        });
+        start_ = hidden_ = editor().document.content();
+        hidden_.preset.bleeding.color_thin = {0.75, 0.25, 0.125},
+        hidden_.preset.bleeding.color_deep = {0.5, 0.125, 0.06};
+        hidden_.preset.smoke.haze.color = {0.376, 0.416, 0.565}, hidden_.preset.smoke.plume.color = {0.5, 0.565, 0.753};
+        hidden_.scene.camera.exposure *= 1.3;
+        const fs::path file = folder() / "hidden.mp4";
+        render(file);
+        editor().document.change("Reference", [&](document::Content& c) {
+            c.scene.reference = {};
+            c.scene.reference.file = file.string();
+        });
+        ui().frame().frame();
+        fitting().look.keys = {"smoke.haze.accumulation"};
+        fitting().look.tools = false;
+    }
+    void render(const fs::path& file) {
+        Preview preview(hidden_.scene, hidden_.preset,
+                        {.clip_folders = editor().options().clip_folders, .wait_for_clips = true});
+        output::VideoFile video(file, 5, {256, 206});
+        for (int i = 0; i < 20; ++i) video.add(preview.image(0.2 * i, {256, 206}));
+        video.finish();
+    }
+    std::vector<match::FrameAmounts> curve_of_found() {
+        const app::FitFound& found = *fitting().found();
+        match::PreviewCurve curve(found.of.organ,
+                                  {.clip_folders = editor().options().clip_folders, .wait_for_clips = true},
+                                  {.size = match::preview_size({256, 206})});
+        std::vector<double> times;
+        for (const match::TargetPoint& aim : found.target) times.push_back(aim.time);
+        return curve.measure(found.tuned.scene, found.tuned.preset, times).value();
+    }
+    static double apart(const glm::dvec3& a, const glm::dvec3& b) { return glm::distance(a, b); }
+    /// "blood: Delta E 12.1 before, 1.3 after"
+    std::pair<double, double> told(const std::string& name) {
+        for (const std::string& line : fitting().found()->colors) {
+            double before = -1, after = -1;
+            if (std::sscanf(line.c_str(), (name + ": Delta E %lf before, %lf after").c_str(), &before, &after) == 2)
+                return {before, after};
+        }
+        ADD_FAILURE() << name << " is not told";
+        return {};
+    }
+
+    document::Content start_, hidden_;
+};
+
+TEST_F(FitColors, HiddenOnesAreFoundAndTakenInTheOneStep) {
+    EXPECT_FALSE(fitting().look.colors);
+    ui().click("**/Colours").frame();
+    EXPECT_TRUE(fitting().look.colors);
+    const document::Content before = editor().document.content();
+    press("Fit");
+    ASSERT_NE(fitting().found(), nullptr) << ui().dump();
+    for (const char* const name : {"blood", "smoke", "tissue"}) {
+        const auto [far, near] = told(name);
+        EXPECT_GT(far, 3) << name;
+        EXPECT_LT(near, std::max(3.0, 0.4 * far)) << name;
+    }
+    for (const std::string& line : fitting().found()->colors) EXPECT_TRUE(says(line)) << line;
+    const match::FitResult& result = *fitting().found()->result;
+    const std::vector<match::FrameAmounts> drawn = curve_of_found();
+    ASSERT_EQ(result.after.size(), drawn.size());
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        EXPECT_NEAR(result.after[i].veil.value, drawn[i].veil.value, 1e-6) << "the curves are those of what is taken";
+        EXPECT_NEAR(result.after[i].blood.value, drawn[i].blood.value, 1e-6) << i;
+    }
+    const std::size_t done = steps();
+    press("Take");
+    EXPECT_EQ(steps(), done + 1);
+    const document::Content& now = editor().document.content();
+    EXPECT_EQ(now.preset.bleeding.color_thin, fitting().found()->tuned.preset.bleeding.color_thin);
+    EXPECT_LT(apart(now.preset.bleeding.color_thin, hidden_.preset.bleeding.color_thin),
+              0.6 * apart(start_.preset.bleeding.color_thin, hidden_.preset.bleeding.color_thin));
+    EXPECT_LT(apart(now.preset.smoke.haze.color, hidden_.preset.smoke.haze.color),
+              0.6 * apart(start_.preset.smoke.haze.color, hidden_.preset.smoke.haze.color));
+    EXPECT_NEAR(now.scene.camera.exposure, hidden_.scene.camera.exposure, 0.15 * hidden_.scene.camera.exposure);
+    editor().document.undo();
+    EXPECT_TRUE(document::same(before, editor().document.content()));
+}
+
+TEST_F(FitColors, ThoseThatAreLockedStay) {
+    fitting().look.colors = true;
+    editor().tuning().lock(app::parameters().find("bleeding.color_thin"), true);
+    press("Fit");
+    ASSERT_NE(fitting().found(), nullptr) << ui().dump();
+    EXPECT_EQ(fitting().found()->tuned.preset.bleeding.color_thin, start_.preset.bleeding.color_thin);
+    ASSERT_NE(fitting().found()->tuned.preset.smoke.haze.color, start_.preset.smoke.haze.color);
+    editor().tuning().lock(app::parameters().find("smoke.haze.color"), true);  // meanwhile
+    press("Take");
+    EXPECT_EQ(editor().document.preset().smoke.haze.color, start_.preset.smoke.haze.color);
+    EXPECT_EQ(editor().document.preset().smoke.plume.color, fitting().found()->tuned.preset.smoke.plume.color);
+    EXPECT_TRUE(says("What has been locked since stays as it is"));
 }
 
 // --- its report ------------------------------------------------------------------------------------------------------

@@ -32,6 +32,7 @@ match::FitReport report_of(const FitFound& found) {
             .seed = found.of.seed,
             .seconds = found.seconds,
             .notes = found.of.notes,
+            .colors = found.colors,
             .target = found.target,
             .result = *found.result};
 }

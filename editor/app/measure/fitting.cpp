@@ -55,8 +55,7 @@ bool Fitting::locked(const std::string& key) const {
     return entry != no_entry && tuning_.locked(entry);
 }
 
-std::vector<std::string> Fitting::free_keys() const {
-    std::vector<std::string> keys = look.keys;
+std::vector<std::string> Fitting::free_keys(std::vector<std::string> keys) const {
     std::erase_if(keys, [this](const std::string& key) { return locked(key); });
     return keys;
 }
@@ -168,12 +167,17 @@ bool Fitting::prepare(double now) {
                          {.size = size, .estimator = measure_options(scene.reference.measure).estimator});
     FitWanted wanted{.start = {scene, document_.preset()},
                      .of = of_now(organ),
-                     .keys = free_keys(),
+                     .keys = free_keys(look.keys),
                      .tools = look.tools,
                      .proposal_alone = *asked_,
                      .weights = look.weights,
                      .reference = measuring_.found()->frames,
                      .aspect = static_cast<double>(size.x) / size.y};
+    if (look.colors) {
+        wanted.color_keys = free_keys({match::color_keys().begin(), match::color_keys().end()});
+        const double offset = scene.reference.offset;
+        wanted.reference_colors = measuring_.colors()->at_peak(offset, offset + scene.duration);
+    }
     began_ = now, of_version_ = document_.version();
     run_ = std::make_unique<FittingRun>(std::move(wanted), curve_.get(), *steps_, jobs_, !exact_);
     return true;
@@ -209,6 +213,9 @@ void Fitting::take() {
                 kept_locked = true;
             else if (const double value = p.get(found.tuned); value != p.get(found.start))
                 p.set(present, value);
+        std::vector<std::string> colors = match::different_colors(found.start, found.tuned);
+        kept_locked |= std::erase_if(colors, [this](const std::string& key) { return locked(key); }) > 0;
+        match::take_colors(present, found.tuned, colors);
         content = {std::move(present.scene), std::move(present.preset)};
         if (!moved || !tools) return;
         content.scene.events = found.tuned.scene.events;

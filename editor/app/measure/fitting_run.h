@@ -18,6 +18,7 @@
 
 #include "lapfx/error.h"
 #include "match/fit/fit.h"
+#include "match/fit/fit_colors.h"
 #include "match/fit/preview_curve.h"
 
 namespace lapfx::app {
@@ -44,6 +45,8 @@ struct FitWanted {
     bool tools = true;            ///< the proposal may move, add and silence them
     bool proposal_alone = false;  ///< nothing is drawn
     match::Weights weights = {};
+    std::vector<std::string> color_keys = {};  ///< whose colours are matched once the amounts are fitted
+    match::ColorsAtPeak reference_colors = {};
     std::vector<match::FrameAmounts> reference = {};
     double aspect = 1.25;  ///< of the pictures, width over height
 };
@@ -52,7 +55,8 @@ struct FitWanted {
 struct FitFound {
     match::Tuned start, tuned;
     FitOf of = {};
-    std::vector<std::string> lines = {};  ///< of the proposal, for people
+    std::vector<std::string> lines = {};   ///< of the proposal, for people
+    std::vector<std::string> colors = {};  ///< of how near the colours are, and which were changed, for people
     std::vector<match::FreeParameter> parameters = {};
     std::vector<match::TargetPoint> target = {};
     std::optional<match::FitResult> result = {};  ///< none: a proposal alone
@@ -85,6 +89,7 @@ class FittingRun {
     void work();
     FitFound find();
     bool drawing(double share);
+    bool matching(double share);
 
     const FitWanted wanted_;
     match::PreviewCurve* curve_;
