@@ -91,7 +91,6 @@ void measured_colors(ui::Ui& ui, const AmountsParts& on) {
     ui::Node& line = ui.open(ui::Role::group, "Colours", ui::Axis::x);
     line.size[0] = ui::grow();
     line.cross = ui::ChildAlign::center;
-    line.gap = ui.em(0.3F);
     ui::label(ui, "Colours:", {.tone = ui::Tone::dim});
     for (const Part& part : parts) {
         const std::string_view end = &part == &parts.back() ? "" : ",";

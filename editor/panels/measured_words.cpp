@@ -111,6 +111,7 @@ bool measured_words(ui::Ui& ui, const AmountsParts& on) {
         on.preview.stale() || on.preview.stopped())
         return false;
     const Words& words = words_of(ui, on);
+    const ui::Column lines(ui, {.width = ui::grow(), .gap = 0});
     line_of(ui, on, words, "", {});
     line_of(ui, on, words, "blood", words.likeness.blood.rms);
     line_of(ui, on, words, "veil", words.likeness.veil.rms);
