@@ -21,6 +21,7 @@
 #include "app/files/hot_reload.h"
 #include "app/files/organ_choice.h"
 #include "app/measure/amounts.h"
+#include "app/measure/fit_reporting.h"
 #include "app/measure/fitting.h"
 #include "app/measure/measure_bench.h"
 #include "app/measure/measuring.h"
@@ -77,6 +78,8 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options, std::shared_p
                                                         .jobs = jobs,
                                                         .notices = toasts,
                                                         .options = options_})),
+      fit_reporting_(std::make_unique<FitReporting>(FitReporting::Parts{
+          .preview = preview, .pace = pace_, .jobs = jobs, .notices = toasts, .screen = screen_, .options = options_})),
       exports_(std::make_unique<Exports>(document, timeline, looking, preview, jobs, *settings_, *chooser_, toasts,
                                          screen_, options_.clip_folders,
                                          [this](const std::vector<std::string>& made) { files_->open(made); })),
@@ -197,11 +200,12 @@ bool Editor::frame(double now, const std::function<void()>& build, const FrameOp
     // What is measured in the frame that the reference shows.
     measuring_->update(now);
     measure_bench_->update();
-    // An export, the measuring of the preview and a fit draw pictures; the parts that are quick are done by now.
-    // Nothing depends on previews of files.
+    // An export, the measuring of the preview, a fit and its report draw pictures; the parts that are quick are done by
+    // now. Nothing depends on previews of files.
     exports_->update(now);
     preview_measuring_->update(now);
     fitting_->update(now);
+    fit_reporting_->update(now);
     file_previews_->update();
     // What has changed on disk is in the document before the panels show it.
     hot_reload_->update(now);

@@ -38,6 +38,7 @@ class ClipShelf;
 class Exports;
 class FileChooser;
 class FilePreviews;
+class FitReporting;
 class Fitting;
 class Files;
 class HotReload;
@@ -106,6 +107,7 @@ class Editor {
     Measuring& measuring() { return *measuring_; }                         ///< of the whole reference
     PreviewMeasuring& preview_measuring() { return *preview_measuring_; }  ///< of the whole scene, as the reference
     MeasureBench& measure_bench() { return *measure_bench_; }              ///< of the frame of it that is shown
+    FitReporting& fit_reporting() { return *fit_reporting_; }              ///< what that has found, as a file
     Fitting& fitting() { return *fitting_; }                               ///< the preview to the reference
     OrganChoice& organ_choice() { return *organ_choice_; }                 ///< of the organ dialog
     Exports& exports() { return *exports_; }
@@ -170,6 +172,7 @@ class Editor {
     std::unique_ptr<MeasureBench> measure_bench_;
     std::unique_ptr<PreviewMeasuring> preview_measuring_;
     std::unique_ptr<Fitting> fitting_;
+    std::unique_ptr<FitReporting> fit_reporting_;
     std::unique_ptr<Exports> exports_;
     std::unique_ptr<Files> files_;
     std::unique_ptr<FilePreviews> file_previews_;

@@ -9,7 +9,6 @@
 #include "commands/batch_result.h"
 #include "commands/content_hash.h"
 #include "commands/file_kind.h"
-#include "commands/fit_report.h"
 #include "commands/options.h"
 #include "commands/progress.h"
 #include "commands/session.h"
@@ -18,6 +17,7 @@
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/pack.h"
 #include "match/fit/markup.h"
+#include "match/fit/report_pictures.h"
 
 namespace lapfx::commands {
 
@@ -171,7 +171,7 @@ void take_pictures(BatchResult& result, const match::FitReport& report) {
     if (report.moments.empty()) return;
     const match::ReportMoment& moment = report.moments.front();
     for (const auto& [name, jpeg] : {std::pair{"Reference", &moment.reference}, std::pair{"After", &moment.after}})
-        if (!jpeg->empty()) result.pictures.push_back({picture_name(name, moment.time), small_jpeg(*jpeg)});
+        if (!jpeg->empty()) result.pictures.push_back({picture_name(name, moment.time), match::small_jpeg(*jpeg)});
 }
 
 void fit(const Job& job, BatchResult& result) {
@@ -214,7 +214,7 @@ void measure(const Job& job, const fs::path& folder, BatchResult& result) {
     for (const match::ReportMoment& moment : match::report_moments(result.target)) {
         Image frame;
         if (!video.read(video.frame_at(moment.time), frame)) continue;
-        result.pictures.push_back({picture_name("Video", moment.time), small_jpeg(frame)});
+        result.pictures.push_back({picture_name("Video", moment.time), match::small_jpeg(frame)});
         break;
     }
 }

@@ -5,15 +5,15 @@
 #include <optional>
 #include <sstream>
 
-#include "commands/fit_colors.h"
-#include "commands/fit_report.h"
 #include "commands/options.h"
 #include "commands/progress.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/context.h"
 #include "match/fit/curves_file.h"
+#include "match/fit/fit_colors.h"
 #include "match/fit/proposal.h"
+#include "match/fit/report_pictures.h"
 
 namespace lapfx::commands {
 
@@ -54,18 +54,6 @@ class Steps {
     Progress progress_;
 };
 
-/// Events begin where the reference says, and the search goes on from there.
-std::vector<std::string> begin_with_proposal(match::FitInput& input) {
-    std::vector<std::string> keys;
-    for (const match::FreeParameter& p : input.parameters) keys.push_back(p.key);
-    match::Proposal proposal =
-        match::propose(input.start, input.organ, input.target, {.aspect = input.aspect, .keys = keys});
-    input.before = std::move(input.start);
-    input.start = proposal.tuned;
-    for (const match::FreeParameter& p : input.parameters) p.set(input.start, p.get(input.start));  // within its bounds
-    return std::move(proposal.lines);
-}
-
 /// The figures of the fit; those of measuring, and pictures, are missing yet.
 match::FitReport report_of(const FitOptions& o, const Scene& scene, const Window& window, const match::FitInput& input,
                            const match::FitResult& result) {
@@ -74,6 +62,7 @@ match::FitReport report_of(const FitOptions& o, const Scene& scene, const Window
             .reference = name(o.files.reference),
             .preset = name(o.files.preset.empty() ? scene.preset : o.files.preset),
             .fitted = name(o.files.output),
+            .fitted_scene = name(o.files.fitted_scene),
             .from = window.from,
             .to = window.to,
             .seed = o.seed,
@@ -120,6 +109,32 @@ match::FitResult fitted(const FitOptions& o, match::FitInput& input, match::Prev
     } catch (const Error& error) {
         throw error.failure() == Failure::bad_input ? at_file(o.files.scene, error) : error;
     }
+}
+
+std::vector<std::string> colors_of(const FitOptions& o, match::FitResult& result, const match::PeakColors& peaks,
+                                   std::span<const match::TargetPoint> target, match::PreviewCurve& curve,
+                                   Steps& steps) {
+    match::ColorFit input{
+        .reference = peaks.at_peak(), .target = target, .progress = [&steps](double) { return steps.to(1.0); }};
+    const bool of_preset_alone = o.files.fitted_scene.empty();
+    if (of_preset_alone) std::erase_if(input.keys, [](const std::string& key) { return key.starts_with("camera."); });
+    std::vector<std::string> lines = match::fit_colors(result, input, curve);
+    if (of_preset_alone) lines.emplace_back("camera.exposure: stays, the scene is written with --fitted-scene only");
+    return lines;
+}
+
+/// Not ended by the budget: what was found is to be shown.
+void add_pictures(match::FitReport& report, VideoReader& video, double aspect, const match::Tuned& before,
+                  match::PreviewCurve& curve, Steps& steps) {
+    match::add_pictures(
+        report, video, aspect, before,
+        [&curve](const match::Tuned& tuned, double time, glm::ivec2 size) {
+            return curve.picture(tuned.scene, tuned.preset, time, size);
+        },
+        [&steps](double) {
+            (void)steps.to(1.0);  // throws where it was interrupted
+            return true;
+        });
 }
 
 }  // namespace
@@ -177,7 +192,10 @@ FitRun run_fit(const FitOptions& given) {
     Steps steps(o.budget);
     match::MeasureOptions options = measure_options(o.match, reference);
     match::PeakColors peaks(window.from + reference.offset, window.to + reference.offset);
-    if (o.colors) watch_colors(options, peaks);
+    if (o.colors)
+        options.measured = [&peaks](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& found) {
+            peaks.add(frame, estimator, found);
+        };
     FitRun run;
     run.measured = measured(o, video, options, steps);
     input.target =
@@ -188,20 +206,18 @@ FitRun run_fit(const FitOptions& given) {
     input.organ = prepare_organ(shown.scene, input.start.preset.vessels);
     const glm::ivec2 size = match::preview_size(video.info().size, reference.aspect);
     input.aspect = static_cast<double>(size.x) / size.y;
-    if (!files.fitted_scene.empty()) run.proposed = begin_with_proposal(input);
+    if (!files.fitted_scene.empty()) run.proposed = match::begin_with_proposal(input);
     match::PreviewCurve curve = preview_curve(shown, input.organ, options.estimator, size);
     match::FitResult result = fitted(o, input, curve, steps);
     std::vector<std::string> colors;
-    if (o.colors)
-        colors = fit_colors(result, peaks, input.target, curve, !files.fitted_scene.empty(),
-                            [&](double) { return steps.to(1.0); });
+    if (o.colors) colors = colors_of(o, result, peaks, input.target, curve, steps);
     run.report = report_of(o, shown.scene, window, input, result);
     match::FitReport& report = run.report;
     report.colors = std::move(colors);
     report.offset = reference.offset, report.seconds = steps.seconds(), report.notes = run.measured.notes;
     if (!video.info().warning.empty()) report.notes.push_back(video.info().warning);
     if (!files.report.empty()) {
-        add_pictures(report, video, input.before.value_or(input.start), input.organ, preview_options(shown));
+        add_pictures(report, video, reference.aspect, input.before.value_or(input.start), curve, steps);
         write_file(files.report, match::report_html(report));
     }
     if (!files.csv.empty()) write_file(files.csv, match::curves_csv(input.target, result));

@@ -1,6 +1,7 @@
 #include "match/peak_colors.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "match/episode.h"
 
@@ -17,22 +18,47 @@ double clear_blood(const FrameAmounts& amounts) {
 }  // namespace
 
 void PeakColors::add(const Image& frame, const Estimator* estimator, const FrameAmounts& amounts) {
-    if (estimator == nullptr || !amounts.measurable() || amounts.time < from_ || amounts.time > to_) return;
+    if (estimator == nullptr || !amounts.measurable() || !takes(amounts.time)) return;
     const double blood = clear_blood(amounts);
     const bool more_blood = measurable(amounts, Curve::blood) && (!any_blood_ || blood > most_blood_);
     const bool more_veil = measurable(amounts, Curve::veil) && (!any_veil_ || amounts.veil.value > found_.veil.value);
     if (!more_blood && !more_veil && any_) return;
     const MeasuredColors colors = colors_of(frame, *estimator);
     if (more_blood) {
-        any_blood_ = true, most_blood_ = blood;
+        any_blood_ = true, most_blood_ = blood, blood_at_ = amounts.time;
         found_.blood = amounts.blood, found_.colors.blood = colors.blood;
     }
     if (more_veil) {
-        any_veil_ = true, found_.veil = amounts.veil;
+        any_veil_ = true, found_.veil = amounts.veil, veil_at_ = amounts.time;
         found_.colors.smoke = colors.smoke, found_.colors.tinted = colors.tinted;
     }
-    if (!any_) found_.colors.tissue = colors.tissue;
+    if (!any_) found_.colors.tissue = colors.tissue, first_at_ = amounts.time;
     any_ = true;
+}
+
+void PeakColors::add(const PeakColors& part) {
+    const ColorsAtPeak& other = part.found_;
+    if (part.any_blood_ && takes(part.blood_at_) && (!any_blood_ || part.most_blood_ > most_blood_)) {
+        any_blood_ = true, most_blood_ = part.most_blood_, blood_at_ = part.blood_at_;
+        found_.blood = other.blood, found_.colors.blood = other.colors.blood;
+    }
+    if (part.any_veil_ && takes(part.veil_at_) && (!any_veil_ || other.veil.value > found_.veil.value)) {
+        any_veil_ = true, veil_at_ = part.veil_at_, found_.veil = other.veil;
+        found_.colors.smoke = other.colors.smoke, found_.colors.tinted = other.colors.tinted;
+    }
+    if (any_ || !part.any_ || !takes(part.first_at_)) return;
+    any_ = true, first_at_ = part.first_at_;
+    found_.colors.tissue = other.colors.tissue;
+}
+
+void ColorsOverTime::add(const Image& frame, const Estimator* estimator, const FrameAmounts& amounts) {
+    parts_[std::llround(std::floor(amounts.time / step))].add(frame, estimator, amounts);
+}
+
+ColorsAtPeak ColorsOverTime::at_peak(double from, double to) const {
+    PeakColors all(from, to);
+    for (const auto& [number, part] : parts_) all.add(part);
+    return all.at_peak();
 }
 
 }  // namespace lapfx::match

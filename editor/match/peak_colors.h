@@ -11,6 +11,10 @@
 // Keeps the means alone, no picture. One thread at a time.
 #pragma once
 
+#include <cstdint>
+#include <limits>
+#include <map>
+
 #include "match/color_likeness.h"
 
 namespace lapfx::match {
@@ -23,20 +27,40 @@ struct ColorsAtPeak {
 
 class PeakColors {
   public:
+    PeakColors() = default;
     /// Of frames at these times of the video, s, both included.
     PeakColors(double from, double to) : from_(from), to_(to) {}
 
     /// What MeasureOptions::measured gives, in any order. A frame that does not have an amount is none of its peak.
     void add(const Image& frame, const Estimator* estimator, const FrameAmounts& amounts);
     /// The tissue is the baseline's as laid over the first measurable frame.
+    /// What was found in a later part of the same video.
+    void add(const PeakColors& part);
     const MeasuredColors& found() const { return found_.colors; }
     const ColorsAtPeak& at_peak() const { return found_; }
 
   private:
-    double from_, to_;
+    bool takes(double time) const { return time >= from_ && time <= to_; }
+
+    double from_ = -std::numeric_limits<double>::infinity(), to_ = std::numeric_limits<double>::infinity();
     bool any_ = false, any_blood_ = false, any_veil_ = false;
+    double first_at_ = 0.0, blood_at_ = 0.0, veil_at_ = 0.0;  // s, of the frames that they are of
     double most_blood_ = 0.0;
     ColorsAtPeak found_;
+};
+
+/// Those of a whole video, of which any part is asked for afterwards. One thread at a time.
+class ColorsOverTime {
+  public:
+    static constexpr double step = 0.2;  ///< s; of so long a part its peaks alone are kept
+
+    void add(const Image& frame, const Estimator* estimator, const FrameAmounts& amounts);
+    /// Of frames at these times of the video, s, both included. At either end those are missed that share a step with
+    /// more blood, or veil, beyond that end.
+    ColorsAtPeak at_peak(double from, double to) const;
+
+  private:
+    std::map<std::int64_t, PeakColors> parts_;
 };
 
 }  // namespace lapfx::match

@@ -1,11 +1,29 @@
 // Commands of the fit.
+#include "app/base/file_chooser.h"
 #include "app/base/layouts.h"
 #include "app/editor.h"
+#include "app/measure/fit_reporting.h"
 #include "app/measure/fitting.h"
 #include "app/reference/reference.h"
 #include "panels/panels.h"
 
 namespace lapfx::panels {
+
+namespace {
+
+/// What was found when it was asked for: a new fit may have begun meanwhile.
+void ask_where(app::Editor& editor) {
+    const app::FitFound found = *editor.fitting().found();
+    editor.chooser().ask({.task = ui::FileTask::save,
+                          .title = "Export report of the fit",
+                          .name = found.of.reference.stem().string() + "_fit.html",
+                          .filters = {{"Web pages", {".html"}}}},
+                         [&editor, found](const std::vector<std::string>& files) {
+                             editor.fit_reporting().write(found, files.front());
+                         });
+}
+
+}  // namespace
 
 void add_fit_commands(app::Editor& editor) {
     const auto can_start = [&editor] { return editor.reference().video() != nullptr && !editor.fitting().busy(); };
@@ -52,6 +70,17 @@ void add_fit_commands(app::Editor& editor) {
                          .enabled = found,
                          .tip = "Forgets what was found; preset and scene stay as they are",
                          .missing = nothing});
+    editor.commands.add({.id = "fit.report",
+                         .title = "Export report...",
+                         .group = "Reference",
+                         .run = [&editor] { ask_where(editor); },
+                         .enabled =
+                             [&editor] {
+                                 const app::FitFound* const all = editor.fitting().found();
+                                 return all != nullptr && all->result && !editor.fit_reporting().busy();
+                             },
+                         .tip = "Writes curves, parameters and pictures of what Fit has found as a page for a browser",
+                         .missing = "Fit has found nothing yet, or a report is being written"});
 }
 
 }  // namespace lapfx::panels

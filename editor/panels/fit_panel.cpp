@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/measure/fit_reporting.h"
 #include "app/measure/fitting.h"
 #include "app/reference/reference.h"
 #include "app/tuning/parameters.h"
@@ -96,12 +97,18 @@ void misfit_line(ui::Ui& ui, const char* name, const std::optional<double>& befo
         "Root mean square difference between the preview's curve and the reference's, in percent of the view";
 }
 
+void report(ui::Ui& ui, const FitParts& on) {
+    if (!on.reporting.busy()) return ui::command_button(ui, on.commands, "fit.report"), void();
+    if (ui::progress(ui, "Writing the report", on.reporting.progress(), {.cancellable = true})) on.reporting.cancel();
+}
+
 void found_lines(ui::Ui& ui, const FitFound& found) {
     if (found.result) {
         misfit_line(ui, "Blood", found.result->blood_before, found.result->blood_after);
         misfit_line(ui, "Veil", found.result->veil_before, found.result->veil_after);
     }
-    for (const std::string& line : found.lines) wrapped(ui, line, ui::Tone::dim);
+    for (const auto* const lines : {&found.lines, &found.colors})
+        for (const std::string& line : *lines) wrapped(ui, line, ui::Tone::dim);
 }
 
 // --- what may change -------------------------------------------------------------------------------------------------
@@ -199,6 +206,9 @@ void what_may_change(ui::Ui& ui, Fitting& fitting) {
     add_free(ui, fitting);
     ui::checkbox(ui, "Tools may change", fitting.look.tools,
                  "Strokes may begin when smoke and blood of the reference begin, and be added or silenced");
+    ui::checkbox(ui, "Colours", fitting.look.colors,
+                 "Then matches the colours of blood and smoke, and the exposure of the scene. Not for Propose, which "
+                 "draws nothing");
 }
 
 void weight(ui::Ui& ui, std::string_view name, double& value) {
@@ -220,7 +230,10 @@ void fit_panel(ui::Ui& ui, const FitParts& on) {
     state(ui, on);
     const ui::ScrollArea area(ui, "Fit settings", {.gap = 0.2F});
     if (const FitFound* const found = fitting.found())
-        if (const ui::Section section(ui, fitting.taken() ? "Taken" : "Found"); section) found_lines(ui, *found);
+        if (const ui::Section section(ui, fitting.taken() ? "Taken" : "Found"); section) {
+            found_lines(ui, *found);
+            if (found->result) report(ui, on);
+        }
     if (const ui::Section section(ui, "What may change"); section) what_may_change(ui, fitting);
     if (const ui::Section section(ui, "What counts", {.open = false}); section) {
         weight(ui, "Blood", fitting.look.weights.blood);

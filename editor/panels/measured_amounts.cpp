@@ -77,7 +77,7 @@ std::string_view legend(ui::Ui& ui, std::string_view name, const ui::PlotData& d
     text.add(name).add(" ");
     const double value = data.size() > 0 ? data.value_at(time) : std::nan("");
     if (std::isfinite(value))
-        text.add(value, 1);
+        text.add(std::abs(value) < 0.05 ? 0.0 : value, 1);  // never "1.2e-27"
     else
         text.add("-");
     return ui.join({text.view(), "###", name});

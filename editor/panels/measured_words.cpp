@@ -12,6 +12,8 @@
 #include "app/tuning/parameters.h"
 #include "app/tuning/tuning.h"
 #include "match/likeness_words.h"
+#include "panels/measured_colors.h"
+#include "panels/table_rows.h"
 #include "ui/canvas/axis.h"
 #include "ui/core/node.h"
 #include "ui/widgets/basic.h"
@@ -56,7 +58,9 @@ std::optional<std::size_t> event_of(std::string_view key) {
     return error == std::errc() && end != key.data() ? std::optional(event) : std::nullopt;
 }
 
-void go_to(ui::Ui& ui, const AmountsParts& on, const std::string& key) {
+}  // namespace
+
+void go_to_what_mends(ui::Ui& ui, const AmountsParts& on, const std::string& key) {
     if (const std::size_t entry = app::parameters().find(key); entry != app::no_entry) {
         on.layouts.bring_to_front("Preset");
         on.tuning.want(entry);
@@ -65,18 +69,22 @@ void go_to(ui::Ui& ui, const AmountsParts& on, const std::string& key) {
         on.layouts.bring_to_front("Timeline");
         on.selected = {*event};
         on.timeline.seek(on.document.scene().events[*event].time);
+    } else if (key == exposure_key) {
+        on.layouts.bring_to_front("Scene");
+        wanted_row(ui) = scene_table().find("camera")->find_row("exposure");
     }
     ui.build_again();
 }
 
+namespace {
+
 void link(ui::Ui& ui, const AmountsParts& on, const Clause& clause, const std::string& text) {
     if (clause.key.empty())
-        return ui::label(ui, text,
-                         {.tone = clause.what == Said::match ? ui::Tone::good : ui::Tone::dim, .width = ui::grow()});
-    if (ui::button(
-            ui, text,
-            {.tip = ui.join({text, ". Goes to what mends it: ", clause.key}), .quiet = true, .width = ui::grow()}))
-        go_to(ui, on, clause.key);
+        return ui::label(ui, text, {.tone = clause.what == Said::match ? ui::Tone::good : ui::Tone::dim});
+    const bool clicked =
+        ui::button(ui, text, {.tip = ui.join({text, ". Goes to what mends it: ", clause.key}), .quiet = true});
+    ui.last().rigid = false;  // in a narrow panel its text is cut
+    if (clicked) go_to_what_mends(ui, on, clause.key);
 }
 
 /// What is said of one amount, and the root mean square difference.
@@ -88,9 +96,11 @@ void line_of(ui::Ui& ui, const AmountsParts& on, const Words& words, std::string
     for (std::size_t i = 0; i < words.clauses.size(); ++i)
         if (is_of(words.clauses[i])) link(ui, on, words.clauses[i], words.sentences[i]);
     if (!rms) return;
+    ui::spacer(ui);
     ui::ShortText text;
     text.add("off by ").add(100 * *rms, 1).add(" %");
     ui::label(ui, ui.copy(text.view()), {.tone = ui::Tone::dim, .number = true});
+    ui.last().rigid = true;
     ui.last().tip = "Root mean square difference of both curves, in percent of the view";
 }
 
@@ -101,9 +111,11 @@ bool measured_words(ui::Ui& ui, const AmountsParts& on) {
         on.preview.stale() || on.preview.stopped())
         return false;
     const Words& words = words_of(ui, on);
+    const ui::Column lines(ui, {.width = ui::grow(), .gap = 0});
     line_of(ui, on, words, "", {});
     line_of(ui, on, words, "blood", words.likeness.blood.rms);
     line_of(ui, on, words, "veil", words.likeness.veil.rms);
+    measured_colors(ui, on);
     return true;
 }
 

@@ -5,6 +5,11 @@
 
 namespace lapfx::panels {
 
+/// Of the scene, and no row of the preset: "camera.exposure".
+inline constexpr const char* exposure_key = "camera.exposure";
+/// To the row of a parameter, or to an event on the timeline: "events.2.time".
+void go_to_what_mends(ui::Ui& ui, const AmountsParts& on, const std::string& key);
+
 /// Nothing before both are measured. Gives whether there were any.
 bool measured_words(ui::Ui& ui, const AmountsParts& on);
 

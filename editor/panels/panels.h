@@ -26,6 +26,7 @@ class ClipShelf;
 class Editor;
 class Exports;
 class Files;
+class FitReporting;
 class Fitting;
 class Jobs;
 class KeyingBench;
@@ -113,6 +114,7 @@ struct AmountsParts {
 void amounts_panel(ui::Ui& ui, const AmountsParts& parts);
 struct FitParts {
     app::Fitting& fitting;
+    app::FitReporting& reporting;
     const app::Reference& reference;
     ui::CommandTable& commands;
 };

@@ -7,6 +7,7 @@
 #include "app/editor.h"
 #include "app/files/autosave.h"
 #include "app/files/files.h"
+#include "app/measure/fit_reporting.h"
 #include "app/measure/fitting.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
@@ -62,7 +63,10 @@ constexpr PanelRow panel_rows[] = {
      }},
     {"Fit", "Finds the values with which the preview shows what the reference shows",
      [](Ui& ui, Editor& e) {
-         fit_panel(ui, {.fitting = e.fitting(), .reference = e.reference(), .commands = e.commands});
+         fit_panel(ui, {.fitting = e.fitting(),
+                        .reporting = e.fit_reporting(),
+                        .reference = e.reference(),
+                        .commands = e.commands});
      }},
     {"Presets", "Presets in folders, with pictures",
      [](Ui& ui, Editor& e) { presets_panel(ui, e.browser(), e.document, e.files(), e.chooser(), e.toasts); }},
@@ -203,7 +207,7 @@ void workspace(Ui& ui, Editor& e) {
     e.toasts.build(ui);
     if (e.wants_frame()) ui.wake_at(ui.time(), "the preview plays");
     if (const double at = e.whole_at(); at < ui::never) ui.wake_at(at, "the scene as a whole");
-    for (const double due : {e.autosave().due(), settings.due(), e.fitting().due()})
+    for (const double due : {e.autosave().due(), settings.due(), e.fitting().due(), e.fit_reporting().due()})
         if (due < ui::never) ui.wake_at(due, "what waits for a while");
 }
 

@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -50,9 +51,14 @@ def check_found(lapfx, scene, video, folder):
 def check_scene(lapfx, scene, video, folder):
     """The scene's tools begin when the reference smokes, and the scene that is written names preset and reference."""
     fitted, written = os.path.join(folder, "s.json"), os.path.join(folder, "fitted.scene.json")
+    report = os.path.join(folder, "s.html")
     code, said, told = run(lapfx, "fit", scene, "--reference", video, "--offset", "0.5", "--window", "0,5",
-                           "--parameters", "smoke.haze.accumulation", "-o", fitted, "--fitted-scene", written)
+                           "--parameters", "smoke.haze.accumulation", "-o", fitted, "--fitted-scene", written,
+                           "--report", report)
     assert code == 0, told
+    page = re.sub("<[^>]*>", " ", open(report).read())
+    for name, file in (("Preset after", fitted), ("Scene after", written)):
+        assert re.search(name + r"\s+" + re.escape(os.path.basename(file)), page), name
     assert "smoke: from " in said and "events have to move" not in said, said
     found, given = json.load(open(written)), json.load(open(scene))
     assert found["preset"] == "s.json" and found["reference"]["file"] == "hidden.mp4", found

@@ -131,7 +131,7 @@ TEST_F(CommandsTest, EachDoesSomethingWhereItIsOn) {
         if (on && !does) idle.insert(id);
     }
     EXPECT_THAT(idle, IsEmpty());
-    EXPECT_THAT(off, UnorderedElementsAre("clip.copy", "fit.leave", "fit.take", "measure.export_csv",
+    EXPECT_THAT(off, UnorderedElementsAre("clip.copy", "fit.leave", "fit.report", "fit.take", "measure.export_csv",
                                           "measure.export_json", "measure.export_png", "measure.take_marks"))
         << "copy_clips_test has clips that lie elsewhere, measure_panel_test measures, fit_panel_test fits";
 }

@@ -1,7 +1,11 @@
 // The Fit panel: what may change is found beside the UI, shown, and taken as one undo step.
 #include <gmock/gmock.h>
 
+#include <cstdio>
+#include <fstream>
+
 #include "app/base/layouts.h"
+#include "app/measure/fit_reporting.h"
 #include "app/measure/fitting.h"
 #include "app/measure/measuring.h"
 #include "app/reference/reference.h"
@@ -9,12 +13,18 @@
 #include "app/tuning/tuning.h"
 #include "document/document.h"
 #include "editor/support/editor_test.h"
+#include "lapfx/authoring/preview.h"
+#include "match/fit/report.h"
+#include "output/files.h"
 #include "support/wait_until.h"
 
 namespace lapfx::test {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
 
 const std::string panel = "Workspace/Fit/";
 
@@ -167,6 +177,168 @@ TEST_F(FitPanel, WithoutAReferenceThereIsNothingToFitTo) {
     EXPECT_EQ(fitting().faults().front().reason, "there is no reference to fit to");
 }
 
+// --- colours ---------------------------------------------------------------------------------------------------------
+
+/// The reference is the scene itself, with another blood and another haze.
+class FitColors : public FitPanel {
+  protected:
+    void SetUp() override {
+        FitPanel::SetUp();
+        if (IsSkipped()) return;
+        editor().document.change("Bleeds", [](document::Content& c) {
+            c.preset.bleeding.speed = 12, c.preset.bleeding.max_extent = 30;
+            c.preset.smoke.haze.accumulation = 0.06;
+        });
+        start_ = hidden_ = editor().document.content();
+        hidden_.preset.bleeding.color_thin = {0.75, 0.25, 0.125},
+        hidden_.preset.bleeding.color_deep = {0.5, 0.125, 0.06};
+        hidden_.preset.smoke.haze.color = {0.376, 0.416, 0.565}, hidden_.preset.smoke.plume.color = {0.5, 0.565, 0.753};
+        hidden_.scene.camera.exposure *= 1.3;
+        const fs::path file = folder() / "hidden.mp4";
+        render(file);
+        editor().document.change("Reference", [&](document::Content& c) {
+            c.scene.reference = {};
+            c.scene.reference.file = file.string();
+        });
+        ui().frame().frame();
+        fitting().look.keys = {"smoke.haze.accumulation"};
+        fitting().look.tools = false;
+    }
+    void render(const fs::path& file) {
+        Preview preview(hidden_.scene, hidden_.preset,
+                        {.clip_folders = editor().options().clip_folders, .wait_for_clips = true});
+        output::VideoFile video(file, 5, {256, 206});
+        for (int i = 0; i < 20; ++i) video.add(preview.image(0.2 * i, {256, 206}));
+        video.finish();
+    }
+    std::vector<match::FrameAmounts> curve_of_found() {
+        const app::FitFound& found = *fitting().found();
+        match::PreviewCurve curve(found.of.organ,
+                                  {.clip_folders = editor().options().clip_folders, .wait_for_clips = true},
+                                  {.size = match::preview_size({256, 206})});
+        std::vector<double> times;
+        for (const match::TargetPoint& aim : found.target) times.push_back(aim.time);
+        return curve.measure(found.tuned.scene, found.tuned.preset, times).value();
+    }
+    static double apart(const glm::dvec3& a, const glm::dvec3& b) { return glm::distance(a, b); }
+    /// "blood: Delta E 12.1 before, 1.3 after"
+    std::pair<double, double> told(const std::string& name) {
+        for (const std::string& line : fitting().found()->colors) {
+            double before = -1, after = -1;
+            if (std::sscanf(line.c_str(), (name + ": Delta E %lf before, %lf after").c_str(), &before, &after) == 2)
+                return {before, after};
+        }
+        ADD_FAILURE() << name << " is not told";
+        return {};
+    }
+
+    document::Content start_, hidden_;
+};
+
+TEST_F(FitColors, HiddenOnesAreFoundAndTakenInTheOneStep) {
+    EXPECT_FALSE(fitting().look.colors);
+    ui().click("**/Colours").frame();
+    EXPECT_TRUE(fitting().look.colors);
+    const document::Content before = editor().document.content();
+    press("Fit");
+    ASSERT_NE(fitting().found(), nullptr) << ui().dump();
+    for (const char* const name : {"blood", "smoke", "tissue"}) {
+        const auto [far, near] = told(name);
+        EXPECT_GT(far, 3) << name;
+        EXPECT_LT(near, std::max(3.0, 0.4 * far)) << name;
+    }
+    for (const std::string& line : fitting().found()->colors) EXPECT_TRUE(says(line)) << line;
+    const match::FitResult& result = *fitting().found()->result;
+    const std::vector<match::FrameAmounts> drawn = curve_of_found();
+    ASSERT_EQ(result.after.size(), drawn.size());
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        EXPECT_NEAR(result.after[i].veil.value, drawn[i].veil.value, 1e-6) << "the curves are those of what is taken";
+        EXPECT_NEAR(result.after[i].blood.value, drawn[i].blood.value, 1e-6) << i;
+    }
+    const std::size_t done = steps();
+    press("Take");
+    EXPECT_EQ(steps(), done + 1);
+    const document::Content& now = editor().document.content();
+    EXPECT_EQ(now.preset.bleeding.color_thin, fitting().found()->tuned.preset.bleeding.color_thin);
+    EXPECT_LT(apart(now.preset.bleeding.color_thin, hidden_.preset.bleeding.color_thin),
+              0.6 * apart(start_.preset.bleeding.color_thin, hidden_.preset.bleeding.color_thin));
+    EXPECT_LT(apart(now.preset.smoke.haze.color, hidden_.preset.smoke.haze.color),
+              0.6 * apart(start_.preset.smoke.haze.color, hidden_.preset.smoke.haze.color));
+    EXPECT_NEAR(now.scene.camera.exposure, hidden_.scene.camera.exposure, 0.15 * hidden_.scene.camera.exposure);
+    editor().document.undo();
+    EXPECT_TRUE(document::same(before, editor().document.content()));
+}
+
+TEST_F(FitColors, ThoseThatAreLockedStay) {
+    fitting().look.colors = true;
+    editor().tuning().lock(app::parameters().find("bleeding.color_thin"), true);
+    press("Fit");
+    ASSERT_NE(fitting().found(), nullptr) << ui().dump();
+    EXPECT_EQ(fitting().found()->tuned.preset.bleeding.color_thin, start_.preset.bleeding.color_thin);
+    ASSERT_NE(fitting().found()->tuned.preset.smoke.haze.color, start_.preset.smoke.haze.color);
+    editor().tuning().lock(app::parameters().find("smoke.haze.color"), true);  // meanwhile
+    press("Take");
+    EXPECT_EQ(editor().document.preset().smoke.haze.color, start_.preset.smoke.haze.color);
+    EXPECT_EQ(editor().document.preset().smoke.plume.color, fitting().found()->tuned.preset.smoke.plume.color);
+    EXPECT_TRUE(says("What has been locked since stays as it is"));
+}
+
+// --- its report ------------------------------------------------------------------------------------------------------
+
+class FitReport : public FitPanel {
+  protected:
+    void fit() {
+        fitting().look.keys = {"smoke.haze.accumulation"};
+        fitting().look.tools = false;
+        press("Fit");
+        ASSERT_NE(fitting().found(), nullptr) << ui().dump();
+    }
+    void export_to(const fs::path& file) {
+        ui().click("**/Export report...").frame().frame();
+        ui().type("\b").key('A', ui::Mods::command).type(file.string()).key(ui::Key::enter);
+        ui().frame().frame();
+    }
+};
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+int count(const std::string& text, const std::string& part) {
+    int found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
+}
+
+TEST_F(FitReport, HasCurvesParametersAndPictures) {
+    press("Propose");
+    EXPECT_FALSE(ui().exists("**/Export report...")) << "a proposal has drawn nothing";
+    fit();
+    press("Take");
+    editor().document.change("Without", [](document::Content& c) { c.scene.reference.offset = 1; });
+    const fs::path file = folder() / "report.html";
+    export_to(file);
+    EXPECT_TRUE(says("Exported report.html")) << ui().dump();
+    const std::string page = text_of(file);
+    EXPECT_EQ(count(page, "<svg"), 2);
+    const std::vector<match::ReportMoment> moments = match::report_moments(fitting().found()->target);
+    EXPECT_EQ(count(page, "src=\"data:image/jpeg;base64,"), 3 * static_cast<int>(moments.size()));
+    EXPECT_EQ(count(page, "src="), 3 * static_cast<int>(moments.size())) << "nothing from elsewhere";
+    EXPECT_EQ(count(page, "<script"), 0);
+    EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+    EXPECT_THAT(page, HasSubstr("smoke.haze.accumulation"));
+    EXPECT_THAT(page, HasSubstr("lagb.scene.json"));
+    EXPECT_THAT(page, HasSubstr(editor().reference().file().filename().string()));
+    EXPECT_THAT(page, HasSubstr("<dt>Offset</dt><dd>0.5 s")) << "as it was fitted, whatever has changed since";
+    EXPECT_THAT(page, Not(HasSubstr("Preset after"))) << "no file was written";
+    fs::create_symlink(folder() / "elsewhere.html", folder() / "link.html");
+    editor().fit_reporting().write(*fitting().found(), folder() / "link.html");
+    ui().frame().frame();
+    EXPECT_TRUE(says("link.html: not written: it is a symbolic link")) << ui().dump();
+    EXPECT_FALSE(fs::exists(folder() / "elsewhere.html"));
+}
+
 /// Beside the UI, as in the window.
 class FitBeside : public FitPanel {
   protected:
@@ -194,6 +366,33 @@ TEST_F(FitBeside, ACancelledFitGivesTheNearestSoFar) {
     ui().frame();
     EXPECT_TRUE(says("the nearest so far")) << ui().dump();
     EXPECT_TRUE(document::same(before, editor().document.content()));
+}
+
+TEST_F(FitBeside, TheReportIsWrittenOrCancelled) {
+    fitting().look.keys = {"smoke.haze.accumulation"};
+    fitting().look.tools = false;
+    fitting().start();
+    ASSERT_TRUE(wait_for([&] { return !fitting().busy(); }));
+    ASSERT_NE(fitting().found(), nullptr) << ui().dump();
+    app::FitReporting& reporting = editor().fit_reporting();
+    const fs::path cancelled = folder() / "cancelled.html", written = folder() / "written.html";
+    reporting.write(*fitting().found(), cancelled);
+    ASSERT_TRUE(reporting.busy());
+    ui().frame();
+    EXPECT_TRUE(says("Writing the report")) << ui().dump();
+    reporting.cancel();
+    ASSERT_TRUE(wait_for([&] { return !reporting.busy(); }));
+    EXPECT_FALSE(fs::exists(cancelled));
+    reporting.write(*fitting().found(), written);
+    editor().document.change("Meanwhile", [](document::Content& c) { c.scene.events.clear(); });
+    ASSERT_TRUE(wait_for([&] { return !reporting.busy(); }));
+    ui().frame();
+    EXPECT_TRUE(says("Exported written.html")) << ui().dump();
+    EXPECT_THAT(text_of(written), HasSubstr("After at "));
+    std::vector<fs::path> others;
+    for (const auto& entry : fs::directory_iterator(folder()))
+        if (entry.path().extension() == ".tmp") others.push_back(entry.path());
+    EXPECT_THAT(others, testing::IsEmpty());
 }
 
 TEST_F(FitBeside, AnotherDocumentEndsIt) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <sstream>
 
@@ -14,6 +15,7 @@
 #include "app/tuning/parameters.h"
 #include "app/tuning/tuning.h"
 #include "editor/support/editor_test.h"
+#include "lapfx/authoring/video.h"
 #include "match/likeness_words.h"
 #include "match/measure.h"
 #include "support/wait_until.h"
@@ -70,7 +72,7 @@ class MeasuredAmounts : public EditorTest {
     void SetUp() override {
         EditorTest::SetUp();
         if (IsSkipped()) return;
-        start({1000, 700});
+        start({1000, 780});
         show();
     }
     void show() {
@@ -130,6 +132,67 @@ TEST_F(MeasuredAmounts, BothAreDrawnOnTheScenesTime) {
     EXPECT_NEAR(moved.front().first, first.time - 1.5, 1e-9);
     EXPECT_EQ(moved.front().second, 100 * first.veil.value);
     EXPECT_EQ(preview().version(), before) << "the preview is the same";
+}
+
+/// "blood 12.3": of the line of colours.
+std::string shown_color(const std::string& name, const std::optional<double>& apart) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%s %.1f", name.c_str(), apart.value_or(-1));
+    return apart ? text : name + " not measurable";
+}
+
+TEST_F(MeasuredAmounts, HowNearColoursAreIsToldAndLeadsToWhatMendsIt) {
+    editor().document.change("Bleeds", [](document::Content& c) {
+        c.preset.bleeding.speed = 12, c.preset.bleeding.max_extent = 30;
+        c.preset.smoke.haze.accumulation = 0.2;
+    });
+    settle();
+    EXPECT_FALSE(says("Delta E")) << "the reference is not measured";
+    ui().click(bar + "Measure").frame().frame();
+    settle();
+    const auto apart = [&] {  // the scene's 5 s, from 0.5 s of the reference on
+        return match::likeness_of(preview().colors()->at_peak(0, 5).colors,
+                                  measuring().colors()->at_peak(0.5, 5.5).colors);
+    };
+    match::ColorLikeness likeness = apart();
+    ASSERT_TRUE(likeness.smoke && likeness.tissue);
+    EXPECT_TRUE(says(shown_color("blood", likeness.blood) + ",")) << ui().dump();
+    EXPECT_TRUE(says(shown_color("smoke", likeness.smoke) + ",")) << ui().dump();
+    EXPECT_TRUE(says(shown_color("tissue", likeness.tissue))) << ui().dump();
+    const double before = *likeness.smoke;
+    editor().document.change("Other", [](document::Content& c) {
+        c.preset.smoke.haze.color = c.preset.smoke.plume.color = {0.05, 0.1, 0.05};
+    });
+    settle();
+    likeness = apart();
+    ASSERT_TRUE(likeness.smoke);
+    EXPECT_GT(std::abs(*likeness.smoke - before), 3);
+    EXPECT_TRUE(says(shown_color("smoke", likeness.smoke))) << ui().dump();
+    ui().click("**/Colours/" + shown_color("smoke", likeness.smoke) + ",").frame().frame();
+    EXPECT_EQ(editor().tuning().current, app::parameters().find("smoke.haze.color"));
+    ui().click("**/Colours/" + shown_color("tissue", likeness.tissue)).frame().frame();
+    EXPECT_THAT(ui().focused(), HasSubstr("Exposure"));
+    EXPECT_TRUE(editor().layouts().seen("Scene"));
+}
+
+TEST_F(MeasuredAmounts, ColoursAreThoseThatMeasuringTheVideoFinds) {
+    settle();
+    ui().click(bar + "Measure").frame().frame();
+    settle();
+    ASSERT_NE(measuring().colors(), nullptr);
+    VideoReader video(editor().reference().file());
+    match::MeasureOptions options = app::measure_options(editor().document.scene().reference.measure);
+    match::PeakColors peaks(0.5, 5.37);  // to the end of a step
+    options.measured = [&](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
+        peaks.add(frame, estimator, amounts);
+    };
+    match::measure(video, options);
+    const match::ColorsAtPeak found = measuring().colors()->at_peak(0.5, 5.37);
+    ASSERT_TRUE(found.colors.smoke && found.colors.tissue);
+    EXPECT_EQ(found.colors.blood, peaks.found().blood);
+    EXPECT_EQ(found.colors.smoke, peaks.found().smoke);
+    EXPECT_EQ(found.colors.tissue, peaks.found().tissue);
+    EXPECT_EQ(found.veil.value, peaks.at_peak().veil.value);
 }
 
 TEST_F(MeasuredAmounts, WhatDiffersLeadsToWhatMendsIt) {

@@ -6,7 +6,7 @@
 #include "app/base/editor_options.h"
 #include "app/base/jobs.h"
 #include "app/base/notices.h"
-#include "app/base/render_steps.h"
+#include "app/measure/drawn_curve.h"
 #include "app/measure/measuring.h"
 #include "app/preview/preview_host.h"
 #include "app/preview/scene_pace.h"
@@ -16,11 +16,10 @@
 
 namespace lapfx::app {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-constexpr double look_again = 0.05;                          // s
-constexpr double frame_budget = 8e-3;                        // s of a frame for drawing; one picture is drawn anyway
-constexpr std::size_t clip_memory = std::size_t{128} << 20;  // bytes: the clips of the preview are there already
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double told_from = 0.1;  // of the progress: before, how long it takes is not known
 
@@ -56,8 +55,7 @@ bool Fitting::locked(const std::string& key) const {
     return entry != no_entry && tuning_.locked(entry);
 }
 
-std::vector<std::string> Fitting::free_keys() const {
-    std::vector<std::string> keys = look.keys;
+std::vector<std::string> Fitting::free_keys(std::vector<std::string> keys) const {
     std::erase_if(keys, [this](const std::string& key) { return locked(key); });
     return keys;
 }
@@ -136,6 +134,22 @@ bool Fitting::measured() {
     return false;
 }
 
+/// The document and its reference, as they are now.
+FitOf Fitting::of_now(std::shared_ptr<const PreparedOrgan> organ) const {
+    const auto named = [](const fs::path& file, const std::string& name) {
+        return !file.empty() ? file.filename().string() : !name.empty() ? name : "not saved";
+    };
+    const Scene& scene = document_.scene();
+    return {.scene = named(document_.scene_file(), scene.name),
+            .preset = named(document_.preset_file(), document_.preset().name),
+            .reference = measuring_.file(),
+            .offset = scene.reference.offset,
+            .aspect = scene.reference.aspect,
+            .notes = measuring_.found()->notes,
+            .organ = std::move(organ),
+            .seed = look.seed};
+}
+
 /// False while the organ or the clips are still being loaded, or where it cannot begin.
 bool Fitting::prepare(double now) {
     const Scene& scene = document_.scene();
@@ -149,26 +163,21 @@ bool Fitting::prepare(double now) {
     if (!document_.preset_faults().empty()) return fail(document_.preset_faults()), false;
     const glm::ivec2 size = match::preview_size(reference_.video()->info().size, scene.reference.aspect);
     steps_ = std::make_unique<RenderSteps>([this] { jobs_.wake(); });
-    match::RenderThread render;
-    if (!exact_) render = [this](const std::function<void()>& drawing) { return steps_->carry_out(drawing); };
-    curve_ = std::make_unique<match::PreviewCurve>(
-        organ,
-        PreviewOptions{.clip_folders = clip_folders_,
-                       .wait_for_clips = true,
-                       .streaming = {.memory = clip_memory},
-                       .clip_cache = host_.clip_cache()},
-        match::PreviewCurve::Options{.size = size, .estimator = measure_options(scene.reference.measure).estimator},
-        std::move(render));
+    curve_ = drawn_curve(organ, host_, clip_folders_, exact_ ? nullptr : &steps_,
+                         {.size = size, .estimator = measure_options(scene.reference.measure).estimator});
     FitWanted wanted{.start = {scene, document_.preset()},
-                     .keys = free_keys(),
+                     .of = of_now(organ),
+                     .keys = free_keys(look.keys),
                      .tools = look.tools,
                      .proposal_alone = *asked_,
                      .weights = look.weights,
-                     .seed = look.seed,
                      .reference = measuring_.found()->frames,
-                     .offset = scene.reference.offset,
-                     .organ = organ,
                      .aspect = static_cast<double>(size.x) / size.y};
+    if (look.colors) {
+        wanted.color_keys = free_keys({match::color_keys().begin(), match::color_keys().end()});
+        const double offset = scene.reference.offset;
+        wanted.reference_colors = measuring_.colors()->at_peak(offset, offset + scene.duration);
+    }
     began_ = now, of_version_ = document_.version();
     run_ = std::make_unique<FittingRun>(std::move(wanted), curve_.get(), *steps_, jobs_, !exact_);
     return true;
@@ -184,6 +193,7 @@ void Fitting::go_on(double now) {
     if (!run_->ended()) return;
     if (std::vector<Fault> faults = run_->faults(); !faults.empty()) return fail(std::move(faults));
     found_ = run_->take();
+    if (found_) found_->seconds = now - began_;
     best_.reset();
     asked_.reset();
     end_run();
@@ -203,6 +213,9 @@ void Fitting::take() {
                 kept_locked = true;
             else if (const double value = p.get(found.tuned); value != p.get(found.start))
                 p.set(present, value);
+        std::vector<std::string> colors = match::different_colors(found.start, found.tuned);
+        kept_locked |= std::erase_if(colors, [this](const std::string& key) { return locked(key); }) > 0;
+        match::take_colors(present, found.tuned, colors);
         content = {std::move(present.scene), std::move(present.preset)};
         if (!moved || !tools) return;
         content.scene.events = found.tuned.scene.events;

@@ -33,7 +33,8 @@ struct EditorOptions;
 /// What a person chooses; no part of the document.
 struct FitLook {
     std::vector<std::string> keys{match::usual_parameters.begin(), match::usual_parameters.end()};
-    bool tools = true;  ///< they may be moved, added and silenced, so that smoke and blood begin as in the reference
+    bool tools = true;    ///< they may be moved, added and silenced, so that smoke and blood begin as in the reference
+    bool colors = false;  ///< exposure, and colours of blood and smoke, are matched once the amounts are fitted
     match::Weights weights = {};
     std::uint32_t seed = 1;
 };
@@ -97,7 +98,8 @@ class Fitting {
     void go_on(double now);
     bool measured();
     bool prepare(double now);
-    std::vector<std::string> free_keys() const;
+    std::vector<std::string> free_keys(std::vector<std::string> keys) const;
+    FitOf of_now(std::shared_ptr<const PreparedOrgan> organ) const;
     void fail(std::vector<Fault> faults);
     void end_run();
 

@@ -8,6 +8,12 @@
 
 namespace lapfx::app {
 
+namespace {
+
+constexpr double amounts_part = 0.7;  // of the progress, where the colours are matched, too
+
+}  // namespace
+
 FittingRun::FittingRun(FitWanted wanted, match::PreviewCurve* curve, RenderSteps& steps, Jobs& jobs, bool beside)
     : wanted_(std::move(wanted)), curve_(curve), steps_(steps), jobs_(jobs) {
     if (beside)
@@ -68,35 +74,41 @@ bool FittingRun::drawing(double share) {
     return !cancelled_;
 }
 
+/// `share`: 0..1 of matching the colours.
+bool FittingRun::matching(double share) {
+    progress_ = amounts_part + (1.0 - amounts_part) * share;
+    return !cancelled_;
+}
+
 FitFound FittingRun::find() {
-    FitFound found{.start = wanted_.start, .tuned = wanted_.start};
+    FitFound found{.start = wanted_.start, .tuned = wanted_.start, .of = wanted_.of};
     found.parameters = match::free_parameters(found.start, wanted_.keys);
-    found.target = match::target_of(wanted_.reference, {.offset = wanted_.offset, .to = found.start.scene.duration});
-    if (wanted_.tools || wanted_.proposal_alone) {
-        match::Proposal proposal =
-            match::propose(found.start, wanted_.organ, found.target, {.aspect = wanted_.aspect, .keys = wanted_.keys});
-        found.tuned = std::move(proposal.tuned), found.lines = std::move(proposal.lines);
-        if (!wanted_.tools) {
-            found.tuned.scene.events = found.start.scene.events;
-            found.tuned.scene.curves.emission = found.start.scene.curves.emission;
-            found.lines.emplace_back("tools: stay as they are");
-        }
-    }
-    if (wanted_.proposal_alone) return found;
-    match::FitInput input{.start = found.tuned,
-                          .before = wanted_.start,
+    found.target = match::target_of(wanted_.reference, {.offset = wanted_.of.offset, .to = found.start.scene.duration});
+    match::FitInput input{.start = found.start,
+                          .before = found.start,
                           .parameters = found.parameters,
                           .target = found.target,
-                          .organ = wanted_.organ,
+                          .organ = wanted_.of.organ,
                           .aspect = wanted_.aspect,
                           .weights = wanted_.weights,
-                          .seed = wanted_.seed};
+                          .seed = wanted_.of.seed};
+    if (wanted_.tools || wanted_.proposal_alone) {
+        found.lines = match::begin_with_proposal(input);
+        if (!wanted_.tools) {
+            input.start.scene.events = found.start.scene.events;
+            input.start.scene.curves.emission = found.start.scene.curves.emission;
+            found.lines.emplace_back("tools: stay as they are");
+        }
+        found.tuned = input.start;
+    }
+    if (wanted_.proposal_alone) return found;
+    const double part = wanted_.color_keys.empty() ? 1.0 : amounts_part;
     input.draw = [this](const match::Tuned& tuned, std::span<const double> times) {
         return curve_->measure(tuned.scene, tuned.preset, times,
                                {.progress = [this](double share) { return drawing(share); }});
     };
-    input.progress = [this](const match::FitProgress& progress) {
-        share_ = progress.share, next_ = progress.next;
+    input.progress = [this, part](const match::FitProgress& progress) {
+        share_ = part * progress.share, next_ = part * progress.next;
         if (progress.best != nullptr && std::exchange(curves_, progress.curves) != progress.curves) {
             {
                 const std::lock_guard lock(mutex_);
@@ -107,6 +119,13 @@ FitFound FittingRun::find() {
         return drawing(0.0);
     };
     found.result = match::fit(input);
+    if (!wanted_.color_keys.empty() && !found.result->after.empty())
+        found.colors = match::fit_colors(*found.result,
+                                         {.reference = wanted_.reference_colors,
+                                          .target = found.target,
+                                          .keys = wanted_.color_keys,
+                                          .progress = [this](double share) { return matching(share); }},
+                                         *curve_);
     found.tuned = found.result->tuned;
     return found;
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -17,6 +18,7 @@
 
 #include "lapfx/error.h"
 #include "match/fit/fit.h"
+#include "match/fit/fit_colors.h"
 #include "match/fit/preview_curve.h"
 
 namespace lapfx::app {
@@ -24,27 +26,41 @@ namespace lapfx::app {
 class Jobs;
 class RenderSteps;
 
+/// What a fit is of, as its report has it.
+struct FitOf {
+    std::string scene = {}, preset = {};  ///< names for people
+    std::filesystem::path reference = {};
+    double offset = 0.0;                  ///< s; reference time = scene time + offset
+    double aspect = 0.0;                  ///< of the reference, SceneReference::aspect
+    std::vector<std::string> notes = {};  ///< of measuring it
+    std::shared_ptr<const PreparedOrgan> organ = {};
+    std::uint32_t seed = 1;
+};
+
 /// All that a fit goes by; a copy, so that the document may change meanwhile.
 struct FitWanted {
     match::Tuned start;
+    FitOf of = {};
     std::vector<std::string> keys = {};
     bool tools = true;            ///< the proposal may move, add and silence them
     bool proposal_alone = false;  ///< nothing is drawn
     match::Weights weights = {};
-    std::uint32_t seed = 1;
+    std::vector<std::string> color_keys = {};  ///< whose colours are matched once the amounts are fitted
+    match::ColorsAtPeak reference_colors = {};
     std::vector<match::FrameAmounts> reference = {};
-    double offset = 0.0;  ///< s; reference time = scene time + offset
-    std::shared_ptr<const PreparedOrgan> organ = {};
     double aspect = 1.25;  ///< of the pictures, width over height
 };
 
 /// What came of it.
 struct FitFound {
     match::Tuned start, tuned;
-    std::vector<std::string> lines = {};  ///< of the proposal, for people
+    FitOf of = {};
+    std::vector<std::string> lines = {};   ///< of the proposal, for people
+    std::vector<std::string> colors = {};  ///< of how near the colours are, and which were changed, for people
     std::vector<match::FreeParameter> parameters = {};
     std::vector<match::TargetPoint> target = {};
     std::optional<match::FitResult> result = {};  ///< none: a proposal alone
+    double seconds = 0.0;                         ///< that it took
 };
 
 class FittingRun {
@@ -73,6 +89,7 @@ class FittingRun {
     void work();
     FitFound find();
     bool drawing(double share);
+    bool matching(double share);
 
     const FitWanted wanted_;
     match::PreviewCurve* curve_;

@@ -138,7 +138,7 @@ void Measuring::forget() {
     rest();
     faults_.clear();
     all_.clear();
-    found_.reset();
+    found_.reset(), found_colors_.reset();
     of_ = {};
     found_serial_ = 0;
     followed_.reset(), stopped_.reset();
@@ -168,7 +168,8 @@ Measuring::Measured& Measuring::begin() {
                  .run = std::make_unique<MeasuringRun>(of.file, measure_options(of.measure), jobs_),
                  .frames = {},
                  .counted = {},
-                 .found = nullptr}));
+                 .found = nullptr,
+                 .colors = nullptr}));
     return *all_.back();
 }
 
@@ -194,14 +195,14 @@ void Measuring::take(Measured& measured) {
         if (!measured.found) return std::erase_if(all_, [&](const auto& m) { return m.get() == &measured; }), void();
     }
     if (found_ == measured.found) return;
-    found_ = measured.found;
+    found_ = measured.found, found_colors_ = measured.colors;
     found_serial_ = measured.serial;
     of_ = measured.of;
     ++version_;
 }
 
 void Measuring::end(Measured& measured) {
-    measured.found = measured.run->found();
+    measured.found = measured.run->found(), measured.colors = measured.run->colors();
     if (!measured.found) {
         faults_ = measured.run->faults();
         for (Fault& fault : faults_)

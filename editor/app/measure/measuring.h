@@ -23,6 +23,7 @@
 #include "document/document.h"
 #include "lapfx/error.h"
 #include "match/measure.h"
+#include "match/peak_colors.h"
 
 namespace lapfx::app {
 
@@ -73,7 +74,8 @@ class Measuring {
     // --- found -------------------------------------------------------------------------------------------------------
     /// The last that is complete; null: there is none yet.
     const match::Measurement* found() const { return found_.get(); }
-    const std::filesystem::path& file() const { return of_.file; }  ///< the video that found() is of
+    const match::ColorsOverTime* colors() const { return found_colors_.get(); }  ///< those of found()
+    const std::filesystem::path& file() const { return of_.file; }               ///< the video that found() is of
     /// found() is of another reference, or of other values of `reference.measure`.
     bool stale() const;
     /// While begun(), what has been measured so far of the reference as it is now; else those of found(). Ascending
@@ -111,6 +113,7 @@ class Measuring {
         std::vector<match::FrameAmounts> frames;  ///< while there is a run
         CountedFrames counted;
         std::shared_ptr<const match::Measurement> found;
+        std::shared_ptr<const match::ColorsOverTime> colors;
     };
     Subject subject() const;
     bool is_now(const Subject& of) const;
@@ -135,6 +138,7 @@ class Measuring {
     std::shared_ptr<Job> running_;
     std::vector<Fault> faults_;
     std::shared_ptr<const match::Measurement> found_;
+    std::shared_ptr<const match::ColorsOverTime> found_colors_;
     Subject of_;                                    ///< what found_ is of
     std::uint64_t found_serial_ = 0, serials_ = 0;  ///< of found_; how many measurements there were
     std::uint64_t version_ = 0;

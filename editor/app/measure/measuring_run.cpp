@@ -14,7 +14,8 @@ namespace lapfx::app {
 struct MeasuringRun::Shared {
     Shared(std::filesystem::path of, match::MeasureOptions how, Jobs& all)
         : file(std::move(of)), options(std::move(how)), jobs(all) {
-        options.measured = [this](Image&, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
+        options.measured = [this](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
+            colors->add(frame, estimator, amounts);
             CountedFrames::Frame packed = CountedFrames::pack(estimator, amounts);
             const std::lock_guard lock(mutex);
             frames.push_back(amounts);
@@ -64,6 +65,7 @@ struct MeasuringRun::Shared {
     const std::filesystem::path file;
     match::MeasureOptions options;
     Jobs& jobs;
+    const std::shared_ptr<match::ColorsOverTime> colors = std::make_shared<match::ColorsOverTime>();  ///< of the thread
     std::atomic<bool> stopping = false;
     mutable std::mutex mutex;
     std::condition_variable changed;
@@ -121,6 +123,10 @@ bool MeasuringRun::ended() const {
 std::shared_ptr<const match::Measurement> MeasuringRun::found() const {
     const std::lock_guard lock(shared_->mutex);
     return shared_->found;
+}
+
+std::shared_ptr<const match::ColorsOverTime> MeasuringRun::colors() const {
+    return found() ? shared_->colors : nullptr;
 }
 
 std::vector<Fault> MeasuringRun::faults() const {

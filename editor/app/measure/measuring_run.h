@@ -16,6 +16,7 @@
 #include "app/measure/counted_frames.h"
 #include "lapfx/error.h"
 #include "match/measure.h"
+#include "match/peak_colors.h"
 
 namespace lapfx::app {
 
@@ -41,6 +42,8 @@ class MeasuringRun {
     /// Once it has ended; null: faults() say why.
     std::shared_ptr<const match::Measurement> found() const;
     std::vector<Fault> faults() const;
+    /// Once there is found(): the video's colours.
+    std::shared_ptr<const match::ColorsOverTime> colors() const;
 
   private:
     struct Shared;

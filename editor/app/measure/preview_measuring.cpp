@@ -10,24 +10,19 @@
 #include <utility>
 
 #include "app/base/jobs.h"
-#include "app/base/render_steps.h"
+#include "app/measure/drawn_curve.h"
 #include "app/measure/measuring.h"
 #include "app/preview/preview_host.h"
 #include "app/preview/scene_pace.h"
 #include "app/reference/reference.h"
 #include "lapfx/authoring/compare.h"
-#include "lapfx/authoring/preview.h"
-#include "match/fit/preview_curve.h"
 #include "match/view.h"
 
 namespace lapfx::app {
 
 namespace {
 
-constexpr double settled_after = 0.4;                        // s without a change
-constexpr double look_again = 0.05;                          // s
-constexpr double frame_budget = 8e-3;                        // s of a frame for drawing; one picture is drawn anyway
-constexpr std::size_t clip_memory = std::size_t{128} << 20;  // bytes: the clips of the preview are there already
+constexpr double settled_after = 0.4;  // s without a change
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// Of what pictures are drawn: what the scene says about the reference concerns them as far as it is measured alike.
@@ -99,6 +94,8 @@ class PreviewMeasuring::Run {
         truths.insert(truths.end(), truths_.begin(), truths_.end());
         frames_.clear(), truths_.clear();
     }
+    /// Once it is done.
+    std::shared_ptr<const match::ColorsOverTime> colors() const { return colors_; }
     bool done() const {
         const std::lock_guard lock(mutex_);
         return ended_;
@@ -133,7 +130,8 @@ class PreviewMeasuring::Run {
             progress_ = share;
             return !stopping_;
         };
-        calls.measured = [this](Image&, const match::Estimator*, const match::FrameAmounts& amounts) {
+        calls.measured = [this](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
+            colors_->add(frame, estimator, amounts);
             {
                 const std::lock_guard lock(mutex_);
                 frames_.push_back(amounts);
@@ -160,6 +158,7 @@ class PreviewMeasuring::Run {
     RenderSteps& steps_;
     Jobs& jobs_;
     const std::vector<double> times_;
+    const std::shared_ptr<match::ColorsOverTime> colors_ = std::make_shared<match::ColorsOverTime>();  // of the thread
     cv::Mat part_;  // of the picture, CV_8U, 255
     std::atomic<double> progress_ = 0;
     std::atomic<bool> stopping_ = false;
@@ -285,14 +284,7 @@ bool PreviewMeasuring::prepare() {
     }
     steps_ = std::make_unique<RenderSteps>([this] { jobs_.wake(); });
     if (curve_ && curve_->organ() == organ) return true;
-    match::RenderThread render;
-    if (!exact_) render = [this](const std::function<void()>& drawing) { return steps_->carry_out(drawing); };
-    curve_ = std::make_unique<match::PreviewCurve>(organ,
-                                                   PreviewOptions{.clip_folders = clip_folders_,
-                                                                  .wait_for_clips = true,
-                                                                  .streaming = {.memory = clip_memory},
-                                                                  .clip_cache = host_.clip_cache()},
-                                                   match::PreviewCurve::Options{}, std::move(render));
+    curve_ = drawn_curve(organ, host_, clip_folders_, exact_ ? nullptr : &steps_);
     return true;
 }
 
@@ -333,7 +325,7 @@ void PreviewMeasuring::take() {
     run_->take(frames_, truths_);
     if (frames_.size() != before || done) ++version_;
     if (!done) return;
-    complete_ = true, complete_of_ = run_->wanted;
+    complete_ = true, complete_of_ = run_->wanted, colors_ = run_->colors();
     known_ = asked_;
     run_.reset();
 }

@@ -21,6 +21,7 @@
 #include "document/document.h"
 #include "lapfx/error.h"
 #include "match/estimator.h"
+#include "match/peak_colors.h"
 
 namespace lapfx {
 class VideoReader;
@@ -68,6 +69,8 @@ class PreviewMeasuring {
     /// those of an older state of the document.
     const std::vector<match::FrameAmounts>& frames() const { return frames_; }
     const std::vector<TrueAmounts>& truths() const { return truths_; }  ///< empty where they were not asked for
+    /// Those of the whole scene; null until it is complete().
+    const match::ColorsOverTime* colors() const { return complete_ ? colors_.get() : nullptr; }
     bool stale() const { return known_ != wanted_content_ || followed_ != document_.version(); }
     bool complete() const { return complete_; }  ///< frames() are of the whole scene, else of its beginning
     bool busy() const { return run_ != nullptr; }
@@ -122,6 +125,7 @@ class PreviewMeasuring {
     std::unique_ptr<Run> run_;
     std::vector<match::FrameAmounts> frames_;
     std::vector<TrueAmounts> truths_;
+    std::shared_ptr<const match::ColorsOverTime> colors_;
     bool complete_ = false;  ///< frames_ are of a run that came to its end,
     Wanted complete_of_;     ///< which was of that
     std::vector<Fault> faults_;

@@ -368,6 +368,24 @@ std::span<const std::string> color_keys() {
     return all;
 }
 
+std::vector<std::string> different_colors(const Tuned& a, const Tuned& b) {
+    std::vector<std::string> keys;
+    if (a.scene.camera.exposure != b.scene.camera.exposure) keys.push_back(exposure_key);
+    const FieldColors of_a = colors_of(a.preset), of_b = colors_of(b.preset);
+    for (std::size_t k = 0; k < of_a.size(); ++k)
+        if (of_a[k] != of_b[k]) keys.push_back(fields()[k].key);
+    return keys;
+}
+
+void take_colors(Tuned& into, const Tuned& from, std::span<const std::string> keys) {
+    const FieldColors colors = colors_of(from.preset);
+    for (const std::string& key : keys) {
+        if (key == exposure_key) into.scene.camera.exposure = from.scene.camera.exposure;
+        for (std::size_t k = 0; k < colors.size(); ++k)
+            if (key == fields()[k].key) fields()[k].of(into.preset) = colors[k];
+    }
+}
+
 ColorMatch match_colors(const ColorMatchInput& input) {
     return Matching(input).run();
 }

@@ -34,6 +34,11 @@ namespace lapfx::match {
 /// All that may be free: camera.exposure of the scene, and the colours of blood, haze and plume of the preset.
 std::span<const std::string> color_keys();
 
+/// Those of color_keys() that differ.
+std::vector<std::string> different_colors(const Tuned& a, const Tuned& b);
+/// Takes the values of these keys over; other keys are ignored.
+void take_colors(Tuned& into, const Tuned& from, std::span<const std::string> keys);
+
 /// Draws a scene and measures it; nothing: it was cancelled.
 using DrawColors = std::function<std::optional<ColorsAtPeak>(const Tuned& tuned)>;
 

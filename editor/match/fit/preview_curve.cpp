@@ -40,19 +40,32 @@ std::size_t PreviewCurve::memory() const {
     return preview_ ? preview_->memory_use().clips + preview_->memory_use().targets : 0;
 }
 
+void PreviewCurve::take(const Scene& scene, const Preset& preset) {
+    if (preview_ && preview_->takes(scene)) {
+        preview_->set_scene(scene);
+        preview_->set_preset(preset);
+    } else {
+        preview_.reset();
+        preview_ = std::make_unique<Preview>(scene, preset, organ_, preview_options_);
+    }
+}
+
 /// The scene before any tool has touched it.
 void PreviewCurve::show(const Scene& scene, const Preset& preset) {
     Scene clear = scene;
     clear.events.clear();
-    if (preview_ && preview_->takes(clear)) {
-        preview_->set_scene(clear);
-        preview_->set_preset(preset);
-    } else {
-        preview_.reset();
-        preview_ = std::make_unique<Preview>(clear, preset, organ_, preview_options_);
-    }
+    take(clear, preset);
     if (!in_view(*preview_, options_.size))
         throw Error(Failure::bad_input, Fault{.file = "", .place = "", .reason = "the organ is not in view"});
+}
+
+std::optional<Image> PreviewCurve::picture(const Scene& scene, const Preset& preset, double time, glm::ivec2 size) {
+    Image picture;
+    const bool drawn = draw([&] {
+        take(scene, preset);
+        picture = preview_->image(time, size);
+    });
+    return drawn ? std::optional(std::move(picture)) : std::nullopt;
 }
 
 /// The pictures of one curve. Those that the survey has seen are kept until they are measured.

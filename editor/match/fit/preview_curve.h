@@ -54,6 +54,9 @@ class PreviewCurve {
     /// loaded.
     std::optional<std::vector<FrameAmounts>> measure(const Scene& scene, const Preset& preset,
                                                      std::span<const double> times, const CurveCalls& calls = {});
+    /// One picture of a scene with all that its tools do, at `time` s; nothing: RenderThread stopped it. Throws Error
+    /// (bad_input) where what the scene names cannot be loaded, (runtime) where the driver cannot make the picture.
+    std::optional<Image> picture(const Scene& scene, const Preset& preset, double time, glm::ivec2 size);
     /// From the next curve on.
     void set_options(Options options) { options_ = std::move(options); }
     const std::shared_ptr<const PreparedOrgan>& organ() const { return organ_; }
@@ -63,6 +66,7 @@ class PreviewCurve {
   private:
     class Pictures;
     bool survey(Pictures& pictures, Estimator& estimator, const Progress& progress);
+    void take(const Scene& scene, const Preset& preset);
     void show(const Scene& scene, const Preset& preset);
     bool draw(const std::function<void()>& step) const { return render_ ? render_(step) : (step(), true); }
 

@@ -246,4 +246,13 @@ Proposal propose(const Tuned& start, const std::shared_ptr<const PreparedOrgan>&
     return Proposing(start, organ, target, options).run();
 }
 
+std::vector<std::string> begin_with_proposal(FitInput& input) {
+    std::vector<std::string> keys;
+    for (const FreeParameter& p : input.parameters) keys.push_back(p.key);
+    Proposal proposal = propose(input.start, input.organ, input.target, {.aspect = input.aspect, .keys = keys});
+    input.before = std::exchange(input.start, std::move(proposal.tuned));
+    for (const FreeParameter& p : input.parameters) p.set(input.start, p.get(input.start));  // within its bounds
+    return std::move(proposal.lines);
+}
+
 }  // namespace lapfx::match

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "match/fit/fit.h"
 #include "match/fit/free_parameter.h"
 #include "match/fit/target.h"
 
@@ -44,5 +45,9 @@ struct Proposal {
 /// for a preset whose values are not allowed.
 Proposal propose(const Tuned& start, const std::shared_ptr<const PreparedOrgan>& organ,
                  std::span<const TargetPoint> target, const ProposalOptions& options);
+
+/// The search of a fit begins where the reference says; what it began with becomes its `before`. The lines of the
+/// proposal.
+std::vector<std::string> begin_with_proposal(FitInput& input);
 
 }  // namespace lapfx::match

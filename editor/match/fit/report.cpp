@@ -152,7 +152,8 @@ std::string done(const FitReport& report) {
     row("Scene", name_element(report.scene));
     row("Reference", name_element(report.reference));
     row("Preset before", report.preset.empty() ? "built-in values" : name_element(report.preset));
-    row("Preset after", name_element(report.fitted));
+    if (!report.fitted.empty()) row("Preset after", name_element(report.fitted));
+    if (!report.fitted_scene.empty()) row("Scene after", name_element(report.fitted_scene));
     row("Window", span_words(report.from, report.to) + " of the scene");
     if (!report.target.empty())
         row("Compared", std::to_string(report.target.size()) + " moments, " +

@@ -32,8 +32,9 @@ inline constexpr int report_picture_side = 320;  ///< px, of the longer side of 
 std::vector<ReportMoment> report_moments(std::span<const TargetPoint> target);
 
 struct FitReport {
-    /// Names of files. No preset: it began with the built-in values. fitted: what was written.
-    std::string scene, reference, preset, fitted;
+    /// Names of files. No preset: it began with the built-in values. fitted, fitted_scene: what was written; empty:
+    /// nothing was.
+    std::string scene, reference, preset, fitted, fitted_scene = {};
     double offset = 0.0;          ///< s; reference time = scene time + offset
     double from = 0.0, to = 0.0;  ///< s of the scene, the window
     std::uint32_t seed = 1;

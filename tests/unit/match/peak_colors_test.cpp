@@ -23,6 +23,8 @@ class PeakColorsTest : public ::testing::Test {
         colors.add(frame, &estimator_, amounts);
     }
 
+    Estimator& estimator() { return estimator_; }
+
   private:
     static Estimator made(const cv::Mat& baseline) {
         auto survey = std::make_shared<Survey>();
@@ -75,6 +77,39 @@ TEST_F(PeakColorsTest, FramesOutsideTheTimesDoNotCount) {
     add(colors, with_blood(clear, 30, light_blood), 1.0);
     ASSERT_TRUE(colors.found().blood);
     EXPECT_NEAR(colors.found().blood->r, light_blood[2], 0.03);
+}
+
+TEST_F(PeakColorsTest, AnyPartOfAVideoIsAskedForAfterwards) {
+    struct Shown {
+        double time;
+        cv::Mat picture;
+    };
+    const std::vector<Shown> video = {{0.0, clear},
+                                      {0.9, with_blood(clear, 30, dark_blood)},
+                                      {1.5, with_blood(clear, 45, light_blood)},
+                                      {2.1, test::smoky(clear, 0.25)},
+                                      {2.9, with_blood(clear, 35, dark_blood)},
+                                      {3.5, test::smoky(clear, 0.4)}};
+    ColorsOverTime all;
+    for (const Shown& shown : video) {
+        Image frame = test::image_of(shown.picture);
+        const FrameAmounts amounts = estimator().measure(frame, shown.time);
+        all.add(frame, &estimator(), amounts);
+    }
+    for (const auto& [from, to] :
+         {std::pair{0.0, 4.0}, std::pair{0.5, 1.0}, std::pair{1.6, 3.0}, std::pair{2.0, 3.4}, std::pair{2.5, 3.5}}) {
+        PeakColors part(from, to);
+        estimator().forget();
+        for (const Shown& shown : video) add(part, shown.picture, shown.time);
+        const ColorsAtPeak found = all.at_peak(from, to), wanted = part.at_peak();
+        EXPECT_EQ(found.colors.blood, wanted.colors.blood) << from << ' ' << to;
+        EXPECT_EQ(found.colors.smoke, wanted.colors.smoke) << from << ' ' << to;
+        EXPECT_EQ(found.colors.tissue, wanted.colors.tissue) << from << ' ' << to;
+        EXPECT_EQ(found.colors.tinted, wanted.colors.tinted);
+        EXPECT_EQ(found.blood.value, wanted.blood.value);
+        EXPECT_EQ(found.veil.value, wanted.veil.value);
+    }
+    EXPECT_FALSE(all.at_peak(5.0, 6.0).colors.tissue);
 }
 
 TEST_F(PeakColorsTest, FramesThatAreNotMeasurableDoNotCount) {

@@ -76,6 +76,23 @@ ColorMatch matched(const ColorsAtPeak& reference,
     return match_colors({.start = usual(), .reference = reference, .keys = std::move(keys), .draw = camera.draw()});
 }
 
+TEST(ColorMatch, WhatDiffersIsTakenOver) {
+    EXPECT_THAT(different_colors(usual(), usual()), testing::IsEmpty());
+    Tuned other = usual();
+    other.preset.bleeding.color_deep = {0.1, 0.2, 0.3};
+    other.scene.camera.exposure = 2.5;
+    EXPECT_THAT(different_colors(usual(), other), testing::ElementsAre("camera.exposure", "bleeding.color_deep"));
+    EXPECT_THAT(different_colors(usual(), hidden()), testing::ElementsAreArray(color_keys()));
+    Tuned present = usual();
+    take_colors(present, hidden(), std::vector<std::string>{"smoke.plume.color", "bleeding.color_thin", "no.color"});
+    EXPECT_EQ(present.preset.smoke.plume.color, hidden().preset.smoke.plume.color);
+    EXPECT_EQ(present.preset.bleeding.color_thin, hidden().preset.bleeding.color_thin);
+    EXPECT_EQ(present.preset.smoke.haze.color, usual().preset.smoke.haze.color);
+    EXPECT_EQ(present.scene.camera.exposure, usual().scene.camera.exposure);
+    take_colors(present, hidden(), color_keys());
+    EXPECT_THAT(different_colors(present, hidden()), testing::IsEmpty());
+}
+
 TEST(ColorMatch, FindsHiddenColoursAndExposure) {
     const ColorMatch found = matched(video_of(hidden()));
     EXPECT_GT(*found.before.blood, 5.0);

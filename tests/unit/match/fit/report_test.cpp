@@ -27,6 +27,7 @@ FitReport usual() {
                      .reference = "operation.mp4",
                      .preset = "usual.json",
                      .fitted = "fitted.json",
+                     .fitted_scene = "fitted.scene.json",
                      .offset = 0.5,
                      .to = 3.0,
                      .seed = 7,
@@ -132,8 +133,8 @@ TEST(Report, TellsWhatWasDone) {
     const std::string words = words_of(report_html(usual()));
     for (const char* said :
          {"Fit of stomach.scene.json to operation.mp4", "Preset before usual.json", "Preset after fitted.json",
-          "Window 0.00 to 3.00 s", "Compared 16 moments", "Offset 0.5 s", "Seed 7", "Curves drawn 6", "Evaluations 345",
-          "Took 12.3 s", "12 frames: the camera moves"})
+          "Scene after fitted.scene.json", "Window 0.00 to 3.00 s", "Compared 16 moments", "Offset 0.5 s", "Seed 7",
+          "Curves drawn 6", "Evaluations 345", "Took 12.3 s", "12 frames: the camera moves"})
         EXPECT_THAT(words, HasSubstr(said));
     EXPECT_THAT(words, Not(HasSubstr("ended early")));
     FitReport without = usual();
