@@ -19,6 +19,7 @@ namespace {
 constexpr double most_veil = 0.95;       // denser says nothing about depth
 constexpr double apart = 15.0;           // mm between places of tools: no heat reaches another
 constexpr double least_emission = 0.05;  // of the core
+constexpr double lead = 2.0;             // s before the target, at most: smoke that is there at its beginning came then
 
 std::string text_of(const char* format, double a, double b = 0.0) {
     char text[160];
@@ -77,6 +78,8 @@ class Proposing {
         return seen_places(organ_->organ(), start_.scene.camera, options_.aspect, apart, taken());
     }
 
+    /// Smoke may come from then on; a scene is clear at time 0.
+    double begins() const { return std::max(target_.front().time - lead, 0.0); }
     std::vector<HazePoint> haze_points() const {
         std::vector<HazePoint> points;
         for (const TargetPoint& aim : target_) {
@@ -87,8 +90,10 @@ class Proposing {
         return points;
     }
     void propose_smoke() {
-        const std::vector<HazePoint> points = haze_points();
+        std::vector<HazePoint> points = haze_points();
         if (points.size() < 2) return say("veil: not measurable, smoke stays as it is");
+        constexpr double clear_error = 0.01;
+        if (target_.front().time > 0.0) points.insert(points.begin(), {begins(), 0.0, clear_error});
         const HazeParameters& haze = start_.preset.smoke.haze;
         const SmokeFound found = smoke_above_offset(points, haze.ventilation);
         proposal_.veil_offset = found.offset;
@@ -104,7 +109,7 @@ class Proposing {
     }
     /// What the target says nothing about stays as it is.
     bool is_told(const ToolContact& event) const {
-        return event.end() >= target_.front().time && event.time <= target_.back().time;
+        return event.end() >= begins() && event.time <= target_.back().time;
     }
     /// Of the strokes that are told, each burst takes the one that begins nearest; the others are silenced.
     void move_hot(const SmokeFound& found) {
@@ -145,10 +150,10 @@ class Proposing {
                               .strength = 0.0});
         }
     }
-    /// Within the target's time; 1 at both ends, so that what is beyond keeps its smoke.
+    /// Within the target's time and what leads to it; 1 at both ends, so that what is beyond keeps its smoke.
     void set_emission(std::vector<CurvePoint> found) {
         std::vector<CurvePoint>& curve = proposal_.tuned.scene.curves.emission;
-        const double from = target_.front().time, to = target_.back().time;
+        const double from = begins(), to = target_.back().time;
         std::erase_if(curve, [&](const CurvePoint& point) { return point.time >= from && point.time <= to; });
         if (found.empty()) return;
         if (found.front().time > from) found.insert(found.begin(), {from, 1.0});

@@ -115,6 +115,21 @@ TEST(Proposal, LeavesWhatLiesBeyondTheReference) {
     EXPECT_EQ(found.tuned.scene.curves.emission[0].value, 0.5);
 }
 
+TEST(Proposal, SmokeThatIsThereAtFirstCameBefore) {
+    std::vector<TargetPoint> target = seen(hidden());
+    std::erase_if(target, [](const TargetPoint& aim) { return aim.time < 4.0; });
+    ASSERT_GT(target.front().veil->value, 0.25);
+    const Proposal found = of(target);
+    EXPECT_THAT(found.tuned.scene.events, testing::Contains(testing::Truly([](const ToolContact& event) {
+                    return event.hot() && event.power > 0.0 && event.time >= 2.0 && event.time < 3.6;
+                })));
+    std::vector<double> times;
+    for (const TargetPoint& aim : target) times.push_back(aim.time);
+    const std::vector<Amounts> amounts = CoreAmounts(organ()).at(found.tuned, times);
+    for (std::size_t i = 0; i < times.size(); ++i)
+        EXPECT_NEAR(1.0 - std::exp(-amounts[i].haze), target[i].veil->value, 0.04) << times[i] << " s";
+}
+
 TEST(Proposal, ABurstTakesTheNearestStroke) {
     Tuned start = scene();
     start.scene.events[1].time = 12.0;
