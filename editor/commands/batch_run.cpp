@@ -115,10 +115,11 @@ void bring_clips(const FitFiles& files, std::vector<fs::path>& brought) {
         for (const fs::path& image : images) {
             const fs::path place = to / fs::path(clip.file).parent_path() / image.filename();
             std::error_code error;
+            if (fs::weakly_canonical(place, error) == fs::canonical(image, error)) continue;  // the file itself
+            brought.push_back(place);
             if (is_same_file(image, place)) continue;
             fs::remove(place, error);  // of a run before, with another clip
             fs::create_directories(place.parent_path(), error);
-            brought.push_back(place);
             fs::create_hard_link(fs::canonical(image, error), place, error);
             if (error) write_file(place, read_file(image, std::numeric_limits<std::size_t>::max()));
         }
@@ -299,7 +300,10 @@ void run_item(const BatchRunOptions& o, const BatchItem& item, std::ostream& out
                   .input = result.input,
                   .faults = lines_of(error, o.folder),
                   .unfinished = error.failure() != Failure::bad_input};
-        write_file(folder / result_name, text_of(result));
+        try {
+            write_file(folder / result_name, text_of(result));
+        } catch (const Error&) {  // what went wrong first is told
+        }
         throw;
     }
     out << item.name << ": " << summary(result) << '\n';

@@ -18,6 +18,7 @@
 #include "commands/bench.h"
 #include "commands/bench_fit_cases.h"
 #include "commands/bench_measure_camera.h"
+#include "commands/options.h"
 #include "commands/progress.h"
 #include "commands/session.h"
 #include "lapfx/authoring/preview.h"
@@ -263,6 +264,9 @@ std::string summary(const std::vector<Outcome>& outcomes) {
 }  // namespace
 
 BenchReport bench_fit(const BenchOptions& options) {
+    if (options.last < options.first)
+        throw wrong_option("--last",
+                           std::to_string(options.last) + " is before --first " + std::to_string(options.first));
     const Context context = Context::create(Backend::automatic);
     BenchReport report{.bench = "fit", .renderer = context.renderer(), .rows = {}, .ratios = {}, .table = {}};
     PreparedViews prepared;

@@ -111,9 +111,9 @@ match::FitResult fitted(const FitOptions& o, match::FitInput& input, match::Prev
     }
 }
 
-std::vector<std::string> colors_of(const FitOptions& o, match::FitResult& result, const match::PeakColors& peaks,
-                                   std::span<const match::TargetPoint> target, match::PreviewCurve& curve,
-                                   Steps& steps) {
+std::vector<std::string> match_colors(const FitOptions& o, match::FitResult& result, const match::PeakColors& peaks,
+                                      std::span<const match::TargetPoint> target, match::PreviewCurve& curve,
+                                      Steps& steps) {
     match::ColorFit input{
         .reference = peaks.at_peak(), .target = target, .progress = [&steps](double) { return steps.to(1.0); }};
     const bool of_preset_alone = o.files.fitted_scene.empty();
@@ -210,7 +210,7 @@ FitRun run_fit(const FitOptions& given) {
     match::PreviewCurve curve = preview_curve(shown, input.organ, options.estimator, size);
     match::FitResult result = fitted(o, input, curve, steps);
     std::vector<std::string> colors;
-    if (o.colors) colors = colors_of(o, result, peaks, input.target, curve, steps);
+    if (o.colors) colors = match_colors(o, result, peaks, input.target, curve, steps);
     run.report = report_of(o, shown.scene, window, input, result);
     match::FitReport& report = run.report;
     report.colors = std::move(colors);

@@ -33,9 +33,9 @@ class PeakColors {
 
     /// What MeasureOptions::measured gives, in any order. A frame that does not have an amount is none of its peak.
     void add(const Image& frame, const Estimator* estimator, const FrameAmounts& amounts);
-    /// The tissue is the baseline's as laid over the first measurable frame.
-    /// What was found in a later part of the same video.
+    /// What was found in a later part of the same video: parts ascend in time.
     void add(const PeakColors& part);
+    /// The tissue is the baseline's as laid over the first measurable frame.
     const MeasuredColors& found() const { return found_.colors; }
     const ColorsAtPeak& at_peak() const { return found_; }
 

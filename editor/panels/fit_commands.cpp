@@ -80,7 +80,7 @@ void add_fit_commands(app::Editor& editor) {
                                  return all != nullptr && all->result && !editor.fit_reporting().busy();
                              },
                          .tip = "Writes curves, parameters and pictures of what Fit has found as a page for a browser",
-                         .missing = "Fit has found nothing yet, or a report is being written"});
+                         .missing = "No whole fit has been done yet, or a report is being written"});
 }
 
 }  // namespace lapfx::panels

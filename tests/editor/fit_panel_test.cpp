@@ -391,7 +391,7 @@ TEST_F(FitBeside, TheReportIsWrittenOrCancelled) {
     EXPECT_THAT(text_of(written), HasSubstr("After at "));
     std::vector<fs::path> others;
     for (const auto& entry : fs::directory_iterator(folder()))
-        if (entry.path().extension() == ".tmp") others.push_back(entry.path());
+        if (entry.path().filename().string().starts_with(".lapfx-part-")) others.push_back(entry.path());
     EXPECT_THAT(others, testing::IsEmpty());
 }
 

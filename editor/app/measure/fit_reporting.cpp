@@ -99,7 +99,8 @@ class FitReporting::Run {
             job_->set_progress(share);
             return !job_->cancelled();
         };
-        if (!match::add_pictures(report_, video, of_.aspect, before_, draw, goes_on) || !goes_on(1.0)) return false;
+        if (!match::add_pictures(report_, video, of_.aspect, before_, draw, goes_on, &job_->stop()) || !goes_on(1.0))
+            return false;
         write_file(path_, match::report_html(report_));
         return true;
     }

@@ -52,13 +52,14 @@ struct Normal {
 };
 
 /// The steps that correct the fit for each drawn reference: steps[parameter][reference].
-std::vector<std::vector<double>> corrections(const Objective& objective, const Linearised& at, std::uint32_t seed) {
+std::vector<std::vector<double>> corrections(const Objective& objective, const Linearised& at, double data_weight,
+                                             std::uint32_t seed) {
     const std::vector<Block> blocks = blocks_of(objective.target());
     std::vector<Normal> parts;
     for (const Block& block : blocks) {
         Normal& part = parts.emplace_back(at.columns);
         for (std::size_t i = block.first; i < block.last; ++i)
-            part.add_row(at, i), part.add_row(at, objective.times() + i);
+            part.add_row(at, i, data_weight), part.add_row(at, objective.times() + i, data_weight);
     }
     Normal known(at.columns);  // of the priors
     for (std::size_t row = 2 * objective.times(); row < objective.size(); ++row) known.add_row(at, row);
@@ -76,12 +77,24 @@ std::vector<std::vector<double>> corrections(const Objective& objective, const L
     return steps;
 }
 
+/// Those on which the amounts depend: what is held is not fitted to them.
+std::size_t free_columns(const Objective& objective, const Linearised& at) {
+    std::size_t count = 0;
+    for (std::size_t column = 0; column < at.columns; ++column) {
+        bool any = false;
+        for (std::size_t row = 0; row < 2 * objective.times() && !any; ++row)
+            any = at.slopes[row * at.columns + column] != 0.0;
+        count += any ? 1 : 0;
+    }
+    return count;
+}
+
 /// How large the errors of this video are beside the stated ones, as what the fit leaves tells it (reduced
 /// chi-squared).
 double error_factor(const Objective& objective, const Linearised& at) {
     double sum = 0.0;
     for (std::size_t row = 0; row < 2 * objective.times(); ++row) sum += at.residuals[row] * at.residuals[row];
-    const double freedom = objective.blocks() - static_cast<double>(at.columns);
+    const double freedom = objective.blocks() - static_cast<double>(free_columns(objective, at));
     return std::clamp(std::sqrt(sum / std::max(freedom, 1.0)), least_factor, most_factor);
 }
 
@@ -123,7 +136,7 @@ std::vector<Certainty> certainty_of(const Objective& objective, const Linearised
                                     std::span<const double> coordinates, std::uint32_t seed) {
     const double factor = error_factor(objective, at), data_weight = 1.0 / (factor * factor);
     const cv::Mat covariance = covariance_of(objective, at, data_weight);
-    std::vector<std::vector<double>> steps = corrections(objective, at, seed);
+    std::vector<std::vector<double>> steps = corrections(objective, at, data_weight, seed);
     const std::vector<double> of_scales = scale_errors(objective, at, covariance, data_weight);
     std::vector<Certainty> all(coordinates.size());
     const auto error = [&](std::size_t k) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "lapfx/prepared_organ.h"
@@ -20,8 +21,10 @@ constexpr double learning_step = 0.25;    // coordinates: how far a parameter is
 constexpr double enough = 0.02;           // of the cost: a curve that gains less is the last
 constexpr double narrower = 0.4;          // of the last step, where a curve came out worse
 constexpr double bound_near = 1e-3;       // coordinates
-constexpr double held_error = 0.7;        // coordinates: a value of the preset is right within a factor of two
-constexpr int rounds_beside_held = 3;     // curves that are drawn at most once it is known what is held
+constexpr double held_error = 0.7;        // coordinates: a value of the preset is right within a factor of two or so
+constexpr double small_change = 0.02, farther = 3.0, farthest_least = 0.1;  // coordinates, standard errors, coordinates
+constexpr double much_less = 0.1;                                           // of what small changes do
+constexpr int rounds_beside_held = 3;  // curves that are drawn at most once it is known what is held
 
 /// A drawn place.
 struct Drawn {
@@ -176,17 +179,56 @@ class Fit {
         }
         std::vector<Certainty> all = certainty_of(objective_, linear, coordinates, input_.seed);
         for (std::size_t k = 0; k < all.size(); ++k) all[k].determined = all[k].determined && shown_[k];
+        look_farther(coordinates, all);
         return all;
     }
+    /// Slopes say what small changes do. Where larger ones to one side do much less to the core's amounts (blood that
+    /// never reaches how far it could spread), that side has no end, and the parameter is not known.
+    void look_farther(const std::vector<double>& coordinates, std::vector<Certainty>& all) {
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            const FreeParameter& p = input_.parameters[k];
+            if (!all[k].determined || held_[k] || !known_to_core(p)) continue;
+            const double low = p.coordinate(p.minimum), high = p.coordinate(p.maximum);
+            const auto change_by = [&](double step) {
+                std::vector<double> far = coordinates;
+                far[k] = std::clamp(far[k] + step, low, high);
+                const double moved = std::abs(far[k] - coordinates[k]);
+                try {
+                    return moved > 0.0 ? core_change(coordinates, far) / moved : 0.0;
+                } catch (const Error&) {  // a rule between values
+                    return std::numeric_limits<double>::infinity();
+                }
+            };
+            const double slope = std::max(change_by(-small_change), change_by(small_change));
+            if (!std::isfinite(slope)) continue;
+            const double step = std::max(farther * all[k].error, farthest_least);
+            const bool ends_below = coordinates[k] - low < bound_near || change_by(-step) > much_less * slope;
+            const bool ends_above = high - coordinates[k] < bound_near || change_by(step) > much_less * slope;
+            if (!ends_below) all[k].low = low;
+            if (!ends_above) all[k].high = high;
+            all[k].determined = ends_below && ends_above;
+        }
+    }
+    /// Between the core's amounts at two places: root of the sum of squares, each in parts of its greatest.
+    double core_change(const std::vector<double>& from, const std::vector<double>& to) {
+        const std::vector<Amounts> a = space().core_at(from), b = space().core_at(to);
+        double sum = 0.0;
+        for (const auto amount : {&Amounts::blood_area, &Amounts::haze, &Amounts::emission}) {
+            double change2 = 0.0, most = 0.0;
+            for (std::size_t i = 0; i < a.size(); ++i) {
+                change2 += std::pow(a[i].*amount - b[i].*amount, 2);
+                most = std::max(most, a[i].*amount);
+            }
+            if (most > 0.0) sum += change2 / (most * most);
+        }
+        return std::sqrt(sum);
+    }
     /// Once it is known what is held: that it is as it was is not certain, which makes the others less certain.
-    void tell_certainties(const std::vector<Certainty>& when_held) {
-        certainties_ = certainties(best_.coordinates);
-        const std::vector<Certainty> beside_unsure = certainties(best_.coordinates, held_error);
+    void tell_certainties(const std::vector<Certainty>& when_held, const std::vector<Certainty>& beside_held) {
+        certainties_ = certainties(best_.coordinates, held_error);
         for (std::size_t k = 0; k < held_.size(); ++k) {
-            if (held_[k])
-                certainties_[k] = when_held[k], certainties_[k].determined = false;
-            else
-                certainties_[k].low = beside_unsure[k].low, certainties_[k].high = beside_unsure[k].high;
+            if (held_[k]) certainties_[k] = when_held[k];
+            certainties_[k].determined = !held_[k] && beside_held[k].determined;
         }
     }
     double kept_coordinate(std::size_t k) const { return input_.parameters[k].coordinate(kept(input_.parameters[k])); }
@@ -221,14 +263,18 @@ class Fit {
             held_[*k] = true, when_held[*k] = certainties_[*k];
             const bool moves = next[*k] != kept_coordinate(*k);
             next[*k] = kept_coordinate(*k);
-            if (moves && shown_[*k]) search_beside();
+            if (moves && shown_[*k])
+                search_beside();
+            else
+                certainties_ = certainties(next);
         }
+        const std::vector<Certainty> beside_held = certainties_;
         if (!early_ && next != best_.coordinates) {
             Drawn before = std::exchange(best_, {});
             if (draw(next)) search_rounds(rounds_beside_held - 1, {.held = held_});
             if (best_.frames.empty()) best_ = std::move(before);
         }
-        tell_certainties(when_held);
+        tell_certainties(when_held, beside_held);
     }
     const Tuned& original() const { return input_.before ? *input_.before : input_.start; }
     /// The value of one that is not determined: that of the preset before any proposal; proposed events stay.
@@ -268,7 +314,7 @@ class Fit {
             if (held_[k])
                 fitted.after = kept(p);
             else
-                fitted.why += "; the curves leave out the value before, so it is at the nearest ones";
+                fitted.why += "; but the curves rule out the value before, so it is where they are nearest";
         } else {
             fitted.at_bound = at - p.coordinate(p.minimum) < bound_near || p.coordinate(p.maximum) - at < bound_near;
         }

@@ -5,7 +5,8 @@
 //
 // It searches over curves that are told without drawing (carried.h), draws the scene where that ended, measures it as
 // the reference was measured, learns from the difference and searches again: a few drawn curves in all, of which the
-// nearest is the result. Parameters that the reference does not tell keep their value, and it is said why.
+// nearest is the result. Parameters that the reference does not tell keep their value, and it is said why; but where
+// the curves rule that value out, it is where they are nearest.
 //
 // The thread of `draw`; the same input gives the same result, unless the budget ends it.
 #pragma once
@@ -50,8 +51,8 @@ struct FitInput {
     double aspect = 1.25;  ///< of the drawn pictures, width over height
     Weights weights = {};
     std::uint32_t seed = 1;
-    int rounds =
-        5;  ///< curves that are drawn at most, besides the first and one for each parameter unknown to the core
+    int rounds = 5;  ///< curves of the search at most; besides: the first, one for each parameter unknown to the core,
+                     ///< and up to three once it is known what keeps its value
     /// Called between steps; false ends the fit with what is the best so far.
     std::function<bool(const FitProgress&)> progress = {};
 };
@@ -59,8 +60,9 @@ struct FitInput {
 struct FittedParameter {
     FreeParameter parameter;
     double before = 0.0, after = 0.0;
-    double low = 0.0, high = 0.0;  ///< 90 % interval
-    /// Else it has kept its value, the fit ended early, or it is only known that its value is another than before.
+    double low = 0.0, high = 0.0;  ///< 90 % interval; that what is held is right is not taken for certain
+    /// Known to within a factor of about two, beside what is held. Else it has kept its value, the fit ended early, or
+    /// it is only known that its value is another than before.
     bool determined = false;
     bool at_bound = false;  ///< the curves would take it farther
     std::string why = {};   ///< why it is not determined, and what would tell it; else empty

@@ -36,14 +36,14 @@ std::vector<std::string> fit_colors(FitResult& result, const ColorFit& input, Pr
         return drawn_colors(curve, tuned, input.target, part);
     };
     const ColorMatch found = match_colors(matched);
-    if (found.drawn == 0) return {"colours: it was ended before the scene was drawn for them; they stay"};
+    if (found.drawn == 0) return {"colours: the fit ended before the scene was drawn for them; they stay"};
     result.tuned = found.tuned;
     std::vector<std::string> lines = likeness_lines(found);
     lines.insert(lines.end(), found.lines.begin(), found.lines.end());
     drawn = most_drawn - 1.0;
     if (!draw_again(result, input.target, curve, part))
-        lines.emplace_back("the curves are those before the colours were matched: it was ended");
-    if (found.ended_early) lines.emplace_back("colours: it was ended before they were as near as they can be");
+        lines.emplace_back("the curves are those before the colours were matched: the fit ended early");
+    if (found.ended_early) lines.emplace_back("colours: the fit ended before they were as near as they can be");
     return lines;
 }
 

@@ -91,9 +91,14 @@ std::string row_of(const FittedParameter& p) {
 std::string parameters(const FitResult& result) {
     if (result.parameters.empty()) return paragraph("None was fitted: all keep their values.", "notice");
     const auto determined = [](const FittedParameter& p) { return p.determined; };
+    const auto kept = [](const FittedParameter& p) { return p.after == p.before; };
     std::string html;
     if (std::none_of(result.parameters.begin(), result.parameters.end(), determined))
-        html += paragraph("The reference determines none of the parameters: all keep their values.", "notice");
+        html += paragraph(
+            std::string("The reference determines none of the parameters") +
+                (std::all_of(result.parameters.begin(), result.parameters.end(), kept) ? ": all keep their values."
+                                                                                       : "."),
+            "notice");
     html += "<table class=\"parameters\">\n<thead><tr>";
     for (const char* column : {"Parameter", "Before", "After", "90 % interval"})
         html += "<th scope=\"col\">" + std::string(column) + "</th>";

@@ -40,7 +40,7 @@ glm::ivec2 report_picture_size(glm::dvec2 frame, double aspect) {
 }
 
 bool add_pictures(FitReport& report, VideoReader& reference, double aspect, const Tuned& before,
-                  const DrawPicture& draw, const Progress& progress) {
+                  const DrawPicture& draw, const Progress& progress, const std::atomic<bool>* stop) {
     const glm::ivec2 size = report_picture_size(reference.info().size, aspect);
     report.moments = report_moments(report.target);
     const auto count = static_cast<double>(3 * report.moments.size());
@@ -49,8 +49,9 @@ bool add_pictures(FitReport& report, VideoReader& reference, double aspect, cons
     Image frame;
     for (ReportMoment& moment : report.moments) {
         if (!goes_on()) return false;
-        if (reference.read(reference.frame_at(moment.time + report.offset), frame))
+        if (reference.read(reference.frame_at(moment.time + report.offset), frame, stop))
             moment.reference = jpeg(frame, size);
+        if (stop != nullptr && *stop) return false;
     }
     for (const auto& [tuned, picture] : {std::pair{&before, &ReportMoment::before},
                                          std::pair{&std::as_const(report.result.tuned), &ReportMoment::after}})

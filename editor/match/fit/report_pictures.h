@@ -6,6 +6,7 @@
 // Any thread.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <glm/glm.hpp>
 #include <optional>
@@ -26,9 +27,10 @@ glm::ivec2 report_picture_size(glm::dvec2 frame, double aspect = 0.0);
 using DrawPicture = std::function<std::optional<Image>(const Tuned& tuned, double time, glm::ivec2 size)>;
 
 /// Fills the report's moments. `before`: what the result is held against; `aspect`: as of report_picture_size().
-/// `progress` is asked before each picture. False: it, or `draw`, stopped that. Throws what these throw.
+/// `progress` is asked before each picture; `stop` ends the reading of one. False: one of them, or `draw`, stopped it.
+/// Throws what these throw.
 bool add_pictures(FitReport& report, VideoReader& reference, double aspect, const Tuned& before,
-                  const DrawPicture& draw, const Progress& progress = {});
+                  const DrawPicture& draw, const Progress& progress = {}, const std::atomic<bool>* stop = nullptr);
 
 /// A picture for an index of many, as JPEG.
 std::string small_jpeg(const Image& image);

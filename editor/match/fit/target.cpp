@@ -53,7 +53,7 @@ std::vector<TargetPoint> target_of(std::span<const FrameAmounts> reference, cons
 
 double course_error(const Amount& amount, const CourseError& course) {
     constexpr double deviates = 1.645;  // half a 90 % interval, in standard errors
-    const double most = std::min(course.least + course.share * std::max(amount.value, 0.0), course.most);
+    const double most = std::min(course.none + course.share * std::max(amount.value, 0.0), course.most);
     return std::clamp((amount.high - amount.low) / (2.0 * deviates), course.least, most);
 }
 

@@ -33,14 +33,14 @@ std::vector<TargetPoint> target_of(std::span<const FrameAmounts> reference, cons
 /// Errors within one video. What the intervals hold beyond these errors is shared by all of its frames (the scale of
 /// smoke's light, how the baseline lies), and changes no course: that is `scale_error`, a share of the amount.
 struct CourseError {
-    /// Standard error of the amount, over about a second: least + share * amount, at most `most`; less where its
+    /// Standard error of the amount, over about a second: none + share * amount, at most `most`; less where its
     /// interval is narrower, but not below `least`.
-    double least, share, most;
+    double least, none, share, most;
     double scale_error;
 };
 /// Veil: known veils over moving clips came back with a root mean square error of 0.024 to 0.066 that lasts up to a
 /// second; blood and scales: `lapfx bench measure`, views of its classes "still".
-inline constexpr CourseError blood_course{0.002, 0.1, 0.006, 0.15}, veil_course{0.01, 1.0, 0.03, 0.12};
+inline constexpr CourseError blood_course{0.002, 0.002, 0.1, 0.006, 0.15}, veil_course{0.01, 0.03, 0.0, 0.03, 0.12};
 /// Standard error of a measured amount beside the others of its video.
 double course_error(const Amount& amount, const CourseError& course);
 

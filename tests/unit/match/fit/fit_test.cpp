@@ -144,6 +144,20 @@ TEST(Fit, HoldsOneAfterTheOther) {
     EXPECT_LT(*found.veil_after, 0.3 * *found.veil_before);
 }
 
+/// Blood that spreads farther than it could before, and still spreads: how far it would go is not known, but the value
+/// before is not it.
+TEST(Fit, AValueThatTheCurvesRuleOutIsNotKept) {
+    const FitResult found =
+        found_for({.hidden = hidden(2.0, 60.0, 0.12, 0.05), .keys = {"bleeding.speed", "bleeding.max_extent"}});
+    const FittedParameter& extent = of(found, "bleeding.max_extent");
+    EXPECT_FALSE(extent.determined) << extent.low << " " << extent.after << " " << extent.high;
+    EXPECT_GT(extent.after, 20.0);
+    EXPECT_EQ(extent.after, extent.parameter.get(found.tuned));
+    EXPECT_NE(extent.why.find("still spreads"), std::string::npos) << extent.why;
+    EXPECT_NE(extent.why.find("rule out the value before"), std::string::npos) << extent.why;
+    EXPECT_LT(*found.blood_after, 0.003);
+}
+
 TEST(Fit, FindsWhatTheCoreKnowsNothingOf) {
     Tuned truth = scene();
     truth.preset.smoke.plume.density = 1.2;

@@ -62,6 +62,20 @@ TEST(Target, HasNoMoreTimesThanAreWanted) {
     EXPECT_EQ(target.size(), 51U);
 }
 
+TEST(Target, ErrorsWithinAVideoAreThoseOfTheIntervalWithinBounds) {
+    const auto error = [](double value, double half, const CourseError& course) {
+        return course_error({value, value - half, value + half}, course);
+    };
+    EXPECT_DOUBLE_EQ(error(0.0, 0.1, veil_course), 0.03);
+    EXPECT_DOUBLE_EQ(error(0.5, 0.1, veil_course), 0.03);
+    EXPECT_NEAR(error(0.2, 0.0329, veil_course), 0.02, 1e-12);  // half a 90 % interval is 1.645 standard errors
+    EXPECT_DOUBLE_EQ(error(0.2, 0.001, veil_course), 0.01);
+    EXPECT_DOUBLE_EQ(error(0.0, 0.1, blood_course), 0.002);
+    EXPECT_DOUBLE_EQ(error(0.02, 0.1, blood_course), 0.004);
+    EXPECT_DOUBLE_EQ(error(0.3, 0.1, blood_course), 0.006);
+    EXPECT_DOUBLE_EQ(error(0.3, 0.001, blood_course), 0.002);
+}
+
 TEST(Target, MisfitIsTheRootMeanSquare) {
     const auto target = target_of(rising(10.0), {.from = 0.0, .to = 4.0, .step = 1.0});
     std::vector<FrameAmounts> shown(target.size());
