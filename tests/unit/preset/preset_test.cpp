@@ -33,7 +33,8 @@ TEST_P(ShippedPreset, LoadsAndIsWrittenAsItIs) {
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedPreset,
                          testing::Values("gastric_banding.json", "slow_ooze.json", "brisk_bleed.json",
-                                         "hook_cautery_plume.json", "heavy_haze.json"),
+                                         "hook_cautery_plume.json", "heavy_haze.json", "fast_haze.json",
+                                         "cleared_haze.json", "short_puffs.json"),
                          [](const auto& test) {
                              const std::string name = test.param;
                              return name.substr(0, name.find('.'));
@@ -43,7 +44,7 @@ TEST(ShippedPresets, AreAllTested) {
     int presets = 0;
     for (const auto& entry : fs::directory_iterator(test::source_folder() / "presets"))
         if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema") ++presets;
-    EXPECT_EQ(presets, 5);
+    EXPECT_EQ(presets, 8);
 }
 
 TEST(SavePreset, LoadsAgainFromItsFolder) {
