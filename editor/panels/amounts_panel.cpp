@@ -144,8 +144,8 @@ void all_plots(ui::Ui& ui, const app::AmountsOverTime& amounts, app::Timeline& t
     }
 }
 
-/// `room`: px.
-void tools(ui::Ui& ui, const AmountsParts& on, float room) {
+/// `room`: of the panel.
+void tools(ui::Ui& ui, const AmountsParts& on, const ui::Rect& room) {
     static constexpr std::array<std::string_view, 2> names = {"In view", "On organ"};
     const bool in_view = on.amounts.look.of == app::AmountsLook::in_view;
     std::array<ui::ToolItem, 2 + measured_tools> items;
@@ -156,7 +156,7 @@ void tools(ui::Ui& ui, const AmountsParts& on, float room) {
                                  ? 0
                                  : std::max(ui.text_width(new_text), ui.text_width(old_text)),
                     .rank = 3};
-    ui::toolbar(ui, "Amounts tools", room, items, [&](std::size_t item) {
+    ui::toolbar(ui, "Amounts tools", room.w, items, [&](std::size_t item) {
         if (item + 1 == items.size()) return how_new(ui, on.amounts);
         if (item > 0) return measured_tool(ui, on, item - 1);
         const Room held(ui, choice_width);
@@ -165,7 +165,7 @@ void tools(ui::Ui& ui, const AmountsParts& on, float room) {
             "In view: the share of the picture, of preview and reference measured alike. On organ: what the "
             "core counts of the preview";
     });
-    if (in_view) measured_state(ui, on);
+    if (in_view) measured_state(ui, on, room.h);
 }
 
 /// Whatever works beside the panel wakes it when there is something to show; this is for the rest.
@@ -191,7 +191,7 @@ void amounts_panel(ui::Ui& ui, const AmountsParts& on) {
     node.size[0] = node.size[1] = ui::grow();
     node.gap = ui.em(0.2F);
     ui.follow_size(node);
-    tools(ui, on, ui.rect_before(node.id).w);
+    tools(ui, on, ui.rect_before(node.id));
     ui::Node& below = ui.open(ui::Role::group, "Curves", ui::Axis::y);
     below.size[0] = below.size[1] = ui::grow();
     below.gap = ui.em(0.4F);

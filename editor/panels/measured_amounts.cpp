@@ -26,6 +26,7 @@ namespace {
 using app::PreviewMeasuring;
 
 constexpr int reference_series = 1, fit_series = 3;  // colours of the theme's series
+constexpr float high_enough_for_colors = 12.5F;      // em of the panel
 constexpr float least_width = 14, least_height = 8;  // em of a plot; in a smaller panel they scroll
 constexpr float narrow_plot = 26;                    // em: below, the names of its curves are short
 
@@ -198,8 +199,8 @@ void measured_tool(ui::Ui& ui, const AmountsParts& on, std::size_t tool) {
                            "curve is off. Takes longer"});
 }
 
-void measured_state(ui::Ui& ui, const AmountsParts& on) {
-    if (measured_words(ui, on)) return;
+void measured_state(ui::Ui& ui, const AmountsParts& on, float height) {
+    if (measured_words(ui, on, height >= ui.em(high_enough_for_colors))) return;
     const State state = state_of(ui, on);
     ui::label(ui, state.text, {.tone = state.tone, .wrap = true, .number = true, .width = ui::grow()});
 }

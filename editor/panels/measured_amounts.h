@@ -10,8 +10,8 @@ namespace lapfx::panels {
 inline constexpr std::size_t measured_tools = 4;
 float measured_tool_width(ui::Ui& ui, const AmountsParts& parts, std::size_t tool);
 void measured_tool(ui::Ui& ui, const AmountsParts& parts, std::size_t tool);
-/// A line: what is known and what is on its way.
-void measured_state(ui::Ui& ui, const AmountsParts& parts);
+/// What is known and what is on its way. `height`: px, of the panel; in a low one the plots matter more than colours.
+void measured_state(ui::Ui& ui, const AmountsParts& parts, float height);
 /// Below them, in a room of that size, px. A click goes to that time.
 void measured_plots(ui::Ui& ui, const AmountsParts& parts, glm::vec2 room);
 

@@ -106,7 +106,7 @@ void line_of(ui::Ui& ui, const AmountsParts& on, const Words& words, std::string
 
 }  // namespace
 
-bool measured_words(ui::Ui& ui, const AmountsParts& on) {
+bool measured_words(ui::Ui& ui, const AmountsParts& on, bool colors) {
     if (on.measuring.found() == nullptr || on.measuring.stale() || on.measuring.begun() || !on.preview.complete() ||
         on.preview.stale() || on.preview.stopped())
         return false;
@@ -115,7 +115,7 @@ bool measured_words(ui::Ui& ui, const AmountsParts& on) {
     line_of(ui, on, words, "", {});
     line_of(ui, on, words, "blood", words.likeness.blood.rms);
     line_of(ui, on, words, "veil", words.likeness.veil.rms);
-    measured_colors(ui, on);
+    if (colors) measured_colors(ui, on);
     return true;
 }
 

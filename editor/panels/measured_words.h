@@ -10,7 +10,7 @@ inline constexpr const char* exposure_key = "camera.exposure";
 /// To the row of a parameter, or to an event on the timeline: "events.2.time".
 void go_to_what_mends(ui::Ui& ui, const AmountsParts& on, const std::string& key);
 
-/// Nothing before both are measured. Gives whether there were any.
-bool measured_words(ui::Ui& ui, const AmountsParts& on);
+/// Nothing before both are measured. `colors`: with the line of colours. Gives whether there were any.
+bool measured_words(ui::Ui& ui, const AmountsParts& on, bool colors);
 
 }  // namespace lapfx::panels
