@@ -4,10 +4,10 @@
 // some camera and light. The hidden one is drawn at 6 frames per second and 320x256, noise and compression of a camera
 // are laid over it (bench_measure_camera.h), and it is measured as a video is. Two scenes are fitted to it, each from
 // the shipped preset gastric_banding with tools that begin at other times: one with another organ, camera and light,
-// and the hidden one itself under another light. First the proposal is made (match/fit/proposal.h), then the fit.
-// Curves: true amounts (Preview::layers) of the fitted scene beside those of the hidden one, once a second, root mean
-// square. Parameters: those of the scene itself; the smoke rate b of the other scene goes by what its camera sees of a
-// haze, which is not compared. Intervals are those of the fit.
+// and the hidden one itself under another light. First the proposal is made (match/fit/proposal.h), then the fit, with
+// colours and exposure. Curves: true amounts (Preview::layers) of the fitted scene beside those of the hidden one, once
+// a second, root mean square. Parameters: those of the scene itself; the smoke rate b of the other scene goes by what
+// its camera sees of a haze, which is not compared. Intervals are those of the fit.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -24,9 +24,11 @@
 #include "lapfx/authoring/preview.h"
 #include "lapfx/clip_cache.h"
 #include "match/fit/fit.h"
+#include "match/fit/fit_colors.h"
 #include "match/fit/preview_curve.h"
 #include "match/fit/proposal.h"
 #include "match/measure.h"
+#include "match/peak_colors.h"
 #include "output/files.h"
 
 namespace lapfx::commands {
@@ -52,8 +54,12 @@ struct Drawing {
     }
 };
 
-/// As a camera leaves it.
-std::vector<match::FrameAmounts> film(const CaseScene& hidden, Random random, const Drawing& drawing) {
+/// A hidden scene as a camera leaves it, measured as a video is.
+struct Filmed {
+    std::vector<match::FrameAmounts> frames = {};
+    match::PeakColors colors = {};
+};
+Filmed film(const CaseScene& hidden, Random random, const Drawing& drawing) {
     Preview preview = drawing.preview(hidden);
     const double noise = draw_noise(random);
     const auto picture = [&](double time) {
@@ -72,10 +78,13 @@ std::vector<match::FrameAmounts> film(const CaseScene& hidden, Random random, co
     for (int i = 0; i < match::surveyed_frames; ++i)
         estimator.survey(pictures[static_cast<std::size_t>(i * count / match::surveyed_frames)]);
     estimator.forget();
-    std::vector<match::FrameAmounts> frames;
-    for (int i = 0; i < count; ++i)
-        frames.push_back(estimator.measure(pictures[static_cast<std::size_t>(i)], i / rate));
-    return frames;
+    Filmed filmed;
+    for (int i = 0; i < count; ++i) {
+        const Image& shown = pictures[static_cast<std::size_t>(i)];
+        filmed.frames.push_back(estimator.measure(shown, i / rate));
+        filmed.colors.add(shown, &estimator, filmed.frames.back());
+    }
+    return filmed;
 }
 
 std::vector<ShownAmounts> truth_of(const CaseScene& scene, const Drawing& drawing) {
@@ -109,7 +118,7 @@ struct Effort {
     int rounds = match::FitInput{}.rounds;
 };
 
-Outcome fit_one(const CaseScene& hidden, CaseScene scene, const std::vector<match::FrameAmounts>& reference,
+Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& reference,
                 const std::vector<ShownAmounts>& hidden_truth, const Drawing& drawing, const Effort& effort) {
     for (ToolContact& event : scene.tuned.scene.events) event.time = begins_at;
     Outcome outcome;
@@ -120,7 +129,7 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const std::vector<matc
     outcome.veil_before = rms(before, hidden_truth, &ShownAmounts::veil);
     const auto began = std::chrono::steady_clock::now();
     match::FitInput input{.start = scene.tuned, .before = scene.tuned};
-    input.target = match::target_of(reference, {.to = case_duration, .step = effort.step});
+    input.target = match::target_of(reference.frames, {.to = case_duration, .step = effort.step});
     input.organ = scene.organ;
     input.seed = effort.seed, input.rounds = effort.rounds;
     input.start = match::propose(scene.tuned, scene.organ, input.target, {.aspect = case_aspect}).tuned;
@@ -129,7 +138,10 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const std::vector<matc
     input.draw = [&](const match::Tuned& tuned, std::span<const double> times) {
         return curve.measure(tuned.scene, tuned.preset, times);
     };
+    match::FitColors colors({.reference = reference.colors.at_peak(), .target = input.target}, curve);
+    input.match_colors = [&](const match::Tuned& tuned) { return colors.amidst(tuned); };
     outcome.result = match::fit(input);
+    colors.finish(outcome.result);
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     scene.tuned = outcome.result.tuned;
     const std::vector<ShownAmounts> after = truth_of(scene, drawing);
@@ -279,8 +291,7 @@ BenchReport bench_fit(const BenchOptions& options) {
     Progress progress("fitting", 2 * (end - first));
     for (int i = first; i < end; ++i) {
         FitCase drawn = draw_fit_case(seed, i, prepared);
-        const std::vector<match::FrameAmounts> reference =
-            film(drawn.hidden, Random(seed, film_part, static_cast<std::uint32_t>(i)), drawing);
+        const Filmed reference = film(drawn.hidden, Random(seed, film_part, static_cast<std::uint32_t>(i)), drawing);
         const std::vector<ShownAmounts> truth = truth_of(drawn.hidden, drawing);
         for (const bool same_view : {false, true}) {
             if (same_view && options.short_form) continue;

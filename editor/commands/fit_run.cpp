@@ -38,9 +38,11 @@ class Steps {
     explicit Steps(double budget) : budget_(budget), progress_("fitting", progress_steps) {}
     /// False: the time is over.
     bool to(double share) {
+        share_ = share;
         progress_.to(share);
         return seconds() < budget_;
     }
+    bool goes_on() { return to(share_); }
     double seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
     Error over(const std::string& when) const {
         std::ostringstream reason;
@@ -50,7 +52,7 @@ class Steps {
 
   private:
     Clock::time_point began_ = Clock::now();
-    double budget_;
+    double budget_, share_ = 0.0;
     Progress progress_;
 };
 
@@ -111,16 +113,15 @@ match::FitResult fitted(const FitOptions& o, match::FitInput& input, match::Prev
     }
 }
 
-std::vector<std::string> match_colors(const FitOptions& o, match::FitResult& result, const match::PeakColors& peaks,
-                                      std::span<const match::TargetPoint> target, match::PreviewCurve& curve,
-                                      Steps& steps) {
-    match::ColorFit input{
-        .reference = peaks.at_peak(), .target = target, .progress = [&steps](double) { return steps.to(1.0); }};
-    const bool of_preset_alone = o.files.fitted_scene.empty();
-    if (of_preset_alone) std::erase_if(input.keys, [](const std::string& key) { return key.starts_with("camera."); });
-    std::vector<std::string> lines = match::fit_colors(result, input, curve);
-    if (of_preset_alone) lines.emplace_back("camera.exposure: stays, the scene is written with --fitted-scene only");
-    return lines;
+match::ColorFit color_fit(const FitOptions& o, const match::PeakColors& peaks,
+                          std::span<const match::TargetPoint> target, Steps& steps) {
+    match::ColorFit input{.reference = peaks.at_peak(),
+                          .target = target,
+                          .amidst = [&steps](double) { return steps.goes_on(); },
+                          .finish = [&steps](double) { return steps.to(1.0); }};
+    if (o.files.fitted_scene.empty())
+        std::erase_if(input.keys, [](const std::string& key) { return key.starts_with("camera."); });
+    return input;
 }
 
 /// Not ended by the budget: what was found is to be shown.
@@ -208,9 +209,13 @@ FitRun run_fit(const FitOptions& given) {
     input.aspect = static_cast<double>(size.x) / size.y;
     if (!files.fitted_scene.empty()) run.proposed = match::begin_with_proposal(input);
     match::PreviewCurve curve = preview_curve(shown, input.organ, options.estimator, size);
+    match::FitColors color_matching(color_fit(o, peaks, input.target, steps), curve);
+    if (o.colors) input.match_colors = [&](const match::Tuned& tuned) { return color_matching.amidst(tuned); };
     match::FitResult result = fitted(o, input, curve, steps);
     std::vector<std::string> colors;
-    if (o.colors) colors = match_colors(o, result, peaks, input.target, curve, steps);
+    if (o.colors) colors = color_matching.finish(result);
+    if (o.colors && files.fitted_scene.empty())
+        colors.emplace_back("camera.exposure: stays, the scene is written with --fitted-scene only");
     run.report = report_of(o, shown.scene, window, input, result);
     match::FitReport& report = run.report;
     report.colors = std::move(colors);

@@ -1,5 +1,7 @@
 #include "match/color_likeness.h"
 
+#include <algorithm>
+
 #include "match/color_difference.h"
 #include "match/colors.h"
 #include "match/smoke_tint.h"
@@ -25,6 +27,46 @@ class MeanColor {
     int count_ = 0;
 };
 
+/// The light of dense smoke, by what the veil put before the tissue: frame = baseline * (1 - veil) + light * veil, over
+/// all pixels together. The light that was assumed to find the veil has little to say in it.
+class SmokeLight {
+  public:
+    void add(const cv::Vec3f& seen, const cv::Vec3f& clear, const cv::Vec3f& assumed, float veil) {
+        if (std::max({seen[0], seen[1], seen[2], clear[0], clear[1], clear[2]}) >= white) return;
+        sum_ += seen - (1.0F - veil) * clear;
+        assumed_ += assumed * veil;
+        veil_ += veil;
+        if (veil >= colored_veil) ++count_;
+    }
+    std::optional<glm::dvec3> found() const {
+        if (count_ < least_pixels) return {};
+        return glm::clamp(glm::dvec3(sum_[2], sum_[1], sum_[0]) / veil_, least_light, 1.0);
+    }
+    /// By what the assumed light has to be multiplied, blue, green, red.
+    cv::Vec3f over_assumed() const {
+        if (count_ < least_pixels) return cv::Vec3f::all(1.0F);
+        cv::Vec3f factor;
+        for (int c = 0; c < 3; ++c)
+            factor[c] = static_cast<float>(std::clamp(sum_[c] / std::max(assumed_[c], 1e-9), 1.0 / most, most));
+        return factor;
+    }
+
+  private:
+    static constexpr float white = 0.9F;          // highlights say nothing
+    static constexpr double least_light = 0.002;  // what the camera took away may look as if there were none
+    static constexpr double most = 4.0;
+    cv::Vec3d sum_, assumed_;
+    double veil_ = 0.0;
+    int count_ = 0;
+};
+
+/// Whether two colours have about the same tint.
+bool agree(const glm::dvec3& a, const glm::dvec3& b) {
+    constexpr double most = 1.25;
+    const glm::dvec3 ratio = (a / light_of(a)) / glm::max(b / light_of(b), 1e-6);
+    return std::max({ratio.r, ratio.g, ratio.b}) <= most && std::min({ratio.r, ratio.g, ratio.b}) >= 1.0 / most;
+}
+
 std::optional<double> difference(const std::optional<glm::dvec3>& a, const std::optional<glm::dvec3>& b) {
     if (!a || !b) return {};
     return delta_e_2000(lab_of_linear(*a), lab_of_linear(*b));
@@ -47,20 +89,23 @@ MeasuredColors colors_of(const Image& frame, const ColorLayers& layers) {
     shrink(frame, layers.valid.size(), code);
     to_linear(code, seen);
     to_linear(layers.baseline, clear);
-    MeanColor blood, smoke, tissue;
-    for (int y = 0; y < seen.rows; ++y) {
-        const auto* valid = layers.valid.ptr<std::uint8_t>(y);
-        const auto* is_blood = layers.blood.ptr<std::uint8_t>(y);
-        const auto* veil = layers.veil.ptr<float>(y);
-        const auto* light = layers.light.ptr<cv::Vec3f>(y);
-        for (int x = 0; x < seen.cols; ++x) {
-            if (valid[x] == 0) continue;
-            tissue.add(clear.at<cv::Vec3f>(y, x));
-            if (veil[x] >= colored_veil) smoke.add(light[x]);
-            if (is_blood[x] == 0 || veil[x] > dense_veil) continue;
-            blood.add((seen.at<cv::Vec3f>(y, x) - light[x] * veil[x]) * (1.0F / (1.0F - veil[x])));
-        }
-    }
+    MeanColor blood, tissue;
+    SmokeLight smoke;
+    const auto each = [&](const auto& take) {
+        for (int y = 0; y < seen.rows; ++y)
+            for (int x = 0; x < seen.cols; ++x)
+                if (layers.valid.at<std::uint8_t>(y, x) != 0)
+                    take(seen.at<cv::Vec3f>(y, x), clear.at<cv::Vec3f>(y, x), layers.light.at<cv::Vec3f>(y, x),
+                         layers.veil.at<float>(y, x), layers.blood.at<std::uint8_t>(y, x) != 0);
+    };
+    each([&](const cv::Vec3f& shown, const cv::Vec3f& behind, const cv::Vec3f& assumed, float veil, bool is_blood) {
+        tissue.add(behind);
+        if (!is_blood) smoke.add(shown, behind, assumed, veil);
+    });
+    const cv::Vec3f factor = smoke.over_assumed();
+    each([&](const cv::Vec3f& shown, const cv::Vec3f&, const cv::Vec3f& assumed, float veil, bool is_blood) {
+        if (is_blood && veil <= dense_veil) blood.add((shown - assumed.mul(factor) * veil) * (1.0F / (1.0F - veil)));
+    });
     return {.blood = blood.found(), .smoke = smoke.found(), .tissue = tissue.found(), .tinted = false};
 }
 
@@ -75,10 +120,8 @@ MeasuredColors colors_of(const Image& frame, const Estimator& estimator) {
     shrink(frame, estimator.working_size(), code);
     to_linear(code, seen);
     to_linear(estimator.baseline(), clear);
-    if (const auto tint = smoke_tint({seen, clear, estimator.veil(), estimator.light(), estimator.valid()})) {
-        found.smoke = *tint * (light_of(*found.smoke) / light_of(*tint));
-        found.tinted = true;
-    }
+    const auto tint = smoke_tint({seen, clear, estimator.veil(), estimator.light(), estimator.valid()});
+    found.tinted = tint && agree(*tint, *found.smoke);
     return found;
 }
 

@@ -21,10 +21,14 @@ inline constexpr double colored_veil = 0.1;
 
 /// Mean colours, linear light, 0..1, red, green, blue; nothing of what has too few pixels.
 struct MeasuredColors {
-    std::optional<glm::dvec3> blood;   ///< where there is blood, with the veil removed; not behind dense_veil
-    std::optional<glm::dvec3> smoke;   ///< light of dense smoke where the veil is colored_veil or more
+    std::optional<glm::dvec3> blood;  ///< where there is blood, with the veil removed; not behind dense_veil
+    /// Light of dense smoke, by what the veil put before the tissue; blood does not count. Nothing where too few pixels
+    /// have a veil of colored_veil.
+    std::optional<glm::dvec3> smoke;
     std::optional<glm::dvec3> tissue;  ///< of the baseline, in the valid view
-    bool tinted = false;  ///< dark places tell the tint of the smoke (smoke_tint.h); else only how bright it is counts
+    /// The tint of the smoke is that which dark places tell (smoke_tint.h), which is not so where tissue moved; else
+    /// only how bright it is counts.
+    bool tinted = false;
 };
 
 /// How bright linear light is: its luminance.
@@ -36,8 +40,7 @@ struct ColorLayers {
 };
 /// `frame`: that of the layers, at any size.
 MeasuredColors colors_of(const Image& frame, const ColorLayers& layers);
-/// `frame`: the one that `estimator` measured last, at any size, and that was measurable. Where dark places tell the
-/// tint of the smoke, it has that.
+/// `frame`: the one that `estimator` measured last, at any size, and that was measurable.
 MeasuredColors colors_of(const Image& frame, const Estimator& estimator);
 
 /// CIE Delta E 2000 (color_difference.h); nothing where either picture has too few pixels. Smoke: of how bright it is

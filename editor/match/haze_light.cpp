@@ -100,20 +100,30 @@ void HazeLightSurvey::add(const cv::Mat& baseline, const cv::Mat& frame, const c
     ++frames_;
 }
 
+/// Where the parabola through three points is lowest; the middle one is the lowest of them.
+double lowest_of(const std::array<double, 3>& x, const std::array<double, 3>& y) {
+    const double falls = (y[1] - y[0]) / (x[1] - x[0]), rises = (y[2] - y[1]) / (x[2] - x[1]);
+    const double bend = (rises - falls) / (x[2] - x[0]);
+    return bend > 0.0 ? 0.5 * (x[0] + x[1] - falls / bend) : x[1];
+}
+
 HazeLight HazeLightSurvey::found() const {
     if (seen_ <= 0.0) return otherwise_;
-    const Tried* best = nullptr;
-    double least = 0.0;
+    std::array<double, fall_offs.size() * factors.size()> losses;
     const double held = plain * (1.0 + lonely / frames_);
-    for (const Tried& tried : tried_) {
-        const double apart = std::abs(std::log(tried.light.color.r / otherwise_.color.r)) +
-                             std::abs(tried.light.fall_off - otherwise_.fall_off);
-        const double loss = std::log(tried.loss / seen_ + loss_of_noise) + held * apart;
-        if (best != nullptr && loss >= least) continue;
-        best = &tried;
-        least = loss;
+    for (std::size_t i = 0; i < tried_.size(); ++i) {
+        const double apart =
+            std::abs(std::log(factors[i % factors.size()])) + std::abs(tried_[i].light.fall_off - otherwise_.fall_off);
+        losses[i] = std::log(tried_[i].loss / seen_ + loss_of_noise) + held * apart;
     }
-    return {.color = best->color(), .fall_off = best->light.fall_off};
+    const auto best = static_cast<std::size_t>(std::min_element(losses.begin(), losses.end()) - losses.begin());
+    HazeLight light{.color = tried_[best].color(), .fall_off = tried_[best].light.fall_off};
+    const std::size_t factor = best % factors.size();
+    if (factor == 0 || factor + 1 == factors.size()) return light;
+    const std::array<double, 3> bright = {std::log(factors[factor - 1]), std::log(factors[factor]),
+                                          std::log(factors[factor + 1])};
+    light.color *= std::exp(lowest_of(bright, {losses[best - 1], losses[best], losses[best + 1]}) - bright[1]);
+    return light;
 }
 
 }  // namespace lapfx::match

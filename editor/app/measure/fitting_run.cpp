@@ -118,14 +118,16 @@ FitFound FittingRun::find() {
         }
         return drawing(0.0);
     };
+    match::FitColors colors({.reference = wanted_.reference_colors,
+                             .target = found.target,
+                             .keys = wanted_.color_keys,
+                             .amidst = [this](double) { return drawing(0.0); },
+                             .finish = [this](double share) { return matching(share); }},
+                            *curve_);
+    const bool with_colors = !wanted_.color_keys.empty();
+    if (with_colors) input.match_colors = [&colors](const match::Tuned& tuned) { return colors.amidst(tuned); };
     found.result = match::fit(input);
-    if (!wanted_.color_keys.empty() && !found.result->after.empty())
-        found.colors = match::fit_colors(*found.result,
-                                         {.reference = wanted_.reference_colors,
-                                          .target = found.target,
-                                          .keys = wanted_.color_keys,
-                                          .progress = [this](double share) { return matching(share); }},
-                                         *curve_);
+    if (with_colors && !found.result->after.empty()) found.colors = colors.finish(*found.result);
     found.tuned = found.result->tuned;
     return found;
 }

@@ -11,7 +11,7 @@ namespace lapfx::match {
 
 namespace {
 
-constexpr std::size_t most_times = 20;  // that are drawn for one measuring
+constexpr std::size_t most_times = 12;  // that are drawn for one measuring
 // Below, what is taken for blood or smoke of the video may be an error of measuring, whose colour is the tissue's. The
 // interval of blood begins at 0 behind thin smoke, too, so much of it counts all the same.
 constexpr double least_blood = 0.01, much_blood = 0.05, least_veil = 0.1;
@@ -125,25 +125,34 @@ struct Tried {
     MeasuredColors seen = {};
 };
 
-/// The next of what gives `wanted` for what was given: along the line through the two nearest tries, that is as steep
-/// as light can be; of one try, in proportion. `least_slope`: of the line, over that through the origin.
+/// The next of what gives `wanted` for what was given: along the line through the nearest try and one beyond, or else
+/// the next nearest, that is as steep as light can be; of one try, in proportion. `least_slope`: of the line, over that
+/// through the origin.
 double next_of(std::vector<glm::dvec2> given_and_seen, double wanted, double least_slope) {
     for (glm::dvec2& pair : given_and_seen) pair.y = std::max(pair.y, least_light);
     std::ranges::stable_sort(given_and_seen, {}, [&](const glm::dvec2& pair) { return std::abs(pair.y - wanted); });
     const glm::dvec2 best = given_and_seen.front();
+    std::erase_if(given_and_seen,
+                  [&](const glm::dvec2& pair) { return std::abs(pair.x - best.x) < least_step * best.x; });
+    const auto beyond = [&](const glm::dvec2& pair) { return (pair.y < wanted) != (best.y < wanted); };
+    const auto nearer = [&](const glm::dvec2& a, const glm::dvec2& b) {
+        if (beyond(a) != beyond(b)) return beyond(a);
+        return beyond(a) && std::abs(a.x - best.x) < std::abs(b.x - best.x);
+    };
+    std::ranges::stable_sort(given_and_seen, nearer);
     const double proportion = best.y / best.x;
     double slope = proportion;
-    for (const glm::dvec2& other : given_and_seen) {
-        if (std::abs(other.x - best.x) < least_step * best.x) continue;
+    if (!given_and_seen.empty()) {
+        const glm::dvec2& other = given_and_seen.front();
         slope = std::clamp((other.y - best.y) / (other.x - best.x), least_slope * proportion, most_slope * proportion);
-        break;
     }
     return best.x + (wanted - best.y) / slope;
 }
 
 class Matching {
   public:
-    explicit Matching(const ColorMatchInput& input) : input_(input), result_{.tuned = input.start} {
+    explicit Matching(const ColorMatchInput& input)
+        : input_(input), result_{.start = input.begun ? input.begun->start : input.start, .tuned = input.start} {
         if (is_free(exposure_key))
             exposure_ = free_parameters(input.start, std::vector<std::string>{exposure_key}).front();
     }
@@ -248,10 +257,9 @@ class Matching {
     bool tinted() const { return input_.reference.colors.tinted && first_.colors.tinted; }
     /// Else only how bright it is.
     bool by_channel(std::size_t i) const { return parts[i].seen != &MeasuredColors::smoke || tinted(); }
-    /// Of a part that is not seen any more, or not as at first: as far as can be.
+    /// Of a part that is not seen any more: as far as can be.
     double part_off(const Tried& tried, std::size_t i) const {
         if (!moves_[i]) return 0.0;
-        if (by_channel(i) && parts[i].seen == &MeasuredColors::smoke && !tried.seen.tinted) return lost;
         return (off(tried).*parts[i].off).value_or(lost);
     }
     double cost(const Tried& tried) const { return light_off(tried) + part_off(tried, 0) + part_off(tried, 1); }
@@ -262,11 +270,16 @@ class Matching {
         return *std::ranges::min_element(tried_, {}, [&](const Tried& tried) { return cost(tried); });
     }
 
+    /// What is seen of blood depends on the smoke before it, too: what was tried long ago says little.
+    std::span<const Tried> latest() const {
+        constexpr std::size_t most = 3;
+        return std::span(tried_).last(std::min(tried_.size(), most));
+    }
     /// What is seen grows with the exposure, so the factors on colours go by what is seen for an exposure of 1.
     double wanted_factor(std::size_t i, int channel, double exposure) const {
         const auto light = [&](const glm::dvec3& color) { return by_channel(i) ? color[channel] : light_of(color); };
         std::vector<glm::dvec2> pairs;
-        for (const Tried& tried : tried_)
+        for (const Tried& tried : latest())
             if (const std::optional<glm::dvec3>& color = tried.seen.*parts[i].seen)
                 pairs.emplace_back(tried.factor[i][channel], light(*color) / tried.exposure);
         if (pairs.empty()) return 1.0;
@@ -315,9 +328,10 @@ class Matching {
     void finish() {
         const Tried& found = best();
         result_.tuned = tuned_of(found);
-        result_.before = off(tried_.front());
+        result_.before = input_.begun ? input_.begun->before : off(tried_.front());
         result_.after = off(found);
-        result_.light_before = relative_light(tried_.front().seen, input_.reference.colors);
+        result_.light_before =
+            input_.begun ? input_.begun->light_before : relative_light(tried_.front().seen, input_.reference.colors);
         result_.light_after = relative_light(found.seen, input_.reference.colors);
         tell_exposure(found);
         for (std::size_t i = 0; i < parts.size(); ++i)
@@ -325,8 +339,8 @@ class Matching {
     }
     void tell_exposure(const Tried& found) {
         if (!moves_exposure_) return;
-        const double before = tried_.front().exposure, after = found.exposure;
-        if (before == after)
+        const double before = exposure_->get(result_.start), after = found.exposure;
+        if (before == after || !result_.light_before)
             say(exposure_key + ": stays, the tissue of the video is as bright");
         else
             say(exposure_key + text(": %.4g -> %.4g, ", before, after) + "the tissue of the video was " +
@@ -336,10 +350,11 @@ class Matching {
     }
     void tell_part(const Tried& found, std::size_t i) {
         const Part& part = parts[i];
+        const FieldColors before = colors_of(result_.start.preset);
         for (std::size_t k = 0; k < start_.size(); ++k) {
             const Field& field = fields()[k];
             if (field.seen != part.seen || !is_free(field.key)) continue;
-            const glm::dvec3 &from = start_[k], &to = found.colors[k];
+            const glm::dvec3 &from = before[k], &to = found.colors[k];
             say(field.key + (from == to ? ": stays, nothing nearer was found" : ": " + hex(from) + " -> " + hex(to)));
         }
         if (const double left = part_off(found, i); left > plain)
@@ -418,7 +433,10 @@ std::optional<ColorsAtPeak> drawn_colors(PreviewCurve& curve, const Tuned& tuned
         colors.add(frame, estimator, amounts);
     };
     if (!curve.measure(tuned.scene, tuned.preset, times, {.progress = progress, .measured = take})) return {};
-    return colors.at_peak();
+    ColorsAtPeak found = colors.at_peak();
+    // Tissue of a drawn scene does not move, so all that its smoke puts before it tells the tint.
+    found.colors.tinted = found.colors.smoke.has_value();
+    return found;
 }
 
 }  // namespace lapfx::match

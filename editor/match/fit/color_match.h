@@ -47,10 +47,12 @@ struct ColorMatchInput {
     ColorsAtPeak reference = {};                                                 ///< measured in the video
     std::vector<std::string> keys = {color_keys().begin(), color_keys().end()};  ///< that are free; others are ignored
     DrawColors draw = {};
-    int rounds = 4;  ///< times that it is corrected at most; each is drawn
+    int rounds = 6;                            ///< times that it is corrected at most; each is drawn
+    const struct ColorMatch* begun = nullptr;  ///< an earlier match, from whose start changes are told; null: from this
 };
 
 struct ColorMatch {
+    Tuned start;                                                ///< before any colour was changed
     Tuned tuned;                                                ///< was drawn; no farther from the video than the start
     ColorLikeness before = {}, after = {};                      ///< Delta E 2000
     std::optional<double> light_before = {}, light_after = {};  ///< tissue's mean light, that of the video is 1

@@ -8,6 +8,7 @@
 #include "lapfx/prepared_organ.h"
 #include "match/episode.h"
 #include "match/fit/certainty.h"
+#include "match/fit/color_match.h"
 #include "match/fit/search.h"
 #include "match/fit/seen_places.h"
 #include "match/fit/undetermined.h"
@@ -37,19 +38,21 @@ class Fit {
   public:
     explicit Fit(const FitInput& input)
         : input_(input),
+          base_(input.start),
           start_(coordinates_of(input)),
           objective_(input.target, input.weights, start_),
           carried_(start_.size(), share_of(input)),
           core_(input.organ) {
         for (const TargetPoint& aim : input.target) times_.push_back(aim.time);
         best_.coordinates = start_;
+        known_ = known_to_core();
     }
 
     FitResult run() {
         if (draw_before() && draw(start_)) {
             if (!input_.before) first_ = best_.frames;
             leave_out_unseen();
-            if (learn_unknown()) search_rounds(input_.rounds, {.others = other_places});
+            if (match_colors() && learn_unknown()) search_rounds(input_.rounds, {.others = other_places});
             hold_undetermined();
         }
         return result();
@@ -67,18 +70,35 @@ class Fit {
         return seen_share_per_mm2(input.organ->organ(), input.start.scene, input.aspect).value_or(usual);
     }
     SearchSpace space() {
-        return {.base = input_.start,
+        return {.base = base_,
                 .parameters = input_.parameters,
                 .times = times_,
                 .objective = objective_,
                 .carried = carried_,
                 .core = core_};
     }
-    static bool known_to_core(const FreeParameter& p) { return (p.row->redo & redo::amounts) != 0; }
+    /// Of each parameter: the core's amounts may change with it. A row within a list, such as an event's time, does not
+    /// say so itself.
+    std::vector<bool> known_to_core() {
+        std::vector<bool> known;
+        for (std::size_t k = 0; k < start_.size(); ++k)
+            known.push_back((input_.parameters[k].row->redo & redo::amounts) != 0 || core_changes(k, -learning_step) ||
+                            core_changes(k, learning_step));
+        return known;
+    }
+    bool core_changes(std::size_t k, double step) {
+        const FreeParameter& p = input_.parameters[k];
+        std::vector<double> moved = start_;
+        moved[k] = std::clamp(moved[k] + step, p.coordinate(p.minimum), p.coordinate(p.maximum));
+        try {
+            return moved[k] != start_[k] && core_change(start_, moved) > 0.0;
+        } catch (const Error&) {  // a rule between values
+            return false;
+        }
+    }
     int most_curves() const {
-        const auto unknown = std::count_if(input_.parameters.begin(), input_.parameters.end(),
-                                           [](const FreeParameter& p) { return !known_to_core(p); });
-        return 2 + input_.rounds + rounds_beside_held + static_cast<int>(unknown);
+        const auto unknown = std::count(known_.begin(), known_.end(), false);
+        return 2 + input_.rounds + rounds_beside_held + static_cast<int>(unknown) + (input_.match_colors ? 2 : 0);
     }
     bool goes_on() {
         if (early_) return false;
@@ -134,11 +154,31 @@ class Fit {
         if (best_.frames.empty() || drawn->cost < best_.cost) best_ = std::move(*drawn);
         return true;
     }
+    /// What is measured of smoke and blood depends on their colours, so these come before all but a first step, with
+    /// which there is enough of both to see. False: it was ended.
+    bool match_colors() {
+        if (!input_.match_colors) return true;
+        std::vector<bool> unknown;
+        for (const bool known : known_) unknown.push_back(!known);
+        search_rounds(1, {.held = std::move(unknown), .others = other_places});
+        if (!goes_on()) return false;
+        const std::optional<Tuned> matched = input_.match_colors(space().tuned(best_.coordinates));
+        early_ = !matched;
+        if (early_) return false;
+        const std::vector<std::string> changed = different_colors(base_, *matched);
+        if (changed.empty()) return true;
+        take_colors(base_, *matched, changed);
+        const Drawn before = std::exchange(best_, {});
+        carried_ = Carried(start_.size(), share_of(input_));
+        if (draw(before.coordinates)) return true;
+        best_ = before;
+        return false;
+    }
     /// One curve for each parameter that the core's amounts do not depend on.
     bool learn_unknown() {
         for (std::size_t k = 0; k < start_.size(); ++k) {
             const FreeParameter& p = input_.parameters[k];
-            if (known_to_core(p)) continue;
+            if (known_[k]) continue;
             const double above = p.coordinate(p.maximum) - start_[k], below = start_[k] - p.coordinate(p.minimum);
             const double step = above >= below ? std::min(above, learning_step) : -std::min(below, learning_step);
             std::vector<double> moved = start_;
@@ -187,7 +227,7 @@ class Fit {
     void look_farther(const std::vector<double>& coordinates, std::vector<Certainty>& all) {
         for (std::size_t k = 0; k < all.size(); ++k) {
             const FreeParameter& p = input_.parameters[k];
-            if (!all[k].determined || held_[k] || !known_to_core(p)) continue;
+            if (!all[k].determined || held_[k] || !known_[k]) continue;
             const double low = p.coordinate(p.minimum), high = p.coordinate(p.maximum);
             const auto change_by = [&](double step) {
                 std::vector<double> far = coordinates;
@@ -209,11 +249,12 @@ class Fit {
             all[k].determined = ends_below && ends_above;
         }
     }
-    /// Between the core's amounts at two places: root of the sum of squares, each in parts of its greatest.
+    /// Between the core's amounts at two places: root of the sum of squares, each in parts of its greatest. What is
+    /// emitted is none of them: it begins and ends at once, so the least step may change much.
     double core_change(const std::vector<double>& from, const std::vector<double>& to) {
         const std::vector<Amounts> a = space().core_at(from), b = space().core_at(to);
         double sum = 0.0;
-        for (const auto amount : {&Amounts::blood_area, &Amounts::haze, &Amounts::emission}) {
+        for (const auto amount : {&Amounts::blood_area, &Amounts::haze}) {
             double change2 = 0.0, most = 0.0;
             for (std::size_t i = 0; i < a.size(); ++i) {
                 change2 += std::pow(a[i].*amount - b[i].*amount, 2);
@@ -322,6 +363,7 @@ class Fit {
     }
 
     const FitInput& input_;
+    Tuned base_;  ///< the start, with the colours of the reference once they are matched
     const std::vector<double> start_;
     std::vector<double> times_;
     Objective objective_;
@@ -330,6 +372,7 @@ class Fit {
     std::vector<FrameAmounts> first_;
     Drawn best_;
     std::vector<Certainty> certainties_;
+    std::vector<bool> known_;         ///< of each parameter: to the core
     std::vector<bool> held_, shown_;  ///< of each parameter: it keeps its value; the reference shows anything of it
     double last_cost_ = 0.0;
     int curves_ = 0;

@@ -48,11 +48,14 @@ struct FitInput {
     std::vector<TargetPoint> target = {};        ///< at least two
     std::shared_ptr<const PreparedOrgan> organ = {};
     DrawCurve draw = {};
+    /// Asked once the first search has brought the amounts near: the colours of what it gives are taken, and the search
+    /// goes on with them (fit_colors.h). Nothing: it was ended.
+    std::function<std::optional<Tuned>(const Tuned& tuned)> match_colors = {};
     double aspect = 1.25;  ///< of the drawn pictures, width over height
     Weights weights = {};
     std::uint32_t seed = 1;
     int rounds = 5;  ///< curves of the search at most; besides: the first, one for each parameter unknown to the core,
-                     ///< and up to three once it is known what keeps its value
+                     ///< two for colours, and up to three once it is known what keeps its value
     /// Called between steps; false ends the fit with what is the best so far.
     std::function<bool(const FitProgress&)> progress = {};
 };

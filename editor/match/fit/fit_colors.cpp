@@ -5,43 +5,57 @@
 
 namespace lapfx::match {
 
-namespace {
+/// `progress`: how many were drawn before, and the share of what is being drawn.
+ColorMatch FitColors::match(const Tuned& start, std::vector<std::string> keys,
+                            const std::function<bool(int drawn, double share)>& progress) {
+    ColorMatchInput matched{
+        .start = start, .reference = input_.reference, .keys = std::move(keys), .begun = begun_ ? &*begun_ : nullptr};
+    int drawn = -1;
+    matched.draw = [&](const Tuned& tuned) {
+        ++drawn;
+        return drawn_colors(*curve_, tuned, input_.target, [&](double share) { return progress(drawn, share); });
+    };
+    return match_colors(matched);
+}
+
+std::optional<Tuned> FitColors::amidst(const Tuned& tuned) {
+    std::vector<std::string> keys = input_.keys;
+    std::erase_if(keys, [](const std::string& key) { return key.starts_with("bleeding."); });  // once all is found
+    ColorMatch found =
+        match(tuned, std::move(keys), [this](int, double share) { return !input_.amidst || input_.amidst(share); });
+    if (found.drawn == 0 || found.ended_early) return {};
+    begun_ = std::move(found);
+    return begun_->tuned;
+}
 
 /// What is measured changes a little with the colours. False: it was ended.
-bool draw_again(FitResult& result, std::span<const TargetPoint> target, PreviewCurve& curve, const Progress& progress) {
+bool FitColors::draw_again(FitResult& result, const Progress& progress) {
     std::vector<double> times;
-    for (const TargetPoint& aim : target) times.push_back(aim.time);
+    for (const TargetPoint& aim : input_.target) times.push_back(aim.time);
     std::optional<std::vector<FrameAmounts>> frames =
-        curve.measure(result.tuned.scene, result.tuned.preset, times, {.progress = progress});
+        curve_->measure(result.tuned.scene, result.tuned.preset, times, {.progress = progress});
     if (!frames) return false;
     result.after = std::move(*frames);
-    result.blood_after = misfit(target, result.after, &TargetPoint::blood);
-    result.veil_after = misfit(target, result.after, &TargetPoint::veil);
+    result.blood_after = misfit(input_.target, result.after, &TargetPoint::blood);
+    result.veil_after = misfit(input_.target, result.after, &TargetPoint::veil);
     ++result.curves;
     return true;
 }
 
-}  // namespace
-
-std::vector<std::string> fit_colors(FitResult& result, const ColorFit& input, PreviewCurve& curve) {
-    ColorMatchInput matched{.start = result.tuned, .reference = input.reference, .keys = input.keys};
-    const double most_drawn = matched.rounds + 2.0;  // and what it starts from, and what was found
-    double drawn = -1.0, reached = 0.0;
-    const Progress part = [&](double share) {
+std::vector<std::string> FitColors::finish(FitResult& result) {
+    const double most_drawn = ColorMatchInput{}.rounds + 2.0;  // and what it starts from, and what was found
+    double reached = 0.0;
+    const auto progress = [&](double drawn, double share) {
         reached = std::max(reached, std::min((drawn + share) / most_drawn, 1.0));
-        return !input.progress || input.progress(reached);
+        return !input_.finish || input_.finish(reached);
     };
-    matched.draw = [&](const Tuned& tuned) {
-        ++drawn;
-        return drawn_colors(curve, tuned, input.target, part);
-    };
-    const ColorMatch found = match_colors(matched);
+    const ColorMatch found = match(result.tuned, input_.keys, progress);
     if (found.drawn == 0) return {"colours: the fit ended before the scene was drawn for them; they stay"};
+    const bool same = different_colors(result.tuned, found.tuned).empty();
     result.tuned = found.tuned;
     std::vector<std::string> lines = likeness_lines(found);
     lines.insert(lines.end(), found.lines.begin(), found.lines.end());
-    drawn = most_drawn - 1.0;
-    if (!draw_again(result, input.target, curve, part))
+    if (!same && !draw_again(result, [&](double share) { return progress(most_drawn - 1.0, share); }))
         lines.emplace_back("the curves are those before the colours were matched: the fit ended early");
     if (found.ended_early) lines.emplace_back("colours: the fit ended before they were as near as they can be");
     return lines;

@@ -1,12 +1,15 @@
-// Once the amounts are fitted, the colours of what was found are matched: --colors of lapfx fit, and Colours of the
-// editor's Fit.
+// The colours of a fit: --colors of lapfx fit, and Colours of the editor's Fit. What is measured of smoke depends on
+// its colour, so they are matched as soon as the amounts are near, and once more at the end.
 //
-//     const std::vector<std::string> lines = fit_colors(result, {.reference = peaks.at_peak(), .target = target},
-//     curve);
+//     FitColors colors({.reference = peaks.at_peak(), .target = target}, curve);
+//     input.match_colors = [&](const Tuned& tuned) { return colors.amidst(tuned); };
+//     FitResult result = fit(input);
+//     const std::vector<std::string> lines = colors.finish(result);
 //
 // The thread that asks `curve` for its pictures.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,11 +24,28 @@ struct ColorFit {
     ColorsAtPeak reference = {};  ///< measured in the video
     std::span<const TargetPoint> target = {};
     std::vector<std::string> keys = {color_keys().begin(), color_keys().end()};  ///< that are free
-    Progress progress = {};  ///< of all that is drawn, about; false ends it with the best so far
+    Progress amidst = {};  ///< called while the fit is under way; false ends it
+    Progress finish = {};  ///< of what is drawn at the end, about; false ends it with the best so far
 };
 
-/// What was found becomes the result's, with its curves. Lines for people, of the differences and of what was changed.
-/// Throws as PreviewCurve::measure().
-std::vector<std::string> fit_colors(FitResult& result, const ColorFit& input, PreviewCurve& curve);
+class FitColors {
+  public:
+    FitColors(ColorFit input, PreviewCurve& curve) : input_(std::move(input)), curve_(&curve) {}
+
+    /// For FitInput::match_colors. Throws as PreviewCurve::measure().
+    std::optional<Tuned> amidst(const Tuned& tuned);
+    /// What was found becomes the result's, with its curves. Lines for people, of the differences and of what was
+    /// changed. Throws as PreviewCurve::measure().
+    std::vector<std::string> finish(FitResult& result);
+
+  private:
+    ColorMatch match(const Tuned& start, std::vector<std::string> keys,
+                     const std::function<bool(int drawn, double share)>& progress);
+    bool draw_again(FitResult& result, const Progress& progress);
+
+    ColorFit input_;
+    PreviewCurve* curve_;
+    std::optional<ColorMatch> begun_;
+};
 
 }  // namespace lapfx::match

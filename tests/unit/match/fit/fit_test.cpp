@@ -42,6 +42,7 @@ const std::shared_ptr<const PreparedOrgan>& organ() {
 struct Camera {
     double noise = 0.0;
     std::uint32_t seed = 1;
+    bool takes_bright_for_dense = false;  ///< smoke of twice the default's light for twice as much
     CoreAmounts core{organ()};
 
     std::vector<FrameAmounts> see(const Tuned& tuned, std::span<const double> times) {
@@ -52,7 +53,8 @@ struct Camera {
         for (std::size_t i = 0; i < times.size(); ++i) {
             FrameAmounts& frame = frames.emplace_back();
             frame.time = times[i];
-            const double depth = 1.3 * amounts[i].haze + 0.15 * tuned.preset.smoke.plume.density * amounts[i].emission;
+            double depth = 1.3 * amounts[i].haze + 0.15 * tuned.preset.smoke.plume.density * amounts[i].emission;
+            if (takes_bright_for_dense) depth *= tuned.preset.smoke.haze.color.r / scene().preset.smoke.haze.color.r;
             const double share = 2e-4 * amounts[i].blood_area;
             const double veil = 1.0 - std::exp(-depth) + 1.0 * noise * normal(random);
             const double blood = share - 0.5 * share * share + 0.2 * noise * normal(random);
@@ -172,6 +174,7 @@ TEST(Fit, FindsWhenAToolBegins) {
     const FitResult found = found_for({.hidden = truth, .keys = {"events.0.time", "events.1.time"}});
     EXPECT_NEAR(found.tuned.scene.events[0].time, 3.4, 0.1);
     EXPECT_NEAR(found.tuned.scene.events[1].time, 0.7, 0.1);
+    EXPECT_LE(found.curves, 7) << "the core knows what an event does: no curve is drawn to learn it";
 }
 
 TEST(Fit, IsTheSameEachTime) {
@@ -230,6 +233,43 @@ TEST(Fit, KeepsWithinItsBounds) {
     EXPECT_EQ(found.tuned.preset.bleeding.speed, 6.0);
     EXPECT_TRUE(of(found, "bleeding.speed").at_bound);
     EXPECT_FALSE(of(found, "bleeding.max_extent").at_bound);
+}
+
+TEST(Fit, GoesOnWithTheColoursThatAreMatchedAmidstIt) {
+    Tuned truth = hidden(7.0, 8.0, 0.3, 0.15);
+    truth.preset.smoke.haze.color.r = 0.5 * scene().preset.smoke.haze.color.r;
+    Camera reference{.takes_bright_for_dense = true}, camera{.takes_bright_for_dense = true};
+    FitInput input = input_of({}, camera);
+    input.target = target_of(reference.see(truth, all_times()), {.to = seconds});
+    const FitResult without = fit(input);
+    EXPECT_NEAR(without.tuned.preset.smoke.haze.accumulation, 0.15, 0.02) << "half as bright, so half as dense";
+    std::vector<double> asked;
+    input.match_colors = [&](const Tuned& tuned) {
+        asked.push_back(tuned.preset.smoke.haze.accumulation);
+        Tuned matched = tuned;
+        matched.preset.smoke.haze.color = truth.preset.smoke.haze.color;
+        matched.preset.smoke.haze.ventilation = 9.0;  // no colour
+        return std::optional(matched);
+    };
+    const FitResult found = fit(input);
+    ASSERT_EQ(asked.size(), 1u);
+    EXPECT_GT(asked[0], 1.1 * scene().preset.smoke.haze.accumulation) << "after a first search";
+    EXPECT_EQ(found.tuned.preset.smoke.haze.color, truth.preset.smoke.haze.color);
+    EXPECT_NEAR(found.tuned.preset.smoke.haze.accumulation, 0.3, 0.015);
+    EXPECT_NEAR(found.tuned.preset.smoke.haze.ventilation, 0.15, 0.015);
+    EXPECT_LT(*found.veil_after, 0.005);
+}
+
+TEST(Fit, EndsEarlyWhereTheColoursDo) {
+    Camera camera;
+    FitInput input = input_of({.hidden = hidden(7.0, 8.0, 0.3, 0.15)}, camera);
+    input.match_colors = [](const Tuned&) { return std::optional<Tuned>(); };
+    const FitResult found = fit(input);
+    EXPECT_TRUE(found.ended_early);
+    EXPECT_EQ(found.curves, 2) << "the start, and what the first search found";
+    EXPECT_LT(*found.veil_after, *found.veil_before);
+    input.match_colors = [](const Tuned& tuned) { return std::optional(tuned); };
+    EXPECT_FALSE(fit(input).ended_early) << "nothing to change";
 }
 
 TEST(Fit, ThatIsCancelledGivesTheBestSoFar) {
