@@ -40,9 +40,8 @@ constexpr double rate = 6.0;             // frames per second of the reference
 constexpr double truth_step = 1.0;       // s
 constexpr std::uint32_t film_part = 41;  // of the random numbers (bench_measure_random.h)
 constexpr double begins_at = 0.3;        // s: where tools of the fitted scene begin before the fit
-const std::vector<std::string> fitted_keys = {"bleeding.speed",          "bleeding.max_extent",
-                                              "smoke.haze.accumulation", "smoke.haze.ventilation",
-                                              "smoke.plume.density",     "events.1.time"};
+const std::vector<std::string> fitted_keys = {"bleeding.speed", "bleeding.max_extent", "smoke.haze.accumulation",
+                                              "smoke.haze.ventilation", "smoke.plume.density"};
 
 struct Drawing {
     std::shared_ptr<ClipCache> clips = std::make_shared<ClipCache>();
@@ -128,12 +127,12 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& referenc
     outcome.blood_before = rms(before, hidden_truth, &ShownAmounts::blood);
     outcome.veil_before = rms(before, hidden_truth, &ShownAmounts::veil);
     const auto began = std::chrono::steady_clock::now();
-    match::FitInput input{.start = scene.tuned, .before = scene.tuned};
+    match::FitInput input{.start = scene.tuned, .aspect = case_aspect};
     input.target = match::target_of(reference.frames, {.to = case_duration, .step = effort.step});
     input.organ = scene.organ;
     input.seed = effort.seed, input.rounds = effort.rounds;
-    input.start = match::propose(scene.tuned, scene.organ, input.target, {.aspect = case_aspect}).tuned;
     input.parameters = match::free_parameters(input.start, fitted_keys);
+    match::begin_with_proposal(input);
     match::PreviewCurve curve(scene.organ, drawing.options(), {.size = match::preview_size(glm::dvec2(size))});
     input.draw = [&](const match::Tuned& tuned, std::span<const double> times) {
         return curve.measure(tuned.scene, tuned.preset, times);

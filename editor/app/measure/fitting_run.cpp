@@ -93,12 +93,7 @@ FitFound FittingRun::find() {
                           .weights = wanted_.weights,
                           .seed = wanted_.of.seed};
     if (wanted_.tools || wanted_.proposal_alone) {
-        found.lines = match::begin_with_proposal(input);
-        if (!wanted_.tools) {
-            input.start.scene.events = found.start.scene.events;
-            input.start.scene.curves.emission = found.start.scene.curves.emission;
-            found.lines.emplace_back("tools: stay as they are");
-        }
+        found.lines = match::begin_with_proposal(input, wanted_.tools);
         found.tuned = input.start;
     }
     if (wanted_.proposal_alone) return found;

@@ -318,6 +318,14 @@ class Fit {
         tell_certainties(when_held, beside_held);
     }
     const Tuned& original() const { return input_.before ? *input_.before : input_.start; }
+    /// An event that the proposal added was not there before.
+    double value_before(const FreeParameter& p) const {
+        try {
+            return p.get(original());
+        } catch (const Error&) {
+            return p.get(input_.start);
+        }
+    }
     /// The value of one that is not determined: that of the preset before any proposal; proposed events stay.
     double kept(const FreeParameter& p) const { return p.get(p.of_scene ? input_.start : original()); }
     FitResult result() {
@@ -342,7 +350,7 @@ class Fit {
         const Certainty& c = certainties_[k];
         const double at = best_.coordinates[k];
         FittedParameter fitted{.parameter = p,
-                               .before = p.get(original()),
+                               .before = value_before(p),
                                .after = p.value(at),
                                .low = p.value(c.low),
                                .high = p.value(c.high),

@@ -244,6 +244,36 @@ class Proposing {
     Proposal proposal_;
 };
 
+/// When what was moved works is known to some tenths of a second: the search is to find it more exactly. Contacts that
+/// form a stroke with others stay together as they are.
+void free_moved_tools(FitInput& input, std::vector<std::string> keys) {
+    constexpr std::size_t most = 4;  // of contacts
+    const std::vector<ToolContact>&events = input.start.scene.events, &before = input.before->scene.events;
+    const std::size_t chosen = keys.size();
+    const auto add = [&](std::size_t event, const char* name) {
+        const std::string key = "events." + std::to_string(event) + '.' + name;
+        if (std::find(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(chosen), key) ==
+            keys.begin() + static_cast<std::ptrdiff_t>(chosen))
+            keys.push_back(key);
+    };
+    const auto works = [](const ToolContact& contact) {
+        return contact.hot() ? contact.power > 0.0 : divides(contact.action) && contact.strength > 0.0;
+    };
+    std::size_t freed = 0;
+    for (const std::vector<std::size_t>& stroke : strokes_of(events, works)) {
+        const std::size_t k = stroke.front();
+        const ToolContact& event = events[k];
+        const bool moved = k >= before.size() || event.time != before[k].time || event.duration != before[k].duration;
+        if (stroke.size() > 1 || !moved || freed == most) continue;
+        ++freed;
+        add(k, "time");
+        if (event.hot()) add(k, "duration");
+    }
+    keys.erase(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(chosen));
+    if (keys.empty()) return;
+    for (FreeParameter& p : free_parameters(input.start, keys)) input.parameters.push_back(std::move(p));
+}
+
 }  // namespace
 
 Proposal propose(const Tuned& start, const std::shared_ptr<const PreparedOrgan>& organ,
@@ -251,12 +281,19 @@ Proposal propose(const Tuned& start, const std::shared_ptr<const PreparedOrgan>&
     return Proposing(start, organ, target, options).run();
 }
 
-std::vector<std::string> begin_with_proposal(FitInput& input) {
+std::vector<std::string> begin_with_proposal(FitInput& input, bool tools) {
     std::vector<std::string> keys;
     for (const FreeParameter& p : input.parameters) keys.push_back(p.key);
     Proposal proposal = propose(input.start, input.organ, input.target, {.aspect = input.aspect, .keys = keys});
     input.before = std::exchange(input.start, std::move(proposal.tuned));
     for (const FreeParameter& p : input.parameters) p.set(input.start, p.get(input.start));  // within its bounds
+    if (tools) {
+        free_moved_tools(input, keys);
+    } else {
+        input.start.scene.events = input.before->scene.events;
+        input.start.scene.curves.emission = input.before->scene.curves.emission;
+        proposal.lines.emplace_back("tools: stay as they are");
+    }
     return std::move(proposal.lines);
 }
 

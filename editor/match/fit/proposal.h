@@ -47,7 +47,7 @@ Proposal propose(const Tuned& start, const std::shared_ptr<const PreparedOrgan>&
                  std::span<const TargetPoint> target, const ProposalOptions& options);
 
 /// The search of a fit begins where the reference says; what it began with becomes its `before`. The lines of the
-/// proposal.
-std::vector<std::string> begin_with_proposal(FitInput& input);
+/// proposal. `tools`: events may be moved; when single contacts work is found more exactly along with the parameters.
+std::vector<std::string> begin_with_proposal(FitInput& input, bool tools = true);
 
 }  // namespace lapfx::match

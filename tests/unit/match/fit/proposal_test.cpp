@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lapfx/prepared_organ.h"
@@ -188,6 +189,76 @@ TEST(Proposal, LeavesWhatIsNotMeasurable) {
     EXPECT_EQ(found.tuned.scene.events, scene().scene.events);
     EXPECT_EQ(write_preset(found.tuned.preset), write_preset(scene().preset));
     EXPECT_EQ(found.lines.size(), 2U);
+}
+
+FitInput fit_of(const Tuned& start, const Tuned& truth, std::vector<std::string> keys) {
+    return {.start = start,
+            .parameters = free_parameters(start, keys),
+            .target = seen(truth),
+            .organ = organ(),
+            .aspect = aspect};
+}
+
+std::vector<std::string> keys_of(const FitInput& input) {
+    std::vector<std::string> keys;
+    for (const FreeParameter& p : input.parameters) keys.push_back(p.key);
+    return keys;
+}
+
+TEST(BeginWithProposal, WhenMovedToolsWorkIsFoundMoreExactly) {
+    FitInput input = fit_of(scene(), hidden(), {"bleeding.speed", "events.0.time"});
+    const std::vector<std::string> lines = begin_with_proposal(input);
+    EXPECT_THAT(keys_of(input),
+                testing::UnorderedElementsAre("bleeding.speed", "events.0.time", "events.1.time", "events.1.duration"));
+    EXPECT_EQ(input.before->scene.events, scene().scene.events);
+    EXPECT_NEAR(input.start.scene.events[1].time, 2.0, 0.3);
+    EXPECT_THAT(lines, testing::Contains(testing::HasSubstr("smoke: from")));
+}
+
+TEST(BeginWithProposal, StrokesOfSeveralContactsStayTogether) {
+    Tuned start = scene();
+    const ToolContact& burn = start.scene.events[1];
+    start.scene.events.push_back(
+        {.action = burn.action, .time = burn.end(), .duration = 1.0, .position = burn.to, .to = {28, 0, 8}});
+    FitInput input = fit_of(start, hidden(), {"bleeding.speed"});
+    begin_with_proposal(input);
+    EXPECT_THAT(keys_of(input), testing::UnorderedElementsAre("bleeding.speed", "events.0.time"));
+}
+
+TEST(BeginWithProposal, ToolsStayWhereTheyMayNotMove) {
+    FitInput input = fit_of(scene(), hidden(), {"smoke.haze.accumulation"});
+    const std::vector<std::string> lines = begin_with_proposal(input, false);
+    EXPECT_THAT(keys_of(input), testing::ElementsAre("smoke.haze.accumulation"));
+    EXPECT_EQ(input.start.scene.events, scene().scene.events);
+    EXPECT_THAT(lines, testing::Contains("tools: stay as they are"));
+}
+
+TEST(BeginWithProposal, AToolThatWasNotThereHasNoValueBefore) {
+    Tuned start = scene();
+    start.scene.events.pop_back();
+    Tuned truth = hidden();
+    truth.preset = start.preset;
+    FitInput input = fit_of(start, truth, {"smoke.haze.accumulation"});
+    begin_with_proposal(input);
+    ASSERT_EQ(input.start.scene.events.size(), 2U);
+    CoreAmounts core(organ());
+    input.draw = [&](const Tuned& tuned, std::span<const double> times) {
+        const std::vector<Amounts> amounts = core.at(tuned, times);
+        const double share = share_per_mm2(tuned.scene.camera, aspect, {0, 0, 0}, {0, 1, 0});
+        std::vector<FrameAmounts> frames;
+        for (std::size_t i = 0; i < times.size(); ++i)
+            frames.push_back({.time = times[i],
+                              .blood = around(share * amounts[i].blood_area, 0.004),
+                              .veil = around(1.0 - std::exp(-amounts[i].haze), 0.03)});
+        return std::optional(frames);
+    };
+    const FitResult found = fit(input);
+    const auto at = std::find_if(found.parameters.begin(), found.parameters.end(),
+                                 [](const FittedParameter& p) { return p.parameter.key == "events.1.time"; });
+    ASSERT_NE(at, found.parameters.end());
+    EXPECT_EQ(at->before, input.start.scene.events[1].time);
+    EXPECT_NEAR(at->after, 2.0, 0.05);
+    EXPECT_NEAR(found.tuned.scene.events[1].duration, 4.0, 0.15);
 }
 
 }  // namespace
