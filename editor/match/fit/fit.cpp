@@ -179,9 +179,9 @@ class Fit {
         for (std::size_t k = 0; k < start_.size(); ++k) {
             const FreeParameter& p = input_.parameters[k];
             if (known_[k]) continue;
-            const double above = p.coordinate(p.maximum) - start_[k], below = start_[k] - p.coordinate(p.minimum);
+            std::vector<double> moved = best_.coordinates;
+            const double above = p.coordinate(p.maximum) - moved[k], below = moved[k] - p.coordinate(p.minimum);
             const double step = above >= below ? std::min(above, learning_step) : -std::min(below, learning_step);
-            std::vector<double> moved = start_;
             moved[k] += step;
             const std::optional<Drawn> drawn = curve(moved);
             if (!drawn) return false;

@@ -260,6 +260,36 @@ TEST(Fit, GoesOnWithTheColoursThatAreMatchedAmidstIt) {
     EXPECT_LT(*found.veil_after, 0.005);
 }
 
+TEST(Fit, WhatTheCoreKnowsNothingOfIsLearntWhereTheColoursWereMatched) {
+    Tuned truth = hidden(7.0, 8.0, 0.3, 0.15);
+    truth.preset.smoke.plume.density = 1.2;
+    Camera camera;
+    FitInput input = input_of({.hidden = truth,
+                               .keys = {"bleeding.speed", "bleeding.max_extent", "smoke.haze.accumulation",
+                                        "smoke.haze.ventilation", "smoke.plume.density"}},
+                              camera);
+    std::vector<Tuned> drawn;
+    const auto draw = input.draw;
+    input.draw = [&](const Tuned& tuned, std::span<const double> times) {
+        drawn.push_back(tuned);
+        return draw(tuned, times);
+    };
+    std::size_t matched_at = 0;
+    input.match_colors = [&](Tuned tuned) {
+        matched_at = drawn.size();
+        tuned.preset.smoke.haze.color.b *= 0.9;  // which this camera does not see
+        return std::optional(std::move(tuned));
+    };
+    const FitResult found = fit(input);
+    ASSERT_GT(drawn.size(), matched_at + 1);
+    const Preset &stands = drawn[matched_at].preset, &moved = drawn[matched_at + 1].preset;
+    EXPECT_NE(moved.smoke.plume.density, stands.smoke.plume.density);
+    EXPECT_EQ(moved.smoke.haze.accumulation, stands.smoke.haze.accumulation) << "one parameter moves";
+    EXPECT_EQ(moved.bleeding.speed, stands.bleeding.speed);
+    EXPECT_NEAR(found.tuned.preset.smoke.plume.density, 1.2, 0.1);
+    EXPECT_NEAR(found.tuned.preset.smoke.haze.accumulation, 0.3, 0.02);
+}
+
 TEST(Fit, EndsEarlyWhereTheColoursDo) {
     Camera camera;
     FitInput input = input_of({.hidden = hidden(7.0, 8.0, 0.3, 0.15)}, camera);
