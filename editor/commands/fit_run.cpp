@@ -155,7 +155,7 @@ void add_fit_options(CLI::App& verb, FitOptions& options, const std::string& of)
         ->capture_default_str();
     add_match_options(verb, options.match, "scene", "fitted");
     verb.add_flag("--colors", options.colors,
-                  "Then match the colours of blood and smoke, and with --fitted-scene the exposure");
+                  "Match the colours of blood and smoke, too, and with --fitted-scene the exposure");
     verb.add_option("--seed", options.seed, "Of the chance in the search and in the intervals")
         ->option_text("NUMBER")
         ->capture_default_str();

@@ -207,7 +207,7 @@ void what_may_change(ui::Ui& ui, Fitting& fitting) {
     ui::checkbox(ui, "Tools may change", fitting.look.tools,
                  "Strokes may begin when smoke and blood of the reference begin, and be added or silenced");
     ui::checkbox(ui, "Colours", fitting.look.colors,
-                 "Then matches the colours of blood and smoke, and the exposure of the scene. Not for Propose, which "
+                 "Matches the colours of blood and smoke, too, and the exposure of the scene. Not for Propose, which "
                  "draws nothing");
 }
 

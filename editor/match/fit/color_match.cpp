@@ -330,8 +330,8 @@ class Matching {
         result_.tuned = tuned_of(found);
         result_.before = input_.begun ? input_.begun->before : off(tried_.front());
         result_.after = off(found);
-        result_.light_before =
-            input_.begun ? input_.begun->light_before : relative_light(tried_.front().seen, input_.reference.colors);
+        result_.light_before = relative_light(tried_.front().seen, input_.reference.colors);
+        if (input_.begun && input_.begun->light_before) result_.light_before = input_.begun->light_before;
         result_.light_after = relative_light(found.seen, input_.reference.colors);
         tell_exposure(found);
         for (std::size_t i = 0; i < parts.size(); ++i)
@@ -340,7 +340,7 @@ class Matching {
     void tell_exposure(const Tried& found) {
         if (!moves_exposure_) return;
         const double before = exposure_->get(result_.start), after = found.exposure;
-        if (before == after || !result_.light_before)
+        if (before == after)
             say(exposure_key + ": stays, the tissue of the video is as bright");
         else
             say(exposure_key + text(": %.4g -> %.4g, ", before, after) + "the tissue of the video was " +

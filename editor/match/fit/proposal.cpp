@@ -246,15 +246,13 @@ class Proposing {
 
 /// When what was moved works is known to some tenths of a second: the search is to find it more exactly. Contacts that
 /// form a stroke with others stay together as they are.
-void free_moved_tools(FitInput& input, std::vector<std::string> keys) {
+void free_moved_tools(FitInput& input, const std::vector<std::string>& chosen) {
     constexpr std::size_t most = 4;  // of contacts
     const std::vector<ToolContact>&events = input.start.scene.events, &before = input.before->scene.events;
-    const std::size_t chosen = keys.size();
+    std::vector<std::string> keys;
     const auto add = [&](std::size_t event, const char* name) {
         const std::string key = "events." + std::to_string(event) + '.' + name;
-        if (std::find(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(chosen), key) ==
-            keys.begin() + static_cast<std::ptrdiff_t>(chosen))
-            keys.push_back(key);
+        if (std::find(chosen.begin(), chosen.end(), key) == chosen.end()) keys.push_back(key);
     };
     const auto works = [](const ToolContact& contact) {
         return contact.hot() ? contact.power > 0.0 : divides(contact.action) && contact.strength > 0.0;
@@ -269,7 +267,6 @@ void free_moved_tools(FitInput& input, std::vector<std::string> keys) {
         add(k, "time");
         if (event.hot()) add(k, "duration");
     }
-    keys.erase(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(chosen));
     if (keys.empty()) return;
     for (FreeParameter& p : free_parameters(input.start, keys)) input.parameters.push_back(std::move(p));
 }
