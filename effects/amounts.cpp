@@ -35,6 +35,10 @@ Amounts AmountsModel::at(double time) noexcept {
     return state_->simulation.amounts();
 }
 
+SmokeAmounts AmountsModel::smoke_at(double time) const noexcept {
+    return state_->simulation.smoke(std::isfinite(time) ? time : 0.0);
+}
+
 std::span<const WoundStatus> AmountsModel::wounds() const noexcept {
     return state_->simulation.bleed().wounds();
 }

@@ -206,7 +206,7 @@ void Effects::draw_smoke(const View& view, unsigned scene_depth) noexcept {
     state_->smoke.draw(view,
                        {.burns = simulation.burns(),
                         .factor = simulation.emission_factor(),
-                        .haze = view.haze ? simulation.haze(simulation.time()) : 0.0,
+                        .haze = view.haze ? simulation.smoke(simulation.time()).haze : 0.0,
                         .up = -simulation.down(),
                         .time = simulation.time()},
                        scene_depth,

@@ -165,7 +165,13 @@ void Simulation::seek(double time) noexcept {
     tissue_->bleed->update(time);
 }
 
+SmokeAmounts Simulation::smoke(double time) const noexcept {
+    if (preset_.smoke.clips.empty()) return {};
+    return {.haze = haze_.density(time), .emission = haze_.emission(time)};
+}
+
 Amounts Simulation::amounts() const noexcept {
+    const SmokeAmounts smoke = this->smoke(time_);
     const bleeding::BleedField& bleed = *tissue_->bleed;
     const bleeding::BloodAmount blood = bleed.amount();
     return {.blood_area = blood.area,
@@ -174,8 +180,8 @@ Amounts Simulation::amounts() const noexcept {
             .bleeding_wounds = bleed.bleeding_wounds(),
             .left_out_wounds = static_cast<int>(tissue_->cautery.left_out()),
             .lost_samples = recorder_.dropped(),
-            .haze = haze(time_),
-            .emission = preset_.smoke.clips.empty() ? 0.0 : haze_.emission(time_),
+            .haze = smoke.haze,
+            .emission = smoke.emission,
             .burnt_area = tissue_->cautery.burnt_area()};
 }
 

@@ -54,8 +54,8 @@ class Simulation {
 
     double time() const { return time_; }
     Amounts amounts() const noexcept;
-    /// E of the haze. A preset without clips has no smoke.
-    double haze(double time) const noexcept { return preset_.smoke.clips.empty() ? 0.0 : haze_.density(time); }
+    /// Of any time, without seeking it. A preset without clips has no smoke.
+    SmokeAmounts smoke(double time) const noexcept;
     /// Whether a tip at a place of the rest shape touches tissue.
     bool touches(const glm::dvec3& place) const { return cautery::touches(tissue_->foundation->surface, place); }
 

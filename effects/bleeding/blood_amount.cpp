@@ -52,7 +52,10 @@ void AmountSum::mark(std::uint32_t vertex) noexcept {
     if (parts_.empty()) parts_.resize(surface_.triangles.size());
     for (const std::uint32_t t : surface_.triangles_at(vertex)) {
         if (state_[t] == marked) continue;
-        if (state_[t] == untouched) touched_.push_back(t);
+        if (state_[t] == untouched) {
+            touched_.push_back(t);
+            parts_[t] = {.whole = surface_.area(t), .steepness = steepness(t)};
+        }
         state_[t] = marked;
         marked_.push_back(t);
     }
@@ -66,11 +69,10 @@ void AmountSum::mark_all() noexcept {
 void AmountSum::clear() noexcept {
     for (const std::uint32_t t : touched_) {
         state_[t] = untouched;
-        parts_[t] = {};
     }
     touched_.clear();
     marked_.clear();
-    sum_ = {};
+    area_ = volume_ = 0;
 }
 
 /// As the shader has it: none without rivulets, all on a wall.
@@ -87,31 +89,33 @@ BloodAmount AmountSum::measure(std::span<const glm::vec2> values, const Bleeding
     const auto above = [&](std::uint32_t v) { return values[v].x - parameters.threshold; };
     for (const std::uint32_t t : marked_) {
         const auto& c = surface_.triangles[t];
-        const double a0 = above(c[0]), a1 = above(c[1]), a2 = above(c[2]);
+        Part& part = parts_[t];
+        std::array<double, 3> values_above{above(c[0]), above(c[1]), above(c[2])};
+        std::sort(values_above.begin(), values_above.end());
+        const auto [least, middle, most] = values_above;
         double share = 0.0, depth = 0.0;
         const auto add = [&](double move) {
-            const organ::AboveZero wet = organ::above_zero(a0 - move, a1 - move, a2 - move);
+            const organ::AboveZero wet = organ::above_zero({least - move, middle - move, most - move});
             share += wet.share;
             depth += wet.share * std::min(1.0, wet.mean / parameters.deep_at);
         };
-        if (std::min({a0, a1, a2}) >= noise.most() || std::max({a0, a1, a2}) <= -noise.most()) {
+        if (least >= noise.most() || most <= -noise.most()) {
             add(0.0);
         } else {
-            for (const double move : noise.moves(parameters.rivulets > 0.0 ? parameters.rivulets * steepness(t) : 0.0))
+            for (const double move :
+                 noise.moves(parameters.rivulets > 0.0 ? parameters.rivulets * part.steepness : 0.0))
                 add(move);
             share /= EdgeNoise::count;
             depth /= EdgeNoise::count;
         }
-        const double area = surface_.area(t);
-        const Part now{.area = organ::whole_units(share * area, unit),
-                       .volume = organ::whole_units(parameters.thickness * depth * area, unit)};
-        sum_.area += now.area - parts_[t].area;
-        sum_.volume += now.volume - parts_[t].volume;
-        parts_[t] = now;
+        const std::int64_t area = organ::whole_units(share * part.whole, unit);
+        const std::int64_t volume = organ::whole_units(parameters.thickness * depth * part.whole, unit);
+        area_ += area - part.area, volume_ += volume - part.volume;
+        part.area = area, part.volume = volume;
         state_[t] = measured;
     }
     marked_.clear();
-    return {.area = static_cast<double>(sum_.area) * unit, .volume = static_cast<double>(sum_.volume) * unit};
+    return {.area = static_cast<double>(area_) * unit, .volume = static_cast<double>(volume_) * unit};
 }
 
 }  // namespace lapfx::bleeding

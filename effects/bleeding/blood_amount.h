@@ -38,7 +38,9 @@ class AmountSum {
   private:
     enum State : char { untouched, measured, marked };
     struct Part {
-        std::int64_t area = 0, volume = 0;
+        std::int64_t area = 0, volume = 0;  ///< of the blood
+        double whole = 0.0;                 ///< mm2, of the triangle
+        double steepness = 0.0;
     };
     static constexpr double unit = 1e-6;  // mm2, mm3
 
@@ -50,7 +52,7 @@ class AmountSum {
     std::vector<Part> parts_;             // per triangle; empty until there is blood
     std::vector<std::uint32_t> touched_;  // triangles that have had blood
     std::vector<std::uint32_t> marked_;
-    Part sum_;
+    std::int64_t area_ = 0, volume_ = 0;  // of all parts
 };
 
 }  // namespace lapfx::bleeding

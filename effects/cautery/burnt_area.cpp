@@ -19,7 +19,11 @@ double height(float rise) {
 /// and above its plane by a twelfth of their sum on average: good enough for triangles a quarter as long.
 double share_above(const std::array<double, 3>& values, const std::array<double, 3>& bends, int halvings) {
     const double more = (bends[0] + bends[1] + bends[2]) / 12.0;
-    if (halvings == 0) return organ::above_zero(values[0] + more, values[1] + more, values[2] + more).share;
+    if (halvings == 0) {
+        std::array<double, 3> raised{values[0] + more, values[1] + more, values[2] + more};
+        std::sort(raised.begin(), raised.end());
+        return organ::above_zero(raised).share;
+    }
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     if (*least >= 0.0) return 1.0;
     if (*most + 4.0 * more <= 0.0) return 0.0;

@@ -1,7 +1,7 @@
 // Where a value that is linear in a triangle is above zero. Pure; any thread.
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -12,10 +12,8 @@ struct AboveZero {
     double mean = 0.0;   ///< mean of the value there
 };
 
-/// From the values at the corners. Three zeros are nowhere above zero.
-inline AboveZero above_zero(double a, double b, double c) {
-    double v[3] = {a, b, c};
-    std::sort(v, v + 3);
+/// From the values at the corners, in ascending order. Three zeros are nowhere above zero.
+inline AboveZero above_zero(const std::array<double, 3>& v) {
     if (v[2] <= 0.0) return {};
     if (v[0] >= 0.0) return {1.0, (v[0] + v[1] + v[2]) / 3.0};
     if (v[1] <= 0.0) return {v[2] * v[2] / ((v[2] - v[0]) * (v[2] - v[1])), v[2] / 3.0};

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "support/meshes.h"
 
 namespace lapfx {
@@ -33,6 +35,23 @@ TEST(SmokeAmounts, ATipThatLeavesTheTissueSmokesUpToThere) {
 
 TEST(SmokeAmounts, APresetWithoutClipsHasNone) {
     EXPECT_EQ(haze_of({1, 0, 2}, {1, 0, 2}, false), 0.0);
+}
+
+TEST(SmokeAmounts, AreTheSameWithoutSeekingTheTime) {
+    Preset preset;
+    preset.smoke.clips = {{.file = "not_opened_for_amounts.mp4"}};
+    const ToolContact burn{.time = 1.0, .duration = 3.0, .power = 0.5};
+    AmountsModel model(test::plane(100.0, 50)), sought(test::plane(100.0, 50));
+    Curves curves;
+    curves.emission = {{0.0, 1.0}, {6.0, 2.0}};
+    model.set(preset, {&burn, 1}, curves);
+    sought.set(preset, {&burn, 1}, curves);
+    for (const double time : {7.0, 3.5, 0.5, 2.0}) {
+        EXPECT_EQ(model.smoke_at(time).haze, sought.at(time).haze) << time;
+        EXPECT_EQ(model.smoke_at(time).emission, sought.at(time).emission) << time;
+    }
+    EXPECT_NEAR(model.smoke_at(2.5).emission, 0.5 * (1.0 + 2.5 / 6.0), 1e-12);
+    EXPECT_EQ(model.smoke_at(std::numeric_limits<double>::quiet_NaN()).haze, 0.0);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The core's own amounts of a scene at given times, without drawing: milliseconds for a whole scene.
+// The core's own amounts of a scene at given times, without drawing: milliseconds for a whole scene. What was worked
+// out of blood is kept for a few scenes, since a search often asks for the same blood with other smoke.
 //
 //     CoreAmounts core(organ);
 //     std::vector<Amounts> amounts = core.at(tuned, times);
@@ -6,6 +7,7 @@
 // One thread at a time, any.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <span>
 #include <vector>
@@ -24,9 +26,28 @@ class CoreAmounts {
     int evaluations() const { return evaluations_; }
 
   private:
+    /// All that blood depends on.
+    struct BloodInputs {
+        BleedingParameters bleeding;
+        VesselParameters vessels;
+        CauteryParameters cautery;
+        std::vector<ToolContact> contacts;
+        Curves curves;  ///< without emission
+        glm::dvec3 gravity;
+        std::vector<double> times;
+
+        friend bool operator==(const BloodInputs&, const BloodInputs&) = default;
+    };
+    struct Worked {
+        BloodInputs of;
+        std::vector<Amounts> amounts;
+    };
+    static BloodInputs inputs_of(const Tuned& tuned, std::span<const double> times);
+
     std::shared_ptr<const PreparedOrgan> organ_;
     std::unique_ptr<AmountsModel> model_;
-    glm::dvec3 gravity_{0.0};  ///< of model_
+    glm::dvec3 gravity_{0.0};   ///< of model_
+    std::deque<Worked> known_;  ///< latest first
     int evaluations_ = 0;
 };
 

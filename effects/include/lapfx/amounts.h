@@ -39,6 +39,11 @@ struct Amounts {
     double burnt_area = 0.0;  ///< mm2 of organ surface that has reached the char temperature
 };
 
+/// The part of Amounts that is known in closed form.
+struct SmokeAmounts {
+    double haze = 0.0, emission = 0.0;  ///< as in Amounts
+};
+
 class PreparedOrgan;
 
 struct AmountsOptions {
@@ -65,6 +70,8 @@ class AmountsModel {
 
     /// Takes any times in any order; going forwards costs least. A time that is not finite counts as 0.
     Amounts at(double time) noexcept;
+    /// The same haze and emission as at() gives, in no time: neither blood nor heat is worked out for it.
+    SmokeAmounts smoke_at(double time) const noexcept;
     /// Every wound of the contacts and what it was doing at that time. Wounds of later contacts are waiting. Valid
     /// until the next call that is not const.
     std::span<const WoundStatus> wounds() const noexcept;

@@ -30,6 +30,8 @@ struct BleedingParameters {
     double thickness = 0.6;
     double gloss = 0.85;
     double clot_darkening = 0.85;
+
+    friend bool operator==(const BleedingParameters&, const BleedingParameters&) = default;
 };
 
 /// Where the organ's texture shows vessels (paper: figure 9). By default a cut bleeds where there are vessels, and more

@@ -1,0 +1,90 @@
+// Blood is kept for the scenes asked for before; what is told must be as if nothing were kept.
+#include "match/fit/core_amounts.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "lapfx/prepared_organ.h"
+#include "support/meshes.h"
+
+namespace lapfx::match {
+namespace {
+
+const std::shared_ptr<const PreparedOrgan>& organ() {
+    static const std::shared_ptr<const PreparedOrgan> one = prepare_organ(test::plane(80.0, 40));
+    return one;
+}
+
+Tuned scene() {
+    Tuned tuned;
+    tuned.preset.smoke.clips = {{.file = "smoke.mkv"}};  // without one there is no smoke; it is not opened
+    tuned.scene.events = {{.action = ToolAction::cut, .time = 0.5, .duration = 0.0},
+                          {.action = ToolAction::coagulate, .time = 1.0, .duration = 2.0, .position = {20.0, 0.0, 0.0}},
+                          {.action = ToolAction::suction, .time = 4.0, .duration = 1.0}};
+    return tuned;
+}
+
+std::vector<Amounts> anew(const Tuned& tuned, std::span<const double> times) {
+    AmountsModel model(organ(), {.gravity = tuned.scene.gravity});
+    model.set(tuned.preset, tuned.scene.events, tuned.scene.curves);
+    std::vector<Amounts> amounts;
+    for (const double time : times) amounts.push_back(model.at(time));
+    return amounts;
+}
+
+void expect_same(const std::vector<Amounts>& told, const std::vector<Amounts>& expected, const std::string& of) {
+    ASSERT_EQ(told.size(), expected.size()) << of;
+    for (std::size_t i = 0; i < told.size(); ++i) {
+        EXPECT_EQ(told[i].blood_area, expected[i].blood_area) << of << ", " << i;
+        EXPECT_EQ(told[i].wounds, expected[i].wounds) << of << ", " << i;
+        EXPECT_EQ(told[i].burnt_area, expected[i].burnt_area) << of << ", " << i;
+        EXPECT_EQ(told[i].haze, expected[i].haze) << of << ", " << i;
+        EXPECT_EQ(told[i].emission, expected[i].emission) << of << ", " << i;
+    }
+}
+
+TEST(CoreAmounts, WhatIsKeptIsTheSameAsWorkedOutAnew) {
+    using Change = std::function<void(Tuned&)>;
+    const std::vector<std::pair<std::string, Change>> changes{
+        {"accumulation", [](Tuned& t) { t.preset.smoke.haze.accumulation *= 3.0; }},
+        {"fat", [](Tuned& t) { t.preset.smoke.plume.fat_gain += 1.0; }},
+        {"emission",
+         [](Tuned& t) {
+             t.scene.curves.emission = {{0.0, 0.5}};
+         }},
+        {"speed", [](Tuned& t) { t.preset.bleeding.speed *= 2.0; }},
+        {"threshold", [](Tuned& t) { t.preset.bleeding.threshold += 1.0; }},
+        {"vessels", [](Tuned& t) { t.preset.vessels.vessel_threshold = 0.0; }},
+        {"heat", [](Tuned& t) { t.preset.cautery.heat_rate *= 2.0; }},
+        {"power",
+         [](Tuned& t) {
+             t.scene.curves.cautery_power = {{0.0, 0.5}};
+         }},
+        {"strength",
+         [](Tuned& t) {
+             t.scene.curves.bleeding_strength = {{0.0, 0.3}};
+         }},
+        {"event", [](Tuned& t) { t.scene.events[0].time = 1.5; }},
+        {"gravity",
+         [](Tuned& t) {
+             t.scene.gravity = {1.0, 0.0, 0.0};
+         }},
+    };
+    const std::vector<double> times{0.4, 1.2, 2.0, 4.6, 6.0};
+    CoreAmounts core(organ());
+    const Tuned base = scene();
+    for (const auto& [name, change] : changes) {
+        Tuned changed = base;
+        change(changed);
+        expect_same(core.at(base, times), anew(base, times), "before " + name);
+        expect_same(core.at(changed, times), anew(changed, times), name);
+        expect_same(core.at(base, times), anew(base, times), "after " + name);
+    }
+    const std::vector<double> others{3.0, 5.0};
+    expect_same(core.at(base, others), anew(base, others), "other times");
+    EXPECT_EQ(core.evaluations(), 3 * static_cast<int>(changes.size()) + 1);
+}
+
+}  // namespace
+}  // namespace lapfx::match
