@@ -11,12 +11,14 @@ namespace {
 
 bool add_slopes(const LeastSquares& problem, std::span<const double> x, std::span<const double> here,
                 std::span<double> slopes) {
-    std::vector<double> moved(x.begin(), x.end()), there(here.size());
+    std::vector<std::vector<double>> places(x.size(), {x.begin(), x.end()});
+    for (std::size_t k = 0; k < x.size(); ++k)
+        places[k][k] += x[k] + problem.slope_step > problem.high[k] ? -problem.slope_step : problem.slope_step;
+    if (problem.expect) problem.expect(places);
+    std::vector<double> there(here.size());
     for (std::size_t k = 0; k < x.size(); ++k) {
-        const double step = x[k] + problem.slope_step > problem.high[k] ? -problem.slope_step : problem.slope_step;
-        moved[k] = x[k] + step;
-        if (!problem.evaluate(moved, there)) return false;
-        moved[k] = x[k];
+        if (!problem.evaluate(places[k], there)) return false;
+        const double step = places[k][k] - x[k];
         for (std::size_t i = 0; i < here.size(); ++i) slopes[i * x.size() + k] = (there[i] - here[i]) / step;
     }
     return true;

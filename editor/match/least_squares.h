@@ -22,6 +22,8 @@ struct LeastSquares {
     /// not throw. Slopes are asked for right after their place: first x, then x with its first unknown moved, and so
     /// on.
     std::function<bool(std::span<const double> x, std::span<double> residuals)> evaluate = {};
+    /// Is told all places of the slopes before they are evaluated, one after the other; must not throw.
+    std::function<void(std::span<const std::vector<double>> places)> expect = {};
     double slope_step = 0.02;            ///< how far an unknown is moved, away from its upper bound
     double tolerance = 1e-4;             ///< ends when an iteration makes the cost less by no more than this share
     int iterations = 25;                 ///< at most

@@ -77,7 +77,7 @@ void known(ui::Ui& ui, const AmountsParts& on, const Part& part, double apart, s
     const bool clicked = ui::button(
         ui, ui.join({text.view(), "###", part.name}),
         {.tip = ui.join({"How far the colour of ", part.name, " is from the reference's, ", part.where,
-                         ": CIE Delta E 2000. About 2.3 is just noticeable. Goes to what mends it: ", part.key}),
+                         ": CIE Delta E 2000. About 1 is just noticeable. Goes to what mends it: ", part.key}),
          .quiet = true});
     ui.last().rigid = false;
     if (clicked) go_to_what_mends(ui, on, part.key);
@@ -91,6 +91,7 @@ void measured_colors(ui::Ui& ui, const AmountsParts& on) {
     ui::Node& line = ui.open(ui::Role::group, "Colours", ui::Axis::x);
     line.size[0] = ui::grow();
     line.cross = ui::ChildAlign::center;
+    line.gap = ui.em(0.3F);
     ui::label(ui, "Colours:", {.tone = ui::Tone::dim});
     for (const Part& part : parts) {
         const std::string_view end = &part == &parts.back() ? "" : ",";

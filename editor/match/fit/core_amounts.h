@@ -4,9 +4,10 @@
 //     CoreAmounts core(organ);
 //     std::vector<Amounts> amounts = core.at(tuned, times);
 //
-// One thread at a time, any.
+// One thread at a time, any; expect() starts another beside it and waits for it.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <memory>
 #include <span>
@@ -23,6 +24,9 @@ class CoreAmounts {
 
     /// `times`: s, ascending. Throws Error (bad_input) for values that are not allowed.
     std::vector<Amounts> at(const Tuned& tuned, std::span<const double> times);
+    /// Works out the blood of scenes that at() will be asked for next, on two threads. What is not allowed is left for
+    /// at() to refuse.
+    void expect(std::span<const Tuned> scenes, std::span<const double> times);
     int evaluations() const { return evaluations_; }
 
   private:
@@ -42,12 +46,18 @@ class CoreAmounts {
         BloodInputs of;
         std::vector<Amounts> amounts;
     };
+    struct Model {
+        std::unique_ptr<AmountsModel> model;
+        glm::dvec3 gravity{0.0};  ///< of model
+    };
     static BloodInputs inputs_of(const Tuned& tuned, std::span<const double> times);
+    const Worked* known(const BloodInputs& inputs);
+    void keep(Worked worked);
+    AmountsModel& set(Model& model, const Tuned& tuned) const;
 
     std::shared_ptr<const PreparedOrgan> organ_;
-    std::unique_ptr<AmountsModel> model_;
-    glm::dvec3 gravity_{0.0};   ///< of model_
-    std::deque<Worked> known_;  ///< latest first
+    std::array<Model, 2> models_;  ///< the first for at()
+    std::deque<Worked> known_;     ///< latest first
     int evaluations_ = 0;
 };
 

@@ -25,6 +25,7 @@ constexpr double bound_near = 1e-3;       // coordinates
 constexpr double held_error = 0.7;        // coordinates: a value of the preset is right within a factor of two or so
 constexpr double small_change = 0.02, farther = 3.0, farthest_least = 0.1;  // coordinates, standard errors, coordinates
 constexpr double much_less = 0.1;                                           // of what small changes do
+constexpr double denial = 8.0;         // of the cost: four standard errors, when all else is found beside it
 constexpr int rounds_beside_held = 3;  // curves that are drawn at most once it is known what is held
 
 /// A drawn place.
@@ -52,8 +53,12 @@ class Fit {
         if (draw_before() && draw(start_)) {
             if (!input_.before) first_ = best_.frames;
             leave_out_unseen();
-            if (match_colors() && learn_unknown()) search_rounds(input_.rounds, {.others = other_places});
-            hold_undetermined();
+            held_.assign(start_.size(), false);
+            for (const FreeParameter& p : input_.parameters)
+                shown_.push_back(shows_anything_of(p.key, objective_.target()));
+            if (match_colors() && learn_unknown()) search_and_hold();
+            if (hold_undetermined()) search_rounds(rounds_beside_held - 1, options_with(held_));
+            tell_certainties();
         }
         return result();
     }
@@ -160,7 +165,8 @@ class Fit {
         if (!input_.match_colors) return true;
         std::vector<bool> unknown;
         for (const bool known : known_) unknown.push_back(!known);
-        search_rounds(1, {.held = std::move(unknown), .others = other_places});
+        SearchOptions options = options_with(std::move(unknown), other_places);
+        search_round(options);
         if (!goes_on()) return false;
         const std::optional<Tuned> matched = input_.match_colors(space().tuned(best_.coordinates));
         early_ = !matched;
@@ -189,21 +195,40 @@ class Fit {
         }
         return true;
     }
+    SearchOptions options_with(std::vector<bool> held, std::size_t others = 0) {
+        return {
+            .held = std::move(held), .others = others, .seed = input_.seed, .goes_on = [this] { return goes_on(); }};
+    }
+    /// What the reference does not tell is held as soon as the curves are as near as measuring tells, so that no more
+    /// are drawn to find it. Farther away, slopes say little about what is told.
+    void search_and_hold() {
+        SearchOptions options = options_with({}, other_places);
+        const double as_near = 0.5 * objective_.blocks();
+        int round = 0;
+        for (bool more = true; more && round < input_.rounds && best_.cost > as_near; ++round)
+            more = search_round(options);
+        if (best_.cost <= as_near && hold_undetermined()) ++round;
+        options.held = held_;
+        search_rounds(input_.rounds - round, std::move(options));
+    }
     void search_rounds(int rounds, SearchOptions options) {
-        options.seed = input_.seed, options.goes_on = [this] { return goes_on(); };
-        for (int round = 0; round < rounds && goes_on(); ++round) {
-            const std::vector<double> from = best_.coordinates;
-            const double before = best_.cost;
-            const std::vector<double> next = search(space(), from, options);
-            options.others = 0;
-            double moved = 0.0;
-            for (std::size_t k = 0; k < next.size(); ++k) moved = std::max(moved, std::abs(next[k] - from[k]));
-            if (moved < bound_near || !draw(next)) return;
-            if (last_cost_ < before && before - last_cost_ < enough * before) return;
-            options.radius = last_cost_ < before ? std::max(options.radius, 2.0 * moved) : narrower * moved;
-            if (last_cost_ >= before)  // from the best place again, knowing more
-                carried_.stand_at(from, space().core_at(from), curves_of(best_.frames));
-        }
+        for (int round = 0; round < rounds && search_round(options);) ++round;
+    }
+    /// Draws at most one curve. False: another would gain little or nothing, or it was ended.
+    bool search_round(SearchOptions& options) {
+        if (!goes_on()) return false;
+        const std::vector<double> from = best_.coordinates;
+        const double before = best_.cost;
+        const std::vector<double> next = search(space(), from, options);
+        options.others = 0;
+        double moved = 0.0;
+        for (std::size_t k = 0; k < next.size(); ++k) moved = std::max(moved, std::abs(next[k] - from[k]));
+        if (moved < bound_near || !draw(next)) return false;
+        if (last_cost_ < before && before - last_cost_ < enough * before) return false;
+        options.radius = last_cost_ < before ? std::max(options.radius, 2.0 * moved) : narrower * moved;
+        if (last_cost_ >= before)  // from the best place again, knowing more
+            carried_.stand_at(from, space().core_at(from), curves_of(best_.frames));
+        return true;
     }
     /// `error_of_held`: coordinates, of those that are held; 0: they are as they are.
     std::vector<Certainty> certainties(const std::vector<double>& coordinates, double error_of_held = 0.0) {
@@ -265,12 +290,16 @@ class Fit {
         return std::sqrt(sum);
     }
     /// Once it is known what is held: that it is as it was is not certain, which makes the others less certain.
-    void tell_certainties(const std::vector<Certainty>& when_held, const std::vector<Certainty>& beside_held) {
+    void tell_certainties() {
+        const std::vector<Certainty> beside_held = certainties_;
         certainties_ = certainties(best_.coordinates, held_error);
         for (std::size_t k = 0; k < held_.size(); ++k) {
-            if (held_[k]) certainties_[k] = when_held[k];
+            if (held_[k]) certainties_[k] = when_held_[k];
             certainties_[k].determined = !held_[k] && beside_held[k].determined;
         }
+    }
+    double told_cost(const std::vector<double>& coordinates) {
+        return objective_.cost(carried_.at(coordinates, space().core_at(coordinates)), coordinates);
     }
     double kept_coordinate(std::size_t k) const { return input_.parameters[k].coordinate(kept(input_.parameters[k])); }
     /// Of those that the reference does not tell, the one whose value before it denies least; nothing where it denies
@@ -281,7 +310,7 @@ class Fit {
         for (std::size_t k = 0; k < held_.size(); ++k) {
             const Certainty& c = certainties_[k];
             const double value = kept_coordinate(k);
-            if (held_[k] || c.determined || (shown_[k] && (value < c.low || value > c.high))) continue;
+            if (held_[k] || ruled_out_[k] || c.determined || (shown_[k] && (value < c.low || value > c.high))) continue;
             const double denied = shown_[k] ? std::abs(value - coordinates[k]) / c.error : -1.0;
             if (!least || denied < least_denied) least = k, least_denied = denied;
         }
@@ -289,33 +318,26 @@ class Fit {
     }
     /// What the reference does not tell keeps its value. Several that do the same to the curves are all unknown, but
     /// once one of them is held the others may be known: so one after the other, and what is left is found beside it.
-    void hold_undetermined() {
-        held_.assign(start_.size(), false), shown_.clear();
-        for (const FreeParameter& p : input_.parameters)
-            shown_.push_back(shows_anything_of(p.key, objective_.target()));
+    /// True: it has drawn the place where that is so.
+    bool hold_undetermined() {
         std::vector<double> next = best_.coordinates;
         certainties_ = certainties(next);
-        std::vector<Certainty> when_held = certainties_;
-        const auto search_beside = [&] {
-            next = search(space(), next, {.held = held_, .seed = input_.seed, .goes_on = [this] { return goes_on(); }});
-            certainties_ = certainties(next);
-        };
+        when_held_.resize(next.size());
+        ruled_out_.assign(next.size(), false);
         while (const std::optional<std::size_t> k = early_ ? std::nullopt : least_told(next)) {
-            held_[*k] = true, when_held[*k] = certainties_[*k];
-            const bool moves = next[*k] != kept_coordinate(*k);
-            next[*k] = kept_coordinate(*k);
-            if (moves && shown_[*k])
-                search_beside();
-            else
-                certainties_ = certainties(next);
+            held_[*k] = true, when_held_[*k] = certainties_[*k];
+            std::vector<double> beside = next;
+            beside[*k] = kept_coordinate(*k);
+            if (beside != next && shown_[*k]) beside = search(space(), beside, options_with(held_));
+            ruled_out_[*k] = shown_[*k] && told_cost(beside) > told_cost(next) + denial;
+            held_[*k] = !ruled_out_[*k];
+            if (held_[*k]) next = beside, certainties_ = certainties(next);
         }
-        const std::vector<Certainty> beside_held = certainties_;
-        if (!early_ && next != best_.coordinates) {
-            Drawn before = std::exchange(best_, {});
-            if (draw(next)) search_rounds(rounds_beside_held - 1, {.held = held_});
-            if (best_.frames.empty()) best_ = std::move(before);
-        }
-        tell_certainties(when_held, beside_held);
+        if (early_ || next == best_.coordinates) return false;
+        Drawn before = std::exchange(best_, {});
+        if (draw(next)) return true;
+        best_ = std::move(before);
+        return false;
     }
     const Tuned& original() const { return input_.before ? *input_.before : input_.start; }
     /// An event that the proposal added was not there before.
@@ -380,8 +402,10 @@ class Fit {
     std::vector<FrameAmounts> first_;
     Drawn best_;
     std::vector<Certainty> certainties_;
-    std::vector<bool> known_;         ///< of each parameter: to the core
-    std::vector<bool> held_, shown_;  ///< of each parameter: it keeps its value; the reference shows anything of it
+    std::vector<bool> known_;           ///< of each parameter: to the core
+    std::vector<bool> held_, shown_;    ///< of each parameter: it keeps its value; the reference shows anything of it
+    std::vector<bool> ruled_out_;       ///< of each parameter: the curves are much farther with its value before
+    std::vector<Certainty> when_held_;  ///< of each parameter that is held
     double last_cost_ = 0.0;
     int curves_ = 0;
     bool early_ = false;

@@ -92,12 +92,15 @@ class PreviewCurve::Pictures {
 /// Whether it came to its end.
 bool PreviewCurve::survey(Pictures& pictures, Estimator& estimator, const Progress& progress) {
     const std::size_t surveyed = std::min<std::size_t>(surveyed_frames, pictures.count());
+    std::future<void> surveying;  // one picture, while the next is drawn
     for (std::size_t i = 0; i < surveyed; ++i) {
         if (progress && !progress(static_cast<double>(i) / static_cast<double>(pictures.count()))) return false;
         const Image* const picture = pictures.picture(i * pictures.count() / surveyed);
         if (picture == nullptr) return false;
-        estimator.survey(*picture);
+        if (surveying.valid()) surveying.get();
+        surveying = std::async(std::launch::async, [&estimator, picture] { estimator.survey(*picture); });
     }
+    if (surveying.valid()) surveying.get();
     estimator.forget();
     return true;
 }

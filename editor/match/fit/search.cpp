@@ -48,6 +48,11 @@ class Problem {
         problem.evaluate = [this](std::span<const double> x, std::span<double> residuals) {
             return evaluate(x, residuals);
         };
+        problem.expect = [this](std::span<const std::vector<double>> places) {
+            std::vector<std::vector<double>> expected;
+            for (const std::vector<double>& x : places) expected.push_back(coordinates_of(x));
+            space_.expect(expected);
+        };
         problem.slope_step = slope_step;
         return problem;
     }
@@ -147,6 +152,12 @@ std::vector<Amounts> SearchSpace::core_at(std::span<const double> coordinates) c
     return core.at(tuned(coordinates), times);
 }
 
+void SearchSpace::expect(std::span<const std::vector<double>> places) const {
+    std::vector<Tuned> scenes;
+    for (const std::vector<double>& coordinates : places) scenes.push_back(tuned(coordinates));
+    core.expect(scenes, times);
+}
+
 Linearised linearised(const SearchSpace& space, std::span<const double> coordinates) {
     const std::vector<double> at(coordinates.begin(), coordinates.end());
     Problem unknowns(space, at, {});
@@ -161,6 +172,9 @@ Linearised linearised(const SearchSpace& space, std::span<const double> coordina
 std::vector<double> search(const SearchSpace& space, std::vector<double> start, const SearchOptions& options) {
     const std::vector<Span> spans = spans_of(space, start, options.radius);
     std::vector<Place> places = spread_places(space, start, options);
+    std::vector<std::vector<double>> expected;
+    for (const Place& place : places) expected.push_back(place.coordinates);
+    space.expect(expected);
     for (Place& place : places) {
         if (options.goes_on && !options.goes_on()) return start;
         place.cost = cost_at(space, place.coordinates);

@@ -86,5 +86,20 @@ TEST(CoreAmounts, WhatIsKeptIsTheSameAsWorkedOutAnew) {
     EXPECT_EQ(core.evaluations(), 3 * static_cast<int>(changes.size()) + 1);
 }
 
+TEST(CoreAmounts, WhatIsExpectedIsTheSame) {
+    std::vector<Tuned> scenes(7, scene());
+    for (std::size_t i = 1; i < scenes.size(); ++i)
+        scenes[i].preset.bleeding.speed *= 1.0 + 0.1 * static_cast<double>(i / 2);
+    scenes[2].preset.smoke.haze.accumulation *= 2.0;
+    scenes[5].preset.bleeding.speed = -1.0;
+    scenes[6].scene.gravity = {0.0, 0.0, 1.0};
+    const std::vector<double> times{1.0, 2.5, 5.0};
+    CoreAmounts core(organ());
+    core.expect(scenes, times);
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+        if (i != 5) expect_same(core.at(scenes[i], times), anew(scenes[i], times), std::to_string(i));
+    EXPECT_THROW(core.at(scenes[5], times), Error);
+}
+
 }  // namespace
 }  // namespace lapfx::match

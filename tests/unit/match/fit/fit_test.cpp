@@ -213,6 +213,7 @@ TEST(Fit, WhatTheReferenceDoesNotTellKeepsItsValue) {
     EXPECT_NE(ventilation.why.find("still smokes"), std::string::npos) << ventilation.why;
     EXPECT_TRUE(of(found, "bleeding.speed").determined);
     EXPECT_NEAR(found.tuned.preset.bleeding.speed, 2.0, 0.1);
+    EXPECT_LE(found.curves, 7) << "what is not told is held at once, not searched for first";
 }
 
 TEST(Fit, WithoutBloodSaysSo) {
