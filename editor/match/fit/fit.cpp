@@ -298,9 +298,6 @@ class Fit {
             certainties_[k].determined = !held_[k] && beside_held[k].determined;
         }
     }
-    double told_cost(const std::vector<double>& coordinates) {
-        return objective_.cost(carried_.at(coordinates, space().core_at(coordinates)), coordinates);
-    }
     double kept_coordinate(std::size_t k) const { return input_.parameters[k].coordinate(kept(input_.parameters[k])); }
     /// Of those that the reference does not tell, the one whose value before it denies least; nothing where it denies
     /// that of each.
@@ -329,7 +326,7 @@ class Fit {
             std::vector<double> beside = next;
             beside[*k] = kept_coordinate(*k);
             if (beside != next && shown_[*k]) beside = search(space(), beside, options_with(held_));
-            ruled_out_[*k] = shown_[*k] && told_cost(beside) > told_cost(next) + denial;
+            ruled_out_[*k] = shown_[*k] && space().cost_at(beside) > space().cost_at(next) + denial;
             held_[*k] = !ruled_out_[*k];
             if (held_[*k]) next = beside, certainties_ = certainties(next);
         }

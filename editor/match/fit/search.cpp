@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -94,14 +95,6 @@ class Problem {
     ShownCurves shown_;
 };
 
-double cost_at(const SearchSpace& space, std::span<const double> coordinates) {
-    try {
-        return space.objective.cost(space.carried.at(coordinates, space.core_at(coordinates)), coordinates);
-    } catch (const Error&) {
-        return std::numeric_limits<double>::infinity();
-    }
-}
-
 struct Place {
     std::vector<double> coordinates;
     double cost;
@@ -114,7 +107,7 @@ Place descend(const SearchSpace& space, const Place& from, std::span<const Span>
     problem.iterations = iterations, problem.tolerance = tolerance, problem.goes_on = options.goes_on;
     std::vector<double> x = unknowns.unknowns();
     if (!solve(problem, x)) return from;
-    const Place place{unknowns.coordinates_of(x), cost_at(space, unknowns.coordinates_of(x))};
+    const Place place{unknowns.coordinates_of(x), space.cost_at(unknowns.coordinates_of(x))};
     return place.cost < from.cost ? place : from;
 }
 
@@ -152,6 +145,14 @@ std::vector<Amounts> SearchSpace::core_at(std::span<const double> coordinates) c
     return core.at(tuned(coordinates), times);
 }
 
+double SearchSpace::cost_at(std::span<const double> coordinates) const {
+    try {
+        return objective.cost(carried.at(coordinates, core_at(coordinates)), coordinates);
+    } catch (const Error&) {
+        return std::numeric_limits<double>::infinity();
+    }
+}
+
 void SearchSpace::expect(std::span<const std::vector<double>> places) const {
     std::vector<Tuned> scenes;
     for (const std::vector<double>& coordinates : places) scenes.push_back(tuned(coordinates));
@@ -177,11 +178,11 @@ std::vector<double> search(const SearchSpace& space, std::vector<double> start, 
     space.expect(expected);
     for (Place& place : places) {
         if (options.goes_on && !options.goes_on()) return start;
-        place.cost = cost_at(space, place.coordinates);
+        place.cost = space.cost_at(place.coordinates);
     }
     std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.cost < b.cost; });
     places.resize(std::min(places.size(), followed));
-    places.insert(places.begin(), {start, cost_at(space, start)});
+    places.insert(places.begin(), {start, space.cost_at(start)});
     if (places.size() > 1)
         for (Place& place : places) place = descend(space, place, spans, few_iterations, options);
     Place& best =

@@ -25,6 +25,8 @@ struct SearchSpace {
 
     Tuned tuned(std::span<const double> coordinates) const;
     std::vector<Amounts> core_at(std::span<const double> coordinates) const;
+    /// Of the told curves; infinite where the core refuses the values.
+    double cost_at(std::span<const double> coordinates) const;
     /// These will be asked for (CoreAmounts::expect).
     void expect(std::span<const std::vector<double>> places) const;
 };
