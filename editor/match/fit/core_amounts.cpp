@@ -39,6 +39,7 @@ const CoreAmounts::Worked* CoreAmounts::known(const BloodInputs& inputs) {
 }
 
 void CoreAmounts::keep(Worked worked) {
+    ++worked_out_;
     known_.push_front(std::move(worked));
     if (known_.size() > most_known) known_.pop_back();
 }

@@ -28,6 +28,7 @@ class CoreAmounts {
     /// at() to refuse.
     void expect(std::span<const Tuned> scenes, std::span<const double> times);
     int evaluations() const { return evaluations_; }
+    int worked_out() const { return worked_out_; }  ///< scenes whose blood was not known
 
   private:
     /// All that blood depends on.
@@ -58,7 +59,7 @@ class CoreAmounts {
     std::shared_ptr<const PreparedOrgan> organ_;
     std::array<Model, 2> models_;  ///< the first for at()
     std::deque<Worked> known_;     ///< latest first
-    int evaluations_ = 0;
+    int evaluations_ = 0, worked_out_ = 0;
 };
 
 }  // namespace lapfx::match

@@ -207,7 +207,7 @@ class Fit {
         int round = 0;
         for (bool more = true; more && round < input_.rounds && best_.cost > as_near; ++round)
             more = search_round(options);
-        if (best_.cost <= as_near && hold_undetermined()) ++round;
+        if (round < input_.rounds && best_.cost <= as_near && hold_undetermined()) ++round;
         options.held = held_;
         search_rounds(input_.rounds - round, std::move(options));
     }

@@ -84,6 +84,7 @@ TEST(CoreAmounts, WhatIsKeptIsTheSameAsWorkedOutAnew) {
     const std::vector<double> others{3.0, 5.0};
     expect_same(core.at(base, others), anew(base, others), "other times");
     EXPECT_EQ(core.evaluations(), 3 * static_cast<int>(changes.size()) + 1);
+    EXPECT_EQ(core.worked_out(), 1 + 8 + 1) << "smoke alone is no other blood";
 }
 
 TEST(CoreAmounts, WhatIsExpectedIsTheSame) {
@@ -99,6 +100,7 @@ TEST(CoreAmounts, WhatIsExpectedIsTheSame) {
     for (std::size_t i = 0; i < scenes.size(); ++i)
         if (i != 5) expect_same(core.at(scenes[i], times), anew(scenes[i], times), std::to_string(i));
     EXPECT_THROW(core.at(scenes[5], times), Error);
+    EXPECT_EQ(core.worked_out(), 4) << "0 and 1, 2 and 3, 4, 6";
 }
 
 }  // namespace
