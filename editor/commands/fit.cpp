@@ -52,10 +52,11 @@ void add_fit(CLI::App& app) {
         ->option_text("VIDEO")
         ->required();
     add_fit_options(*verb, *o, "the scene");
-    verb->add_option("--fitted-scene", o->files.fitted_scene,
-                     "First move the scene's events to when smoke and blood of the reference begin, with tools added "
-                     "or silenced as it needs; when single contacts begin and end is fitted, too. Write that scene, "
-                     "with preset and reference, to this file")
+    verb->add_option(
+            "--fitted-scene", o->files.fitted_scene,
+            "First move the scene's events to when smoke and blood of the reference begin, with tools added "
+            "or silenced as it needs; when single contacts begin and end is fitted, too. Where the scene's own "
+            "tools bring it nearer, they stay. Write that scene, with preset and reference, to this file")
         ->option_text("FILE.scene.json");
     verb->add_option("--csv", o->files.csv, "Write the curves of reference, before and after to this file")
         ->option_text("FILE");

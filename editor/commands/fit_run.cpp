@@ -212,6 +212,7 @@ FitRun run_fit(const FitOptions& given) {
     match::FitColors color_matching(color_fit(o, peaks, input.target, steps), curve);
     if (o.colors) input.match_colors = [&](const match::Tuned& tuned) { return color_matching.amidst(tuned); };
     match::FitResult result = fitted(o, input, curve, steps);
+    if (result.proposal_left) run.proposed = {std::string(match::scene_was_nearer)};
     std::vector<std::string> colors;
     if (o.colors) colors = color_matching.finish(result);
     if (o.colors && files.fitted_scene.empty())

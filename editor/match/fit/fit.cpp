@@ -35,23 +35,42 @@ struct Drawn {
     double cost = 0.0;
 };
 
+/// What fits of the same organ and target share.
+struct Shared {
+    CoreAmounts core;
+    int curves = 0;                         ///< drawn
+    std::vector<FrameAmounts> before = {};  ///< of the scene without a proposal; empty: the start is that scene
+};
+
 class Fit {
   public:
-    explicit Fit(const FitInput& input)
+    Fit(const FitInput& input, Shared& shared)
         : input_(input),
+          shared_(shared),
           base_(input.start),
           start_(coordinates_of(input)),
           objective_(input.target, input.weights, start_),
-          carried_(start_.size(), share_of(input)),
-          core_(input.organ) {
+          carried_(start_.size(), share_of(input)) {
         for (const TargetPoint& aim : input.target) times_.push_back(aim.time);
         best_.coordinates = start_;
         known_ = known_to_core();
     }
 
-    FitResult run() {
-        if (draw_before() && draw(start_)) {
-            if (!input_.before) first_ = best_.frames;
+    /// Draws the start. False: it was ended.
+    bool begin() { return draw(start_); }
+    const std::vector<FrameAmounts>& frames() const { return best_.frames; }
+
+    /// Where the first search ends, once it has begun: as the curves are told, without another drawn.
+    double told_cost() {
+        first_place_ = search(space(), start_, options_with(unknown(), other_places));
+        return space().cost_at(*first_place_);
+    }
+
+    /// Once it has begun. `ended`: with what it has begun with.
+    FitResult run(bool ended = false) {
+        early_ = early_ || ended;
+        if (shared_.before.empty()) shared_.before = best_.frames;
+        if (!early_) {
             leave_out_unseen();
             held_.assign(start_.size(), false);
             for (const FreeParameter& p : input_.parameters)
@@ -80,7 +99,7 @@ class Fit {
                 .times = times_,
                 .objective = objective_,
                 .carried = carried_,
-                .core = core_};
+                .core = shared_.core};
     }
     /// Of each parameter: the core's amounts may change with it. A row within a list, such as an event's time, does not
     /// say so itself.
@@ -90,6 +109,11 @@ class Fit {
             known.push_back((input_.parameters[k].row->redo & redo::amounts) != 0 || core_changes(k, -learning_step) ||
                             core_changes(k, learning_step));
         return known;
+    }
+    std::vector<bool> unknown() const {
+        std::vector<bool> unknown = known_;
+        unknown.flip();
+        return unknown;
     }
     bool core_changes(std::size_t k, double step) {
         const FreeParameter& p = input_.parameters[k];
@@ -108,9 +132,9 @@ class Fit {
     bool goes_on() {
         if (early_) return false;
         if (input_.progress)
-            early_ = !input_.progress({.share = std::min(static_cast<double>(curves_) / most_curves(), 1.0),
-                                       .curves = curves_,
-                                       .next = std::min((curves_ + 1.0) / most_curves(), 1.0),
+            early_ = !input_.progress({.share = std::min(static_cast<double>(shared_.curves) / most_curves(), 1.0),
+                                       .curves = shared_.curves,
+                                       .next = std::min((shared_.curves + 1.0) / most_curves(), 1.0),
                                        .best = best_.frames.empty() ? nullptr : &best_.frames});
         return !early_;
     }
@@ -121,7 +145,7 @@ class Fit {
             early_ = true;
             return {};
         }
-        ++curves_;
+        ++shared_.curves;
         Drawn drawn{coordinates, std::move(*frames), 0.0};
         drawn.cost = objective_.cost(curves_of(drawn.frames), coordinates);
         return drawn;
@@ -142,14 +166,6 @@ class Fit {
         objective_ = Objective(std::move(target), input_.weights, start_);
         best_.cost = objective_.cost(curves_of(best_.frames), start_);
     }
-    bool draw_before() {
-        if (!input_.before) return true;
-        if (!goes_on()) return false;
-        std::optional<std::vector<FrameAmounts>> frames = input_.draw(*input_.before, times_);
-        if (frames) ++curves_, first_ = std::move(*frames);
-        early_ = early_ || !frames;
-        return !early_;
-    }
     /// Draws, learns from it, and keeps it if it is the nearest. False: it was ended.
     bool draw(const std::vector<double>& coordinates) {
         std::optional<Drawn> drawn = curve(coordinates);
@@ -163,9 +179,7 @@ class Fit {
     /// which there is enough of both to see. False: it was ended.
     bool match_colors() {
         if (!input_.match_colors) return true;
-        std::vector<bool> unknown;
-        for (const bool known : known_) unknown.push_back(!known);
-        SearchOptions options = options_with(std::move(unknown), other_places);
+        SearchOptions options = options_with(unknown(), other_places);
         search_round(options);
         if (!goes_on()) return false;
         const std::optional<Tuned> matched = input_.match_colors(space().tuned(best_.coordinates));
@@ -192,6 +206,7 @@ class Fit {
             const std::optional<Drawn> drawn = curve(moved);
             if (!drawn) return false;
             carried_.learn(k, step, curves_of(drawn->frames));
+            first_place_.reset();
         }
         return true;
     }
@@ -219,7 +234,8 @@ class Fit {
         if (!goes_on()) return false;
         const std::vector<double> from = best_.coordinates;
         const double before = best_.cost;
-        const std::vector<double> next = search(space(), from, options);
+        const std::vector<double> next =
+            first_place_ ? *std::exchange(first_place_, {}) : search(space(), from, options);
         options.others = 0;
         double moved = 0.0;
         for (std::size_t k = 0; k < next.size(); ++k) moved = std::max(moved, std::abs(next[k] - from[k]));
@@ -349,11 +365,11 @@ class Fit {
     double kept(const FreeParameter& p) const { return p.get(p.of_scene ? input_.start : original()); }
     FitResult result() {
         FitResult result{.tuned = space().tuned(best_.coordinates),
-                         .before = first_,
+                         .before = shared_.before,
                          .after = best_.frames,
                          .ended_early = early_,
-                         .curves = curves_,
-                         .evaluations = core_.evaluations()};
+                         .curves = shared_.curves,
+                         .evaluations = shared_.core.evaluations()};
         result.blood_before = misfit(input_.target, result.before, &TargetPoint::blood);
         result.blood_after = misfit(input_.target, result.after, &TargetPoint::blood);
         result.veil_before = misfit(input_.target, result.before, &TargetPoint::veil);
@@ -390,21 +406,20 @@ class Fit {
     }
 
     const FitInput& input_;
+    Shared& shared_;
     Tuned base_;  ///< the start, with the colours of the reference once they are matched
     const std::vector<double> start_;
     std::vector<double> times_;
     Objective objective_;
     Carried carried_;
-    CoreAmounts core_;
-    std::vector<FrameAmounts> first_;
     Drawn best_;
+    std::optional<std::vector<double>> first_place_;  ///< what told_cost() found; used up by the first round
     std::vector<Certainty> certainties_;
     std::vector<bool> known_;           ///< of each parameter: to the core
     std::vector<bool> held_, shown_;    ///< of each parameter: it keeps its value; the reference shows anything of it
     std::vector<bool> ruled_out_;       ///< of each parameter: the curves are much farther with its value before
     std::vector<Certainty> when_held_;  ///< of each parameter that is held
     double last_cost_ = 0.0;
-    int curves_ = 0;
     bool early_ = false;
 };
 
@@ -420,11 +435,39 @@ void require_something(const FitInput& input) {
     if (!any) refuse("neither blood nor veil of the reference is measurable within the scene: nothing to fit to");
 }
 
+bool moves_tools(const FitInput& input) {
+    const Scene &start = input.start.scene, &before = input.before->scene;
+    return start.events != before.events || start.curves.emission != before.curves.emission;
+}
+
+FitInput without_proposal(const FitInput& input) {
+    FitInput without = input;
+    without.start = *without.before;
+    without.before.reset();
+    without.parameters.resize(without.parameters.size() - input.of_proposal);
+    return without;
+}
+
 }  // namespace
 
 FitResult fit(const FitInput& input) {
     require_something(input);
-    return Fit(input).run();
+    Shared shared{.core = CoreAmounts(input.organ)};
+    Fit begun(input, shared);
+    if (!input.before) return begun.run(!begun.begin());
+    const FitInput without = without_proposal(input);
+    Fit as_it_is(without, shared);
+    const bool drawn = as_it_is.begin();
+    shared.before = as_it_is.frames();
+    const bool both = drawn && begun.begin();
+    // A parameter more has to make the curves nearer by as much as chance does (Akaike, 1974).
+    if (both && moves_tools(input) &&
+        as_it_is.told_cost() <= begun.told_cost() + static_cast<double>(input.of_proposal)) {
+        FitResult result = as_it_is.run();
+        result.proposal_left = true;
+        return result;
+    }
+    return begun.run(!both);
 }
 
 }  // namespace lapfx::match

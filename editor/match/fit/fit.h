@@ -6,7 +6,8 @@
 // It searches over curves that are told without drawing (carried.h), draws the scene where that ended, measures it as
 // the reference was measured, learns from the difference and searches again: a few drawn curves in all, of which the
 // nearest is the result. Parameters that the reference does not tell keep their value, and it is said why; but where
-// the curves rule that value out, it is where they are nearest.
+// the curves rule that value out, it is where they are nearest. Where a proposal moved tools, the scene as it was is
+// searched, too, over told curves: the fit goes on with the nearer of the two.
 //
 // The thread of `draw`; the same input gives the same result, unless the budget ends it.
 #pragma once
@@ -45,6 +46,7 @@ struct FitInput {
     Tuned start;                       ///< where the search begins
     std::optional<Tuned> before = {};  ///< without the proposal; what is not determined keeps its value; none: start
     std::vector<FreeParameter> parameters = {};  ///< at least one
+    std::size_t of_proposal = 0;                 ///< so many of the last parameters exist beside its tools only
     std::vector<TargetPoint> target = {};        ///< at least two
     std::shared_ptr<const PreparedOrgan> organ = {};
     DrawCurve draw = {};
@@ -77,6 +79,7 @@ struct FitResult {
     std::vector<FrameAmounts> before = {}, after = {};          ///< as drawn and measured, at the target's times
     std::optional<double> blood_before = {}, blood_after = {};  ///< root mean square differences
     std::optional<double> veil_before = {}, veil_after = {};
+    bool proposal_left = false;       ///< with the tools of `before` the curves are nearer: it began with those
     bool ended_early = false;         ///< cancelled, or out of budget
     int curves = 0, evaluations = 0;  ///< drawn; of the core
 };

@@ -269,6 +269,7 @@ void free_moved_tools(FitInput& input, const std::vector<std::string>& chosen) {
     }
     if (keys.empty()) return;
     for (FreeParameter& p : free_parameters(input.start, keys)) input.parameters.push_back(std::move(p));
+    input.of_proposal = keys.size();
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "match/fit/fit.h"
@@ -49,5 +50,9 @@ Proposal propose(const Tuned& start, const std::shared_ptr<const PreparedOrgan>&
 /// The search of a fit begins where the reference says; what it began with becomes its `before`. The lines of the
 /// proposal. `tools`: events may be moved; when single contacts work is found more exactly along with the parameters.
 std::vector<std::string> begin_with_proposal(FitInput& input, bool tools = true);
+
+/// Instead of the proposal's lines, where FitResult::proposal_left.
+inline constexpr std::string_view scene_was_nearer =
+    "tools: stay as they are, with which the scene is nearer to the reference than with those proposed";
 
 }  // namespace lapfx::match

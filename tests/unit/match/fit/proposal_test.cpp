@@ -233,17 +233,15 @@ TEST(BeginWithProposal, ToolsStayWhereTheyMayNotMove) {
     EXPECT_THAT(lines, testing::Contains("tools: stay as they are"));
 }
 
-TEST(BeginWithProposal, AToolThatWasNotThereHasNoValueBefore) {
-    Tuned start = scene();
-    start.scene.events.pop_back();
-    Tuned truth = hidden();
-    truth.preset = start.preset;
-    FitInput input = fit_of(start, truth, {"smoke.haze.accumulation"});
-    begin_with_proposal(input);
-    ASSERT_EQ(input.start.scene.events.size(), 2U);
-    CoreAmounts core(organ());
-    input.draw = [&](const Tuned& tuned, std::span<const double> times) {
-        const std::vector<Amounts> amounts = core.at(tuned, times);
+std::vector<double> times_of(const FitInput& input) {
+    std::vector<double> times;
+    for (const TargetPoint& aim : input.target) times.push_back(aim.time);
+    return times;
+}
+
+DrawCurve ideal_camera() {
+    return [core = std::make_shared<CoreAmounts>(organ())](const Tuned& tuned, std::span<const double> times) {
+        const std::vector<Amounts> amounts = core->at(tuned, times);
         const double share = share_per_mm2(tuned.scene.camera, aspect, {0, 0, 0}, {0, 1, 0});
         std::vector<FrameAmounts> frames;
         for (std::size_t i = 0; i < times.size(); ++i)
@@ -252,6 +250,17 @@ TEST(BeginWithProposal, AToolThatWasNotThereHasNoValueBefore) {
                               .veil = around(1.0 - std::exp(-amounts[i].haze), 0.03)});
         return std::optional(frames);
     };
+}
+
+TEST(BeginWithProposal, AToolThatWasNotThereHasNoValueBefore) {
+    Tuned start = scene();
+    start.scene.events.pop_back();
+    Tuned truth = hidden();
+    truth.preset = start.preset;
+    FitInput input = fit_of(start, truth, {"smoke.haze.accumulation"});
+    begin_with_proposal(input);
+    ASSERT_EQ(input.start.scene.events.size(), 2U);
+    input.draw = ideal_camera();
     const FitResult found = fit(input);
     const auto at = std::find_if(found.parameters.begin(), found.parameters.end(),
                                  [](const FittedParameter& p) { return p.parameter.key == "events.1.time"; });
@@ -259,6 +268,43 @@ TEST(BeginWithProposal, AToolThatWasNotThereHasNoValueBefore) {
     EXPECT_EQ(at->before, input.start.scene.events[1].time);
     EXPECT_NEAR(at->after, 2.0, 0.05);
     EXPECT_NEAR(found.tuned.scene.events[1].duration, 4.0, 0.15);
+}
+
+/// Two burns with a short rest between look like one.
+TEST(BeginWithProposal, ToolsThatAreNearerThanTheProposedStay) {
+    Tuned truth = hidden();
+    ToolContact again = truth.scene.events[1];
+    truth.scene.events[1].duration = 1.7, truth.scene.events[1].strength = 1.0;
+    again.time = 4.1, again.position = again.to = {-28, 0, 0}, again.duration = 1.9;
+    truth.scene.events.push_back(again);
+    Tuned start = truth;
+    start.preset = scene().preset;
+    const std::vector<std::string> keys = {"bleeding.speed", "bleeding.max_extent", "smoke.haze.accumulation",
+                                           "smoke.haze.ventilation"};
+    FitInput input = fit_of(start, truth, keys);
+    begin_with_proposal(input);
+    EXPECT_NE(input.start.scene.events, start.scene.events);
+    EXPECT_GT(input.of_proposal, 0U);
+    input.draw = ideal_camera();
+    const FitResult found = fit(input);
+    EXPECT_TRUE(found.proposal_left);
+    EXPECT_EQ(found.tuned.scene.events, start.scene.events);
+    EXPECT_EQ(found.parameters.size(), keys.size());
+    EXPECT_NEAR(found.tuned.preset.bleeding.speed, truth.preset.bleeding.speed, 0.1);
+    EXPECT_NEAR(found.tuned.preset.smoke.haze.ventilation, truth.preset.smoke.haze.ventilation, 0.02);
+    EXPECT_EQ(found.before.size(), input.target.size());
+}
+
+TEST(BeginWithProposal, ToolsThatAreFartherThanTheProposedMove) {
+    FitInput input = fit_of(scene(), hidden(), {"bleeding.speed", "smoke.haze.accumulation", "smoke.haze.ventilation"});
+    begin_with_proposal(input);
+    input.draw = ideal_camera();
+    const FitResult found = fit(input);
+    EXPECT_FALSE(found.proposal_left);
+    EXPECT_NEAR(found.tuned.scene.events[1].time, 2.0, 0.1);
+    EXPECT_EQ(found.parameters.size(), input.parameters.size());
+    EXPECT_EQ(found.blood_before,
+              misfit(input.target, ideal_camera()(scene(), times_of(input)).value(), &TargetPoint::blood));
 }
 
 }  // namespace
