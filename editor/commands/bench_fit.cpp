@@ -107,6 +107,7 @@ struct Outcome {
     double blood_rms = 0.0, veil_rms = 0.0, blood_before = 0.0, veil_before = 0.0;
     SeenTruth truth, found;
     match::FitResult result;
+    std::string burn_key, cut_key;  ///< of when its tools begin; empty: none of the kind works
     double seconds = 0.0;
 };
 
@@ -116,6 +117,16 @@ struct Effort {
     double step = 0.25;  ///< s between the times that are drawn
     int rounds = match::FitInput{}.rounds;
 };
+
+/// Of the first that works.
+std::string time_key(const std::vector<ToolContact>& events, bool (*works)(const ToolContact&)) {
+    std::string key;
+    double first = 0.0;
+    for (std::size_t i = 0; i < events.size(); ++i)
+        if (works(events[i]) && (key.empty() || events[i].time < first))
+            first = events[i].time, key = "events." + std::to_string(i) + ".time";
+    return key;
+}
 
 Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& reference,
                 const std::vector<ShownAmounts>& hidden_truth, const Drawing& drawing, const Effort& effort) {
@@ -147,6 +158,9 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& referenc
     outcome.blood_rms = rms(after, hidden_truth, &ShownAmounts::blood);
     outcome.veil_rms = rms(after, hidden_truth, &ShownAmounts::veil);
     outcome.found = seen_truth(scene.tuned, scene.organ);
+    const std::vector<ToolContact>& events = scene.tuned.scene.events;
+    outcome.burn_key = time_key(events, [](const ToolContact& c) { return c.hot() && c.power > 0.0; });
+    outcome.cut_key = time_key(events, [](const ToolContact& c) { return divides(c.action) && c.strength > 0.0; });
     return outcome;
 }
 
@@ -171,18 +185,19 @@ std::string line_of(const Outcome& o) {
 /// What is known of one parameter, or of when a tool begins, in all outcomes of the same view.
 struct Recovery {
     const char* name;
-    const char* key;  ///< of the fitted parameter; empty: none has an interval for it
+    const char* key;  ///< of the fitted parameter; null: `event` is
+    std::string Outcome::*event;
     double SeenTruth::*value;
     bool as_ratio;          ///< errors are shares of the truth, else differences, s
     double median, ninety;  ///< bounds of its errors
 };
 constexpr Recovery recoveries[] = {
-    {"smoke begins", "", &SeenTruth::burn_start, false, 0.2, 0.2},
-    {"blood begins", "", &SeenTruth::cut_start, false, 0.2, 0.2},
-    {"b", "smoke.haze.accumulation", &SeenTruth::smoke_rate, true, 0.1, 0.2},
-    {"ventilation", "smoke.haze.ventilation", &SeenTruth::ventilation, true, 0.3, 0.3},
-    {"speed", "bleeding.speed", &SeenTruth::blood_pace, true, 0.1, 0.2},
-    {"max extent", "bleeding.max_extent", &SeenTruth::blood_extent, true, 0.1, 0.2},
+    {"smoke begins", nullptr, &Outcome::burn_key, &SeenTruth::burn_start, false, 0.2, 0.2},
+    {"blood begins", nullptr, &Outcome::cut_key, &SeenTruth::cut_start, false, 0.2, 0.2},
+    {"b", "smoke.haze.accumulation", nullptr, &SeenTruth::smoke_rate, true, 0.1, 0.2},
+    {"ventilation", "smoke.haze.ventilation", nullptr, &SeenTruth::ventilation, true, 0.3, 0.3},
+    {"speed", "bleeding.speed", nullptr, &SeenTruth::blood_pace, true, 0.1, 0.2},
+    {"max extent", "bleeding.max_extent", nullptr, &SeenTruth::blood_extent, true, 0.1, 0.2},
 };
 
 BenchRow figures_of(const Outcome& o) {
@@ -200,7 +215,8 @@ BenchRow figures_of(const Outcome& o) {
                          {"fit_s", o.seconds}}};
 }
 
-const match::FittedParameter* fitted_of(const Outcome& o, const std::string& key) {
+const match::FittedParameter* fitted_of(const Outcome& o, const Recovery& r) {
+    const std::string key = r.event != nullptr ? o.*r.event : std::string(r.key);
     for (const match::FittedParameter& p : o.result.parameters)
         if (p.parameter.key == key) return &p;
     return nullptr;
@@ -208,7 +224,7 @@ const match::FittedParameter* fitted_of(const Outcome& o, const std::string& key
 
 /// Whether the fit says that it knows it.
 bool told(const Outcome& o, const Recovery& r) {
-    const match::FittedParameter* const p = fitted_of(o, r.key);
+    const match::FittedParameter* const p = fitted_of(o, r);
     if (p != nullptr) return p->determined;
     return o.found.*r.value > 0.0 && (r.value != &SeenTruth::cut_start || o.found.blood_pace > 0.0);
 }
@@ -228,9 +244,9 @@ std::string row_of(const Recovery& r, const std::vector<Outcome>& outcomes) {
         if (!told(o, r)) continue;
         const double truth = o.truth.*r.value, found = o.found.*r.value;
         errors.push_back(r.as_ratio ? std::abs(ratio(found, truth) - 1.0) : std::abs(found - truth));
-        const match::FittedParameter* const p = fitted_of(o, r.key);
+        const match::FittedParameter* const p = fitted_of(o, r);
         if (p == nullptr || found <= 0.0) continue;
-        const double true_value = p->after * truth / found;
+        const double true_value = r.as_ratio ? p->after * truth / found : p->after + truth - found;
         ++with_interval, covered += p->low <= true_value && true_value <= p->high ? 1 : 0;
     }
     char text[240];

@@ -120,7 +120,7 @@ match::ColorFit color_fit(const FitOptions& o, const match::PeakColors& peaks,
                           .amidst = [&steps](double) { return steps.goes_on(); },
                           .finish = [&steps](double) { return steps.to(1.0); }};
     if (o.files.fitted_scene.empty())
-        std::erase_if(input.keys, [](const std::string& key) { return key.starts_with("camera."); });
+        std::erase_if(input.keys, [](const std::string& key) { return match::is_color_of_scene(key); });
     return input;
 }
 
@@ -154,8 +154,9 @@ void add_fit_options(CLI::App& verb, FitOptions& options, const std::string& of)
         ->option_text("KEY,...")
         ->capture_default_str();
     add_match_options(verb, options.match, "scene", "fitted");
-    verb.add_flag("--colors", options.colors,
-                  "Match the colours of blood and smoke, too, and with --fitted-scene the exposure");
+    verb.add_flag(
+        "--colors", options.colors,
+        "Match the colours of blood and smoke, too, and with --fitted-scene exposure and colour of the organ");
     verb.add_option("--seed", options.seed, "Of the chance in the search and in the intervals")
         ->option_text("NUMBER")
         ->capture_default_str();
@@ -216,7 +217,7 @@ FitRun run_fit(const FitOptions& given) {
     std::vector<std::string> colors;
     if (o.colors) colors = color_matching.finish(result);
     if (o.colors && files.fitted_scene.empty())
-        colors.emplace_back("camera.exposure: stays, the scene is written with --fitted-scene only");
+        colors.emplace_back("camera.exposure and organ.color: stay, the scene is written with --fitted-scene only");
     run.report = report_of(o, shown.scene, window, input, result);
     match::FitReport& report = run.report;
     report.colors = std::move(colors);

@@ -207,8 +207,8 @@ void what_may_change(ui::Ui& ui, Fitting& fitting) {
     ui::checkbox(ui, "Tools may change", fitting.look.tools,
                  "Strokes may begin when smoke and blood of the reference begin, and be added or silenced");
     ui::checkbox(ui, "Colours", fitting.look.colors,
-                 "Matches the colours of blood and smoke, too, and the exposure of the scene. Not for Propose, which "
-                 "draws nothing");
+                 "Matches the colours of blood and smoke, too, and exposure and organ colour of the scene. Not for "
+                 "Propose, which draws nothing");
 }
 
 void weight(ui::Ui& ui, std::string_view name, double& value) {

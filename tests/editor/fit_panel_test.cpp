@@ -265,6 +265,8 @@ TEST_F(FitColors, HiddenOnesAreFoundAndTakenInTheOneStep) {
     EXPECT_LT(apart(now.preset.smoke.haze.color, hidden_.preset.smoke.haze.color),
               0.6 * apart(start_.preset.smoke.haze.color, hidden_.preset.smoke.haze.color));
     EXPECT_NEAR(now.scene.camera.exposure, hidden_.scene.camera.exposure, 0.15 * hidden_.scene.camera.exposure);
+    EXPECT_EQ(now.scene.organ.color, fitting().found()->tuned.scene.organ.color);
+    EXPECT_LT(apart(now.scene.organ.color, hidden_.scene.organ.color), 0.1) << "the same organ under the same lamp";
     editor().document.undo();
     EXPECT_TRUE(document::same(before, editor().document.content()));
 }

@@ -26,12 +26,14 @@ constexpr double least_step = 0.02;  // of what was given: nearer tries tell no 
 // Tissue shines through blood, in green and blue more than blood itself. Light of smoke is all its own, but is measured
 // in steps, between which it seems not to change.
 constexpr double through_blood = 0.1, through_smoke = 0.7, through_exposure = 0.5;
+constexpr double through_tissue = 0.2;     // the lamp is mirrored in it, of which a dark channel has little else
+constexpr double least_organ = 0.02;       // light of a channel of the organ's colour
 constexpr double most_slope = 1.5;         // of a line over that through the origin
 constexpr double light_weight = 25.0;      // Delta E for a factor of e in brightness
 constexpr double good = 1.0, plain = 5.0;  // Delta E: cannot be seen, is worth a word
 constexpr double light_tolerance = 0.1;    // of a logarithm
 
-const std::string exposure_key = "camera.exposure";
+const std::string exposure_key = "camera.exposure", organ_key = "organ.color";
 
 /// A colour of the preset that is changed in the light of one of the measured colours.
 struct Field {
@@ -79,6 +81,10 @@ bool finite(const glm::dvec3& color) {
     return std::isfinite(color.r) && std::isfinite(color.g) && std::isfinite(color.b);
 }
 
+double largest(const glm::dvec3& color) {
+    return std::max({color.r, color.g, color.b});
+}
+
 std::optional<double> tissue_light(const MeasuredColors& colors) {
     if (!colors.tissue || !finite(*colors.tissue)) return {};
     return light_of(*colors.tissue);
@@ -120,6 +126,7 @@ constexpr std::array<Part, 2> parts = {{
 /// What was drawn: the factor on each part's colours, and what was seen.
 struct Tried {
     double exposure = 1.0;
+    glm::dvec3 organ{1.0};  ///< its colour
     std::array<glm::dvec3, parts.size()> factor = {glm::dvec3(1.0), glm::dvec3(1.0)};
     FieldColors colors = {};
     MeasuredColors seen = {};
@@ -158,7 +165,7 @@ class Matching {
     }
 
     ColorMatch run() {
-        Tried first{.colors = start_};
+        Tried first{.organ = input_.start.scene.organ.color, .colors = start_};
         if (exposure_) first.exposure = exposure_->get(input_.start);
         if (!draw(std::move(first))) return std::move(result_);
         decide();
@@ -186,6 +193,7 @@ class Matching {
     Tuned tuned_of(const Tried& tried) const {
         Tuned tuned = input_.start;
         if (exposure_) exposure_->set(tuned, tried.exposure);
+        tuned.scene.organ.color = tried.organ;
         for (std::size_t k = 0; k < start_.size(); ++k) fields()[k].of(tuned.preset) = tried.colors[k];
         return tuned;
     }
@@ -231,6 +239,7 @@ class Matching {
                 " is too dark or too bright to tell it");
         else
             moves_exposure_ = true;
+        moves_organ_ = moves_exposure_ && is_free(organ_key);
     }
     std::string why_untold(const Part& part) const {
         const auto no_color = [&](const ColorsAtPeak& at) {
@@ -244,13 +253,14 @@ class Matching {
         if (no_color(first_) || here.value < part.least_drawn)
             return "the scene shows too little " + name + " to compare its colour";
         const glm::dvec3& color = *(input_.reference.colors.*part.seen);
-        if (std::max({color.r, color.g, color.b}) >= clipped) return "the video shows its " + name + " overexposed";
+        if (largest(color) >= clipped) return "the video shows its " + name + " overexposed";
         return {};
     }
 
     ColorLikeness off(const Tried& tried) const { return likeness_of(tried.seen, input_.reference.colors); }
     double light_off(const Tried& tried) const {
         if (!moves_exposure_) return 0.0;
+        if (moves_organ_) return off(tried).tissue.value_or(lost);
         const std::optional<double> light = relative_light(tried.seen, input_.reference.colors);
         return light ? light_weight * std::abs(std::log(*light)) : lost;
     }
@@ -291,22 +301,44 @@ class Matching {
         for (const Tried& tried : tried_)
             if (const std::optional<double> light = tissue_light(tried.seen); light && *light > 0.0)
                 pairs.emplace_back(tried.exposure, *light);
-        const double found = next_of(std::move(pairs), *tissue_light(input_.reference.colors), through_exposure);
-        return std::clamp(found, exposure_->minimum, exposure_->maximum);
+        return next_of(std::move(pairs), *tissue_light(input_.reference.colors), through_exposure);
+    }
+    /// Light of the tissue for one of its texture and an exposure of 1.
+    glm::dvec3 wanted_tissue() const {
+        glm::dvec3 wanted;
+        for (int c = 0; c < 3; ++c) {
+            std::vector<glm::dvec2> pairs;
+            for (const Tried& tried : tried_)
+                if (const std::optional<glm::dvec3>& color = tried.seen.tissue; color && finite(*color))
+                    pairs.emplace_back(tried.exposure * glm::convertSRGBToLinear(tried.organ)[c], (*color)[c]);
+            wanted[c] = next_of(std::move(pairs), (*input_.reference.colors.tissue)[c], through_tissue);
+        }
+        return glm::max(wanted, glm::dvec3(0.0));
+    }
+    double rounded_exposure(double exposure) const {
+        return std::clamp(std::round(100.0 * exposure) / 100.0, exposure_->minimum, exposure_->maximum);
+    }
+    /// The organ's colour keeps how light it is; the exposure takes the rest.
+    void correct_tissue(Tried& next) const {
+        if (!moves_organ_) {
+            next.exposure = rounded_exposure(wanted_exposure());
+            return;
+        }
+        const glm::dvec3 wanted = wanted_tissue(), before = glm::convertSRGBToLinear(input_.start.scene.organ.color);
+        next.exposure = rounded_exposure(largest(wanted) / std::max(largest(before), least_organ));
+        const glm::dvec3 organ = glm::clamp(wanted / next.exposure, least_organ, 1.0);
+        next.organ = glm::round(glm::convertLinearToSRGB(organ) * 255.0) / 255.0;
     }
     std::optional<Tried> corrected() const {
-        Tried next{.exposure = best().exposure, .colors = start_};
-        if (moves_exposure_) {
-            const double rounded = std::round(100.0 * wanted_exposure()) / 100.0;
-            next.exposure = std::clamp(rounded, exposure_->minimum, exposure_->maximum);
-        }
+        Tried next{.exposure = best().exposure, .organ = best().organ, .colors = start_};
+        if (moves_exposure_) correct_tissue(next);
         for (std::size_t i = 0; i < parts.size(); ++i)
             for (int c = 0; moves_[i] && c < 3; ++c) next.factor[i][c] = wanted_factor(i, c, next.exposure);
         return colored(std::move(next));
     }
     /// What came nearest of each, together: one may have gone too far while another was found.
     std::optional<Tried> joined_best() const {
-        Tried next{.exposure = best().exposure, .colors = start_};
+        Tried next{.exposure = best().exposure, .organ = best().organ, .colors = start_};
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const auto off_of = [&](const Tried& tried) { return part_off(tried, i); };
             next.factor[i] = std::ranges::min_element(tried_, {}, off_of)->factor[i];
@@ -320,7 +352,7 @@ class Matching {
                 if (fields()[k].seen == parts[i].seen && is_free(fields()[k].key))
                     next.colors[k] = scaled(start_[k], next.factor[i]);
         const auto is_same = [&](const Tried& tried) {
-            return tried.exposure == next.exposure && tried.colors == next.colors;
+            return tried.exposure == next.exposure && tried.organ == next.organ && tried.colors == next.colors;
         };
         return std::ranges::any_of(tried_, is_same) ? std::optional<Tried>() : next;
     }
@@ -340,11 +372,15 @@ class Matching {
     void tell_exposure(const Tried& found) {
         if (!moves_exposure_) return;
         const double before = exposure_->get(result_.start), after = found.exposure;
+        const glm::dvec3 from = result_.start.scene.organ.color, &to = found.organ;
         if (before == after)
-            say(exposure_key + ": stays, the tissue of the video is as bright");
+            say(exposure_key + (from == to ? ": stays, the tissue of the video is as bright" : ": stays"));
         else
             say(exposure_key + text(": %.4g -> %.4g, ", before, after) + "the tissue of the video was " +
                 text("%.2f", 1.0 / *result_.light_before) + " times as bright as that of the scene");
+        if (moves_organ_)
+            say(organ_key + (from == to ? ": stays, the tissue of the video has its tint"
+                                        : ": " + hex(from) + " -> " + hex(to) + ", the tint of the video's tissue"));
         say("light.color and light.intensity: stay, the video does not tell the lamp's colour from the tissue's, and "
             "exposure does what intensity would");
     }
@@ -366,7 +402,7 @@ class Matching {
     const FieldColors start_ = colors_of(input_.start.preset);
     ColorMatch result_;
     std::optional<FreeParameter> exposure_;
-    bool moves_exposure_ = false;
+    bool moves_exposure_ = false, moves_organ_ = false;
     std::array<bool, parts.size()> moves_ = {};
     ColorsAtPeak first_;
     std::vector<Tried> tried_;
@@ -376,16 +412,21 @@ class Matching {
 
 std::span<const std::string> color_keys() {
     static const std::vector<std::string> all = [] {
-        std::vector<std::string> keys = {exposure_key};
+        std::vector<std::string> keys = {exposure_key, organ_key};
         for (const Field& field : fields()) keys.push_back(field.key);
         return keys;
     }();
     return all;
 }
 
+bool is_color_of_scene(std::string_view key) {
+    return key == exposure_key || key == organ_key;
+}
+
 std::vector<std::string> different_colors(const Tuned& a, const Tuned& b) {
     std::vector<std::string> keys;
     if (a.scene.camera.exposure != b.scene.camera.exposure) keys.push_back(exposure_key);
+    if (a.scene.organ.color != b.scene.organ.color) keys.push_back(organ_key);
     const FieldColors of_a = colors_of(a.preset), of_b = colors_of(b.preset);
     for (std::size_t k = 0; k < of_a.size(); ++k)
         if (of_a[k] != of_b[k]) keys.push_back(fields()[k].key);
@@ -396,6 +437,7 @@ void take_colors(Tuned& into, const Tuned& from, std::span<const std::string> ke
     const FieldColors colors = colors_of(from.preset);
     for (const std::string& key : keys) {
         if (key == exposure_key) into.scene.camera.exposure = from.scene.camera.exposure;
+        if (key == organ_key) into.scene.organ.color = from.scene.organ.color;
         for (std::size_t k = 0; k < colors.size(); ++k)
             if (key == fields()[k].key) fields()[k].of(into.preset) = colors[k];
     }

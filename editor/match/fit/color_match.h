@@ -1,12 +1,14 @@
-// The colours of blood and smoke, and the exposure, with which a scene looks as a video does: the scene is drawn and
-// measured as the video was, and what differs is corrected, a few times.
+// The colours of blood, smoke and organ, and the exposure, with which a scene looks as a video does: the scene is drawn
+// and measured as the video was, and what differs is corrected, a few times.
 //
 //     const ColorMatch found = match_colors({.start = {scene, preset}, .reference = peaks.at_peak(), .draw = draw});
 //     for (const std::string& line : found.lines) std::cout << line << '\n';
 //     document.take(found.tuned);
 //
 // What a video tells, and what it does not:
-// - Exposure follows the tissue's mean light, but not its colour: an organ's texture is not the tissue of the video.
+// - Exposure and the organ's colour follow the tissue's mean light: an organ's texture is not the tissue of the video,
+//   and in what is measured of smoke the tint of the tissue behind it has a part. The organ's colour keeps how light it
+//   is, the exposure does the rest.
 // - The lamp keeps its colour. White highlights would tell it, but in clips of one operation, with one camera, what is
 //   bright and not cut off has 0.62 to 0.92 as much green as red, and 0.59 to 0.98 as much blue (18 clips of cholec80,
 //   linear light): that is more about the tissue beneath than about the lamp. Its intensity does what exposure does.
@@ -21,6 +23,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lapfx/progress.h"
@@ -31,8 +34,11 @@
 
 namespace lapfx::match {
 
-/// All that may be free: camera.exposure of the scene, and the colours of blood, haze and plume of the preset.
+/// All that may be free: camera.exposure and organ.color of the scene, the latter with the exposure only, and the
+/// colours of blood, haze and plume of the preset.
 std::span<const std::string> color_keys();
+/// Of color_keys(): else it is the preset's.
+bool is_color_of_scene(std::string_view key);
 
 /// Those of color_keys() that differ.
 std::vector<std::string> different_colors(const Tuned& a, const Tuned& b);

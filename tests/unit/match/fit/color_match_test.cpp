@@ -25,7 +25,7 @@ Tuned usual() {
 
 Tuned hidden() {
     Tuned tuned = usual();
-    tuned.scene.camera.exposure = 1.3;
+    tuned.scene.camera.exposure = 1.3, tuned.scene.organ.color = {1.0, 0.9, 0.8};
     tuned.preset.bleeding.color_thin = {0.7, 0.2, 0.12}, tuned.preset.bleeding.color_deep = {0.36, 0.1, 0.06};
     tuned.preset.smoke.haze.color = {0.4, 0.45, 0.6}, tuned.preset.smoke.plume.color = {0.54, 0.68, 0.88};
     return tuned;
@@ -44,7 +44,7 @@ glm::dvec3 shoulder(const glm::dvec3& light) {
 
 /// Tissue shines through its blood, and the lamp is mirrored in it.
 struct Camera {
-    glm::dvec3 tissue{0.12, 0.055, 0.03};
+    glm::dvec3 tissue{0.12, 0.055, 0.03}, film{0.0};
     double blood = 0.08, veil = 0.3;  // amounts
     int drawn = 0;
 
@@ -52,11 +52,12 @@ struct Camera {
         ++drawn;
         const Preset& p = tuned.preset;
         const double exposure = tuned.scene.camera.exposure;
+        const glm::dvec3 body = tissue * glm::convertSRGBToLinear(tuned.scene.organ.color) + film;
         const glm::dvec3 of_blood = mean_light(p.bleeding.color_thin, p.bleeding.color_deep);
         const glm::dvec3 of_smoke = mean_light(p.smoke.haze.color, p.smoke.plume.color);
-        return {.colors = {.blood = shoulder(exposure * (0.7 * of_blood + 0.1 * tissue + 0.002)),
+        return {.colors = {.blood = shoulder(exposure * (0.7 * of_blood + 0.1 * body + 0.002)),
                            .smoke = shoulder(exposure * 0.9 * of_smoke),
-                           .tissue = shoulder(exposure * tissue),
+                           .tissue = shoulder(exposure * body),
                            .tinted = true},
                 .blood = {blood, 0.5 * blood, 1.5 * blood},
                 .veil = {veil, 0.8 * veil, 1.2 * veil}};
@@ -81,7 +82,9 @@ TEST(ColorMatch, WhatDiffersIsTakenOver) {
     Tuned other = usual();
     other.preset.bleeding.color_deep = {0.1, 0.2, 0.3};
     other.scene.camera.exposure = 2.5;
-    EXPECT_THAT(different_colors(usual(), other), testing::ElementsAre("camera.exposure", "bleeding.color_deep"));
+    other.scene.organ.color = {1.0, 0.5, 0.5};
+    EXPECT_THAT(different_colors(usual(), other),
+                testing::ElementsAre("camera.exposure", "organ.color", "bleeding.color_deep"));
     EXPECT_THAT(different_colors(usual(), hidden()), testing::ElementsAreArray(color_keys()));
     Tuned present = usual();
     take_colors(present, hidden(), std::vector<std::string>{"smoke.plume.color", "bleeding.color_thin", "no.color"});
@@ -101,6 +104,11 @@ TEST(ColorMatch, FindsHiddenColoursAndExposure) {
     EXPECT_LT(*found.after.smoke, 1.0);
     EXPECT_NEAR(*found.light_after, 1.0, 0.03);
     EXPECT_NEAR(found.tuned.scene.camera.exposure, 1.3, 0.04);
+    EXPECT_LT(*found.after.tissue, 1.0);
+    EXPECT_NEAR(found.tuned.scene.organ.color.r, 1.0, 0.01);
+    EXPECT_NEAR(found.tuned.scene.organ.color.g, 0.9, 0.01);
+    EXPECT_NEAR(found.tuned.scene.organ.color.b, 0.8, 0.01);
+    EXPECT_THAT(found.lines, Contains("organ.color: #ffffff -> #ffe6cc, the tint of the video's tissue"));
     const glm::dvec3 thin = found.tuned.preset.bleeding.color_thin;
     EXPECT_NEAR(thin.r, 0.7, 0.03);
     EXPECT_NEAR(thin.g, 0.2, 0.03);
@@ -142,11 +150,40 @@ TEST(ColorMatch, WhatIsNotFreeStays) {
     EXPECT_EQ(found.tuned.preset.smoke.plume.color, usual().preset.smoke.plume.color);
     EXPECT_LT(*found.after.blood, 1.0) << "the other colour does it alone";
     EXPECT_THAT(found.lines,
-                Contains(HasSubstr("camera.exposure: is not free; the tissue of the video is 0.68 times")));
+                Contains(HasSubstr("camera.exposure: is not free; the tissue of the video is 0.59 times")));
     EXPECT_THAT(found.lines, Not(Contains(HasSubstr("color_deep"))));
     const ColorMatch nothing = matched(video_of(hidden()), {});
     EXPECT_EQ(nothing.drawn, 1);
     EXPECT_EQ(write_preset(nothing.tuned.preset), write_preset(usual().preset));
+}
+
+/// The lamp is white where it is mirrored, whatever the organ's colour is.
+TEST(ColorMatch, TheTissueIsMirroringToo) {
+    Camera camera{.film = glm::dvec3(0.02)};
+    const ColorsAtPeak video = camera.see(hidden());
+    const ColorMatch found = match_colors({.start = usual(), .reference = video, .draw = camera.draw()});
+    EXPECT_LT(*found.after.tissue, 1.0);
+    EXPECT_NEAR(found.tuned.scene.organ.color.b, 0.8, 0.03);
+    EXPECT_LT(*found.after.blood, 1.0);
+}
+
+TEST(ColorMatch, TheTissueThatIsNotFreeIsAsBright) {
+    std::vector<std::string> keys(color_keys().begin(), color_keys().end());
+    std::erase(keys, "organ.color");
+    const ColorMatch found = matched(video_of(hidden()), keys);
+    EXPECT_EQ(found.tuned.scene.organ.color, usual().scene.organ.color);
+    EXPECT_NEAR(*found.light_after, 1.0, 0.03);
+    EXPECT_THAT(found.lines, Not(Contains(HasSubstr("organ.color"))));
+}
+
+TEST(ColorMatch, ADarkOrganKeepsHowLightItIs) {
+    Tuned start = usual();
+    start.scene.organ.color = {0.5, 0.5, 0.5};
+    Camera camera;
+    const ColorMatch found = match_colors({.start = start, .reference = video_of(hidden()), .draw = camera.draw()});
+    const glm::dvec3 color = found.tuned.scene.organ.color;
+    EXPECT_NEAR(std::max({color.r, color.g, color.b}), 0.5, 0.01);
+    EXPECT_LT(*found.after.tissue, 1.0);
 }
 
 TEST(ColorMatch, BothBloodColoursKeepTheirRatio) {
@@ -239,6 +276,7 @@ TEST(ColorMatch, ThePlateKeepsItsExposure) {
     Camera camera;
     const ColorMatch found = match_colors({.start = start, .reference = video_of(hidden()), .draw = camera.draw()});
     EXPECT_EQ(found.tuned.scene.camera.exposure, 1.9);
+    EXPECT_EQ(found.tuned.scene.organ.color, start.scene.organ.color);
     EXPECT_THAT(found.lines, Contains(HasSubstr("camera.exposure: stays, the tissue is the plate")));
 }
 
