@@ -7,8 +7,9 @@
 //            veil = 1 - exp(-tau)
 //     blood: share = share_drawn + area_factor * (area - area_drawn) + B_blood * step
 //
-// `step` is the change of the free parameters' coordinates. The factors are found from the drawn curve; B is 0 at first
-// and learns from each drawn curve what the core does not tell. Pure, any thread.
+// `emission` is that of the core times the density of the plume, which multiplies its depth. `step` is the change of
+// the free parameters' coordinates. The factors are found from the drawn curve; B is 0 at first and learns from each
+// drawn curve what the core does not tell. Pure, any thread.
 #pragma once
 
 #include <span>

@@ -25,8 +25,9 @@ constexpr double bound_near = 1e-3;       // coordinates
 constexpr double held_error = 0.7;        // coordinates: a value of the preset is right within a factor of two or so
 constexpr double small_change = 0.02, farther = 3.0, farthest_least = 0.1;  // coordinates, standard errors, coordinates
 constexpr double much_less = 0.1;                                           // of what small changes do
-constexpr double denial = 8.0;         // of the cost: four standard errors, when all else is found beside it
-constexpr int rounds_beside_held = 3;  // curves that are drawn at most once it is known what is held
+constexpr double denial = 8.0;  // of the cost: four standard errors, when all else is found beside it
+const std::string density_key = "smoke.plume.density";  // changes what core_at() tells as emission, and no amount
+constexpr int rounds_beside_held = 3;                   // curves that are drawn at most once it is known what is held
 
 /// A drawn place.
 struct Drawn {
@@ -106,7 +107,8 @@ class Fit {
     std::vector<bool> known_to_core() {
         std::vector<bool> known;
         for (std::size_t k = 0; k < start_.size(); ++k)
-            known.push_back((input_.parameters[k].row->redo & redo::amounts) != 0 || core_changes(k, -learning_step) ||
+            known.push_back((input_.parameters[k].row->redo & redo::amounts) != 0 ||
+                            input_.parameters[k].key == density_key || core_changes(k, -learning_step) ||
                             core_changes(k, learning_step));
         return known;
     }
@@ -268,7 +270,7 @@ class Fit {
     void look_farther(const std::vector<double>& coordinates, std::vector<Certainty>& all) {
         for (std::size_t k = 0; k < all.size(); ++k) {
             const FreeParameter& p = input_.parameters[k];
-            if (!all[k].determined || held_[k] || !known_[k]) continue;
+            if (!all[k].determined || held_[k] || !known_[k] || p.key == density_key) continue;
             const double low = p.coordinate(p.minimum), high = p.coordinate(p.maximum);
             const auto change_by = [&](double step) {
                 std::vector<double> far = coordinates;

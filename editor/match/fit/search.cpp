@@ -142,7 +142,10 @@ Tuned SearchSpace::tuned(std::span<const double> coordinates) const {
 }
 
 std::vector<Amounts> SearchSpace::core_at(std::span<const double> coordinates) const {
-    return core.at(tuned(coordinates), times);
+    const Tuned at = tuned(coordinates);
+    std::vector<Amounts> amounts = core.at(at, times);
+    for (Amounts& amount : amounts) amount.emission *= at.preset.smoke.plume.density;
+    return amounts;
 }
 
 double SearchSpace::cost_at(std::span<const double> coordinates) const {

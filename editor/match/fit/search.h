@@ -24,6 +24,7 @@ struct SearchSpace {
     CoreAmounts& core;
 
     Tuned tuned(std::span<const double> coordinates) const;
+    /// `emission` is what the plume goes by: times its density.
     std::vector<Amounts> core_at(std::span<const double> coordinates) const;
     /// Of the told curves; infinite where the core refuses the values.
     double cost_at(std::span<const double> coordinates) const;

@@ -53,7 +53,9 @@ struct Camera {
         for (std::size_t i = 0; i < times.size(); ++i) {
             FrameAmounts& frame = frames.emplace_back();
             frame.time = times[i];
-            double depth = 1.3 * amounts[i].haze + 0.15 * tuned.preset.smoke.plume.density * amounts[i].emission;
+            const PlumeParameters& plume = tuned.preset.smoke.plume;
+            const double plume_depth = 0.15 * plume.density * plume.size / PlumeParameters{}.size;
+            double depth = 1.3 * amounts[i].haze + plume_depth * amounts[i].emission;
             if (takes_bright_for_dense) depth *= tuned.preset.smoke.haze.color.r / scene().preset.smoke.haze.color.r;
             const double share = 2e-4 * amounts[i].blood_area;
             const double veil = 1.0 - std::exp(-depth) + 1.0 * noise * normal(random);
@@ -263,12 +265,14 @@ TEST(Fit, GoesOnWithTheColoursThatAreMatchedAmidstIt) {
 
 TEST(Fit, WhatTheCoreKnowsNothingOfIsLearntWhereTheColoursWereMatched) {
     Tuned truth = hidden(7.0, 8.0, 0.3, 0.15);
-    truth.preset.smoke.plume.density = 1.2;
+    truth.preset.smoke.plume.density = 1.0;
+    truth.preset.smoke.plume.size = 180.0;
     Camera camera;
     FitInput input = input_of({.hidden = truth,
                                .keys = {"bleeding.speed", "bleeding.max_extent", "smoke.haze.accumulation",
-                                        "smoke.haze.ventilation", "smoke.plume.density"}},
+                                        "smoke.haze.ventilation", "smoke.plume.size"}},
                               camera);
+    input.start.preset.smoke.plume.density = 1.0;
     std::vector<Tuned> drawn;
     const auto draw = input.draw;
     input.draw = [&](const Tuned& tuned, std::span<const double> times) {
@@ -284,10 +288,10 @@ TEST(Fit, WhatTheCoreKnowsNothingOfIsLearntWhereTheColoursWereMatched) {
     const FitResult found = fit(input);
     ASSERT_GT(drawn.size(), matched_at + 1);
     const Preset &stands = drawn[matched_at].preset, &moved = drawn[matched_at + 1].preset;
-    EXPECT_NE(moved.smoke.plume.density, stands.smoke.plume.density);
+    EXPECT_NE(moved.smoke.plume.size, stands.smoke.plume.size);
     EXPECT_EQ(moved.smoke.haze.accumulation, stands.smoke.haze.accumulation) << "one parameter moves";
     EXPECT_EQ(moved.bleeding.speed, stands.bleeding.speed);
-    EXPECT_NEAR(found.tuned.preset.smoke.plume.density, 1.2, 0.1);
+    EXPECT_NEAR(found.tuned.preset.smoke.plume.size, 180.0, 15.0);
     EXPECT_NEAR(found.tuned.preset.smoke.haze.accumulation, 0.3, 0.02);
 }
 
