@@ -6,14 +6,16 @@
 // the shipped preset gastric_banding with tools that begin at other times: one with another organ, camera and light,
 // and the hidden one itself under another light. First the proposal is made (match/fit/proposal.h), then the fit, with
 // colours and exposure. Curves: true amounts (Preview::layers) of the fitted scene beside those of the hidden one, once
-// a second, root mean square. Parameters: those of the scene itself; the smoke rate b of the other scene goes by what
-// its camera sees of a haze, which is not compared. Intervals are those of the fit.
+// a second, root mean square. Parameters: those of the scene itself; the smoke rate b is the optical depth that a
+// second of burning adds to what the camera sees, since presets show the same haze more or less densely. Intervals are
+// those of the fit.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "commands/bench.h"
 #include "commands/bench_fit_cases.h"
@@ -21,6 +23,7 @@
 #include "commands/options.h"
 #include "commands/progress.h"
 #include "commands/session.h"
+#include "lapfx/amounts.h"
 #include "lapfx/authoring/preview.h"
 #include "lapfx/clip_cache.h"
 #include "match/fit/fit.h"
@@ -94,6 +97,24 @@ std::vector<ShownAmounts> truth_of(const CaseScene& scene, const Drawing& drawin
     return truth;
 }
 
+/// Optical depth of the veil over the core's haze: a preset's extinction and unevenness have a part in it, so that a
+/// smoke rate says little without. Of when the plume is gone; nothing where there is no such time.
+std::optional<double> haze_factor(const CaseScene& scene, const std::vector<ShownAmounts>& truth) {
+    const match::Tuned& tuned = scene.tuned;
+    AmountsModel model(scene.organ, {.gravity = tuned.scene.gravity});
+    model.set(tuned.preset, tuned.scene.events, tuned.scene.curves);
+    double clear_from = 0.0, both = 0.0, haze2 = 0.0;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        const double time = static_cast<double>(i) * truth_step;
+        const SmokeAmounts smoke = model.smoke_at(time);
+        if (smoke.emission > 0.0) clear_from = time + tuned.preset.smoke.plume.fade_out + truth_step;
+        if (time < clear_from || smoke.haze <= 0.0) continue;
+        both += -std::log1p(-std::min(truth[i].veil, 0.99)) * smoke.haze;
+        haze2 += smoke.haze * smoke.haze;
+    }
+    return haze2 > 0.0 ? std::optional(both / haze2) : std::nullopt;
+}
+
 double rms(const std::vector<ShownAmounts>& a, const std::vector<ShownAmounts>& b, double ShownAmounts::*amount) {
     double sum = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i].*amount - b[i].*amount) * (a[i].*amount - b[i].*amount);
@@ -158,6 +179,8 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& referenc
     outcome.blood_rms = rms(after, hidden_truth, &ShownAmounts::blood);
     outcome.veil_rms = rms(after, hidden_truth, &ShownAmounts::veil);
     outcome.found = seen_truth(scene.tuned, scene.organ);
+    const std::optional<double> true_factor = haze_factor(hidden, hidden_truth), factor = haze_factor(scene, after);
+    if (true_factor && factor) outcome.truth.smoke_rate *= *true_factor, outcome.found.smoke_rate *= *factor;
     const std::vector<ToolContact>& events = scene.tuned.scene.events;
     outcome.burn_key = time_key(events, [](const ToolContact& c) { return c.hot() && c.power > 0.0; });
     outcome.cut_key = time_key(events, [](const ToolContact& c) { return divides(c.action) && c.strength > 0.0; });

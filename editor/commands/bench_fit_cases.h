@@ -37,7 +37,7 @@ FitCase draw_fit_case(std::uint32_t seed, int number, PreparedViews& prepared);
 struct SeenTruth {
     double burn_start = 0.0;    ///< s, when it begins to smoke
     double cut_start = 0.0;     ///< s, when the wound opens
-    double smoke_rate = 0.0;    ///< b, 1/s: depth of the veil that a second of burning adds; per haze_factor
+    double smoke_rate = 0.0;    ///< b, 1/s: haze of the core that a second of burning adds
     double ventilation = 0.0;   ///< 1/s
     double blood_pace = 0.0;    ///< how fast blood spreads, square roots of the view a second
     double blood_extent = 0.0;  ///< how far, square roots of the view
