@@ -1,6 +1,9 @@
 #include "match/color_likeness.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
+#include <vector>
 
 #include "match/color_difference.h"
 #include "match/colors.h"
@@ -25,6 +28,29 @@ class MeanColor {
   private:
     glm::dvec3 sum_{0.0};
     int count_ = 0;
+};
+
+/// Of each channel the mean of its middle half, so that places that were taken for it do not count, or those of which
+/// more was taken away than there was.
+class MiddleColor {
+  public:
+    void add(const cv::Vec3f& color) {
+        for (int c = 0; c < 3; ++c) channels_[c].push_back(color[2 - c]);
+    }
+    std::optional<glm::dvec3> found() {
+        if (channels_[0].size() < static_cast<std::size_t>(least_pixels)) return {};
+        return glm::max(glm::dvec3(middle(channels_[0]), middle(channels_[1]), middle(channels_[2])), 0.0);
+    }
+
+  private:
+    static double middle(std::vector<float>& values) {
+        std::sort(values.begin(), values.end());
+        const auto quarter = static_cast<std::ptrdiff_t>(values.size() / 4);
+        const double sum = std::accumulate(values.begin() + quarter, values.end() - quarter, 0.0);
+        return sum / static_cast<double>(std::ssize(values) - 2 * quarter);
+    }
+
+    std::array<std::vector<float>, 3> channels_;
 };
 
 /// The light of dense smoke, by what the veil put before the tissue: frame = baseline * (1 - veil) + light * veil, over
@@ -89,7 +115,8 @@ MeasuredColors colors_of(const Image& frame, const ColorLayers& layers) {
     shrink(frame, layers.valid.size(), code);
     to_linear(code, seen);
     to_linear(layers.baseline, clear);
-    MeanColor blood, tissue;
+    MeanColor tissue;
+    MiddleColor blood;
     SmokeLight smoke;
     const auto each = [&](const auto& take) {
         for (int y = 0; y < seen.rows; ++y)

@@ -19,7 +19,7 @@ inline constexpr int least_pixels = 100;
 /// A veil in which the colour of smoke shows.
 inline constexpr double colored_veil = 0.1;
 
-/// Mean colours, linear light, 0..1, red, green, blue; nothing of what has too few pixels.
+/// Mean colours, linear light, 0..1, red, green, blue; nothing of what has too few pixels. Blood: of the middle half.
 struct MeasuredColors {
     std::optional<glm::dvec3> blood;  ///< where there is blood, with the veil removed; not behind dense_veil
     /// Light of dense smoke, by what the veil put before the tissue; blood does not count. Nothing where too few pixels

@@ -42,7 +42,7 @@ struct ColorRow {
     std::optional<double> ColorLikeness::*value;
 };
 constexpr ColorRow color_rows[] = {
-    {"blood_delta_e", "colour of blood, where there is most", &ColorLikeness::blood},
+    {"blood_delta_e", "colour of blood, of all frames that show it", &ColorLikeness::blood},
     {"smoke_delta_e", "colour of smoke, where the veil is densest", &ColorLikeness::smoke},
     {"tissue_delta_e", "colour of the tissue, of the baselines", &ColorLikeness::tissue},
 };

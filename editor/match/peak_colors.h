@@ -1,5 +1,5 @@
-// The colours of a measured video: of blood in the frame that has most of it behind little smoke, of smoke in the one
-// with the most veil, and of the tissue of the baseline.
+// The colours of a measured video: of blood in all frames that show it, those with most of it behind little smoke
+// above all, of smoke in the one with the most veil, and of the tissue of the baseline.
 //
 //     match::PeakColors colors(2.0, 8.0);
 //     options.measured = [&colors](Image& frame, const Estimator* estimator, const FrameAmounts& amounts) {
@@ -19,7 +19,7 @@
 
 namespace lapfx::match {
 
-/// With the amounts of the frames that blood and smoke were taken from: how far their colours can be told.
+/// With the amounts of the frames that have most clear blood, and veil: how far their colours can be told.
 struct ColorsAtPeak {
     MeasuredColors colors = {};
     Amount blood = {}, veil = {};  ///< there; 0: it is not measurable
@@ -40,12 +40,15 @@ class PeakColors {
     const ColorsAtPeak& at_peak() const { return found_; }
 
   private:
+    void add_blood(const glm::dvec3& light, double weight);
     bool takes(double time) const { return time >= from_ && time <= to_; }
 
     double from_ = -std::numeric_limits<double>::infinity(), to_ = std::numeric_limits<double>::infinity();
     bool any_ = false, any_blood_ = false, any_veil_ = false;
     double first_at_ = 0.0, blood_at_ = 0.0, veil_at_ = 0.0;  // s, of the frames that they are of
     double most_blood_ = 0.0;
+    glm::dvec3 blood_light_{0.0};  // of the frames, each times its weight
+    double blood_weight_ = 0.0;
     ColorsAtPeak found_;
 };
 

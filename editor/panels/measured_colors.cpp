@@ -26,7 +26,7 @@ struct Part {
     const char* key;  ///< of what mends it
 };
 constexpr std::array<Part, 3> parts = {{
-    {"blood", "where there is most", &ColorLikeness::blood, &MeasuredColors::blood, "bleeding.color_thin"},
+    {"blood", "of all frames that show it", &ColorLikeness::blood, &MeasuredColors::blood, "bleeding.color_thin"},
     {"smoke", "where the veil is densest", &ColorLikeness::smoke, &MeasuredColors::smoke, "smoke.haze.color"},
     {"tissue", "of the baselines", &ColorLikeness::tissue, &MeasuredColors::tissue, exposure_key},
 }};

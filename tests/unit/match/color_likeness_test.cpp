@@ -39,6 +39,25 @@ TEST(ColorLikeness, BloodIsThatOfItsMaskWithoutTheVeil) {
     }
 }
 
+/// Nor what is taken away from a shadow beyond the light that it has.
+TEST(ColorLikeness, AFifthThatIsNoBloodDoesNotCount) {
+    const cv::Size size(60, 40);
+    cv::Mat light(size, CV_32FC3, cv::Scalar(painted_blood));
+    light.rowRange(0, 8).setTo(cv::Scalar(0.004, 0.004, 0.02));
+    const cv::Mat veil(size, CV_32F, cv::Scalar(0.1)), smoke(size, CV_32FC3, cv::Scalar::all(0.3));
+    const ColorLayers layers{.blood = cv::Mat(size, CV_8U, cv::Scalar(255)),
+                             .veil = veil,
+                             .valid = cv::Mat(size, CV_8U, cv::Scalar(255)),
+                             .light = smoke,
+                             .baseline = cv::Mat(size, CV_8UC3, cv::Scalar(40, 50, 110))};
+    const cv::Mat shown = 0.9 * light + cv::Scalar::all(0.1 * 0.3), shadow = 0.9 * light;
+    cv::Mat picture = shown.clone();
+    shadow.rowRange(0, 8).copyTo(picture.rowRange(0, 8));
+    const MeasuredColors found = colors_of(test::image_of(picture), layers);
+    ASSERT_TRUE(found.blood);
+    expect_near(*found.blood, {painted_blood[2], painted_blood[1], painted_blood[0]}, 0.01);
+}
+
 TEST(ColorLikeness, TissueIsTheMeanOfTheBaseline) {
     const cv::Mat clear = test::tissue(), bloody = with_blood(clear, 40);
     const MeasuredColors found = colors_of(test::image_of(bloody), measured(clear, bloody));
