@@ -335,6 +335,7 @@ class Fit {
     /// once one of them is held the others may be known: so one after the other, and what is left is found beside it.
     /// True: it has drawn the place where that is so.
     bool hold_undetermined() {
+        first_place_.reset();  // was found with nothing held
         std::vector<double> next = best_.coordinates;
         certainties_ = certainties(next);
         when_held_.resize(next.size());

@@ -295,6 +295,19 @@ TEST(BeginWithProposal, ToolsThatAreNearerThanTheProposedStay) {
     EXPECT_EQ(found.before.size(), input.target.size());
 }
 
+TEST(BeginWithProposal, ASceneThatIsTheReferenceStaysAsItIs) {
+    FitInput input = fit_of(hidden(), hidden(), {"bleeding.speed", "bleeding.threshold", "smoke.haze.ventilation"});
+    begin_with_proposal(input);
+    input.start.scene.events[1].time += 0.3;  // as a worse proposal would have it
+    input.draw = ideal_camera();
+    const FitResult found = fit(input);
+    EXPECT_TRUE(found.proposal_left);
+    EXPECT_EQ(found.tuned.scene.events, hidden().scene.events);
+    EXPECT_EQ(found.tuned.preset.bleeding.threshold, hidden().preset.bleeding.threshold);
+    EXPECT_NEAR(found.tuned.preset.bleeding.speed, hidden().preset.bleeding.speed, 0.05);
+    EXPECT_LE(found.curves, 4) << "two beginnings, and little to learn";
+}
+
 TEST(BeginWithProposal, ToolsThatAreFartherThanTheProposedMove) {
     FitInput input = fit_of(scene(), hidden(), {"bleeding.speed", "smoke.haze.accumulation", "smoke.haze.ventilation"});
     begin_with_proposal(input);
