@@ -8,7 +8,8 @@
 // colours and exposure. Curves: true amounts (Preview::layers) of the fitted scene beside those of the hidden one, once
 // a second, root mean square. Parameters: those of the scene itself; the smoke rate b is the optical depth that a
 // second of burning adds to what the camera sees, since presets show the same haze more or less densely. Intervals are
-// those of the fit.
+// those of the fit. Parameters are told of all scenes, and of those that show enough of it: smoke whose true mean veil
+// peaks at an optical depth of `plain_depth`, blood that covers `plain_blood` of the view.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -43,6 +44,8 @@ constexpr double rate = 6.0;             // frames per second of the reference
 constexpr double truth_step = 1.0;       // s
 constexpr std::uint32_t film_part = 41;  // of the random numbers (bench_measure_random.h)
 constexpr double begins_at = 0.3;        // s: where tools of the fitted scene begin before the fit
+constexpr double plain_depth[] = {0.25, 1.2};
+constexpr double plain_blood = 0.02;
 const std::vector<std::string> fitted_keys = {"bleeding.speed", "bleeding.max_extent", "smoke.haze.accumulation",
                                               "smoke.haze.ventilation", "smoke.plume.density"};
 
@@ -126,6 +129,7 @@ struct Outcome {
     bool same_view = false;
     std::string hidden, fitted;  ///< organs
     double blood_rms = 0.0, veil_rms = 0.0, blood_before = 0.0, veil_before = 0.0;
+    double peak_depth = 0.0, peak_blood = 0.0;  ///< of the hidden scene: optical depth, share of the view
     SeenTruth truth, found;
     match::FitResult result;
     std::string burn_key, cut_key;  ///< of when its tools begin; empty: none of the kind works
@@ -155,6 +159,10 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& referenc
     Outcome outcome;
     outcome.hidden = hidden.label, outcome.fitted = scene.label;
     outcome.truth = seen_truth(hidden.tuned, hidden.organ);
+    for (const ShownAmounts& shown : hidden_truth) {
+        outcome.peak_depth = std::max(outcome.peak_depth, -std::log1p(-std::min(shown.veil, 0.99)));
+        outcome.peak_blood = std::max(outcome.peak_blood, shown.blood);
+    }
     const std::vector<ShownAmounts> before = truth_of(scene, drawing);
     outcome.blood_before = rms(before, hidden_truth, &ShownAmounts::blood);
     outcome.veil_before = rms(before, hidden_truth, &ShownAmounts::veil);
@@ -192,51 +200,38 @@ double ratio(double found, double truth) {
 }
 
 std::string line_of(const Outcome& o) {
-    char text[400];
+    char text[440];
     std::snprintf(text, sizeof text,
                   "%-17s %-17s %s blood %.4f (%.4f) veil %.4f (%.4f) burn %+.2f s cut %+.2f s b x%.2f w x%.2f pace "
-                  "x%.2f extent x%.2f%s; clears %.1f s; %d curves %.0f s\n",
+                  "x%.2f extent x%.2f%s; clears %.1f s, peaks: depth %.2f, blood %.3f; %d curves %.0f s\n",
                   o.hidden.c_str(), o.fitted.c_str(), o.same_view ? "same " : "other", o.blood_rms, o.blood_before,
                   o.veil_rms, o.veil_before, o.found.burn_start - o.truth.burn_start,
                   o.found.cut_start - o.truth.cut_start, ratio(o.found.smoke_rate, o.truth.smoke_rate),
                   ratio(o.found.ventilation, o.truth.ventilation), ratio(o.found.blood_pace, o.truth.blood_pace),
                   ratio(o.found.blood_extent, o.truth.blood_extent), o.truth.blood_stops ? "" : " (grows on)",
-                  o.truth.clears_for, o.result.curves, o.seconds);
+                  o.truth.clears_for, o.peak_depth, o.peak_blood, o.result.curves, o.seconds);
     return text;
 }
 
 /// What is known of one parameter, or of when a tool begins, in all outcomes of the same view.
 struct Recovery {
     const char* name;
-    const char* key;  ///< of the fitted parameter; null: `event` is
+    const char* figure;  ///< its name in rows of figures
+    const char* key;     ///< of the fitted parameter; null: `event` is
     std::string Outcome::*event;
     double SeenTruth::*value;
+    bool of_smoke;          ///< else of blood
     bool as_ratio;          ///< errors are shares of the truth, else differences, s
     double median, ninety;  ///< bounds of its errors
 };
 constexpr Recovery recoveries[] = {
-    {"smoke begins", nullptr, &Outcome::burn_key, &SeenTruth::burn_start, false, 0.2, 0.2},
-    {"blood begins", nullptr, &Outcome::cut_key, &SeenTruth::cut_start, false, 0.2, 0.2},
-    {"b", "smoke.haze.accumulation", nullptr, &SeenTruth::smoke_rate, true, 0.1, 0.2},
-    {"ventilation", "smoke.haze.ventilation", nullptr, &SeenTruth::ventilation, true, 0.3, 0.3},
-    {"speed", "bleeding.speed", nullptr, &SeenTruth::blood_pace, true, 0.1, 0.2},
-    {"max extent", "bleeding.max_extent", nullptr, &SeenTruth::blood_extent, true, 0.1, 0.2},
+    {"smoke begins", "smoke_begins", nullptr, &Outcome::burn_key, &SeenTruth::burn_start, true, false, 0.2, 0.2},
+    {"blood begins", "blood_begins", nullptr, &Outcome::cut_key, &SeenTruth::cut_start, false, false, 0.2, 0.2},
+    {"b", "b", "smoke.haze.accumulation", nullptr, &SeenTruth::smoke_rate, true, true, 0.1, 0.2},
+    {"ventilation", "ventilation", "smoke.haze.ventilation", nullptr, &SeenTruth::ventilation, true, true, 0.3, 0.3},
+    {"speed", "speed", "bleeding.speed", nullptr, &SeenTruth::blood_pace, false, true, 0.1, 0.2},
+    {"max extent", "max_extent", "bleeding.max_extent", nullptr, &SeenTruth::blood_extent, false, true, 0.1, 0.2},
 };
-
-BenchRow figures_of(const Outcome& o) {
-    return {.of = {{"hidden", o.hidden}, {"fitted", o.fitted}, {"view", o.same_view ? "same" : "other"}},
-            .measured = {{"blood_rms", o.blood_rms},
-                         {"blood_rms_before", o.blood_before},
-                         {"veil_rms", o.veil_rms},
-                         {"veil_rms_before", o.veil_before},
-                         {"smoke_begins_late_s", o.found.burn_start - o.truth.burn_start},
-                         {"b_ratio", ratio(o.found.smoke_rate, o.truth.smoke_rate)},
-                         {"ventilation_ratio", ratio(o.found.ventilation, o.truth.ventilation)},
-                         {"speed_ratio", ratio(o.found.blood_pace, o.truth.blood_pace)},
-                         {"max_extent_ratio", ratio(o.found.blood_extent, o.truth.blood_extent)},
-                         {"curves", o.result.curves},
-                         {"fit_s", o.seconds}}};
-}
 
 const match::FittedParameter* fitted_of(const Outcome& o, const Recovery& r) {
     const std::string key = r.event != nullptr ? o.*r.event : std::string(r.key);
@@ -252,25 +247,65 @@ bool told(const Outcome& o, const Recovery& r) {
     return o.found.*r.value > 0.0 && (r.value != &SeenTruth::cut_start || o.found.blood_pace > 0.0);
 }
 
+/// What the fit found of one parameter.
+struct Found {
+    bool told = false;      ///< the fit says that it knows it
+    double error = 0.0;     ///< a share of the truth or a difference, as Recovery::as_ratio
+    bool interval = false;  ///< there is one
+    bool covered = false;   ///< it holds the truth
+};
+Found found_of(const Outcome& o, const Recovery& r) {
+    Found result{.told = told(o, r)};
+    const double truth = o.truth.*r.value, found = o.found.*r.value;
+    result.error = r.as_ratio ? ratio(found, truth) - 1.0 : found - truth;
+    const match::FittedParameter* const p = fitted_of(o, r);
+    if (p == nullptr || found <= 0.0) return result;
+    const double true_value = r.as_ratio ? p->after * truth / found : p->after + truth - found;
+    result.interval = true, result.covered = p->low <= true_value && true_value <= p->high;
+    return result;
+}
+
+BenchRow figures_of(const Outcome& o) {
+    BenchRow row{.of = {{"hidden", o.hidden}, {"fitted", o.fitted}, {"view", o.same_view ? "same" : "other"}},
+                 .measured = {{"blood_rms", o.blood_rms},
+                              {"blood_rms_before", o.blood_before},
+                              {"veil_rms", o.veil_rms},
+                              {"veil_rms_before", o.veil_before},
+                              {"peak_depth", o.peak_depth},
+                              {"peak_blood", o.peak_blood},
+                              {"curves", o.result.curves},
+                              {"fit_s", o.seconds}}};
+    for (const Recovery& r : recoveries) {
+        const Found found = found_of(o, r);
+        const std::string name = r.figure;
+        row.measured[name + (r.as_ratio ? "_error" : "_late_s")] = found.error;
+        row.measured[name + "_told"] = found.told;
+        if (found.interval) row.measured[name + "_covered"] = found.covered;
+    }
+    return row;
+}
+
 double share_at(std::vector<double> errors, double share) {
     if (errors.empty()) return 0.0;
     std::sort(errors.begin(), errors.end());
     return errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1) + 0.5)];
 }
 
-std::string row_of(const Recovery& r, const std::vector<Outcome>& outcomes) {
+bool is_plain(const Outcome& o, const Recovery& r) {
+    if (!r.of_smoke) return o.peak_blood >= plain_blood;
+    return o.peak_depth >= plain_depth[0] && o.peak_depth <= plain_depth[1];
+}
+
+std::string row_of(const Recovery& r, const std::vector<Outcome>& outcomes, bool plain_alone) {
     std::vector<double> errors;
     int all = 0, covered = 0, with_interval = 0;
     for (const Outcome& o : outcomes) {
-        if (!o.same_view) continue;
+        if (!o.same_view || (plain_alone && !is_plain(o, r))) continue;
         ++all;
-        if (!told(o, r)) continue;
-        const double truth = o.truth.*r.value, found = o.found.*r.value;
-        errors.push_back(r.as_ratio ? std::abs(ratio(found, truth) - 1.0) : std::abs(found - truth));
-        const match::FittedParameter* const p = fitted_of(o, r);
-        if (p == nullptr || found <= 0.0) continue;
-        const double true_value = r.as_ratio ? p->after * truth / found : p->after + truth - found;
-        ++with_interval, covered += p->low <= true_value && true_value <= p->high ? 1 : 0;
+        const Found found = found_of(o, r);
+        if (!found.told) continue;
+        errors.push_back(std::abs(found.error));
+        with_interval += found.interval ? 1 : 0, covered += found.covered ? 1 : 0;
     }
     char text[240];
     std::snprintf(text, sizeof text, "%-13s told %2d of %2d, error median %.3f (%.2f) 90 %% %.3f (%.2f)%s", r.name,
@@ -307,7 +342,13 @@ std::string summary(const std::vector<Outcome>& outcomes) {
     }
     if (std::none_of(outcomes.begin(), outcomes.end(), [](const Outcome& o) { return o.same_view; })) return text;
     text += "Parameters, same view, where the fit says that it knows them:\n";
-    for (const Recovery& r : recoveries) text += row_of(r, outcomes);
+    for (const Recovery& r : recoveries) text += row_of(r, outcomes, false);
+    char line[200];
+    std::snprintf(line, sizeof line,
+                  "Of these, smoke with a peak of its depth of %.2f to %.1f, blood of at least %.2f of the view:\n",
+                  plain_depth[0], plain_depth[1], plain_blood);
+    text += line;
+    for (const Recovery& r : recoveries) text += row_of(r, outcomes, true);
     return text;
 }
 
