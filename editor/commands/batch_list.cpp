@@ -39,6 +39,23 @@ std::string shown(const std::string& name) {
     return Fault{.file = name, .place = "", .reason = ""}.text();
 }
 
+/// A line of the list is an argument of `lapfx batch run`.
+std::string no_option(const std::string& name) {
+    return name.starts_with('-') ? "./" + name : name;
+}
+
+/// "FOLDER: 2 other files are left out: a, b"; the first three are named.
+std::string left_out(const fs::path& folder, const std::string& one, const std::string& many,
+                     std::vector<std::string> names) {
+    constexpr std::size_t named = 3;
+    std::sort(names.begin(), names.end());
+    std::string said =
+        shown(folder.string()) + ": " + std::to_string(names.size()) + ' ' + (names.size() == 1 ? one : many);
+    for (std::size_t i = 0; i < std::min(named, names.size()); ++i) said += (i == 0 ? " " : ", ") + names[i];
+    if (names.size() > named) said += ", ...";
+    return said;
+}
+
 /// All files below a folder; folders that are links come last, so that a file has the name of its own place.
 class Walk {
   public:
@@ -50,6 +67,9 @@ class Walk {
             const std::vector<fs::path> links = std::exchange(links_, {});
             for (const fs::path& link : links) look_through(link, true);
         }
+        if (!of_batch_.empty())
+            notes.push_back(left_out(top, "folder of results is not looked through:",
+                                     "folders of results are not looked through:", std::move(of_batch_)));
     }
     std::vector<std::string> files;  ///< names
 
@@ -64,7 +84,10 @@ class Walk {
             return;
         }
         seen_.insert(real);
-        if (is_of_batch(folder)) return;
+        if (is_of_batch(folder)) {
+            of_batch_.push_back(shown(folder == top_ ? folder.string() : name_of(folder)));
+            return;
+        }
         std::vector<fs::directory_entry> entries;
         for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
             entries.push_back(*it);
@@ -94,6 +117,7 @@ class Walk {
     const fs::path& top_;
     std::vector<std::string>& notes_;
     std::vector<fs::path> links_;
+    std::vector<std::string> of_batch_;  ///< folders
     std::set<fs::path> seen_;
 };
 
@@ -104,18 +128,12 @@ std::vector<BatchItem> items_of(const fs::path& folder, const std::vector<std::s
     for (const std::string& name : files) {
         const std::optional<ItemKind> kind = is_hidden(name) || has_line_break(name) ? std::nullopt : kind_of(name);
         if (kind)
-            items.push_back({name, *kind});
+            items.push_back({no_option(name), *kind});
         else
             others.push_back(shown(name));
     }
-    if (others.empty()) return items;
-    constexpr std::size_t named = 3;
-    std::sort(others.begin(), others.end());
-    std::string said = shown(folder.string()) + ": " + std::to_string(others.size()) +
-                       (others.size() == 1 ? " other file is left out: " : " other files are left out: ");
-    for (std::size_t i = 0; i < std::min(named, others.size()); ++i) said += (i == 0 ? "" : ", ") + others[i];
-    if (others.size() > named) said += ", ...";
-    notes.push_back(std::move(said));
+    if (!others.empty())
+        notes.push_back(left_out(folder, "other file is left out:", "other files are left out:", std::move(others)));
     return items;
 }
 
@@ -214,9 +232,9 @@ BatchList batch_items(const fs::path& folder, const fs::path& results) {
 
 BatchItem batch_item(const fs::path& folder, const std::string& name) {
     require_folder(folder);
-    const fs::path path(name);
+    const fs::path path(name.starts_with("./-") ? name.substr(2) : name);
     const auto wrong = [&](const std::string& reason) { return wrong_option("ITEM", "\"" + name + "\" " + reason); };
-    if (name.empty() || path.is_absolute() || path.lexically_normal().generic_string() != name ||
+    if (name.empty() || path.is_absolute() || path.lexically_normal().string() != path.string() ||
         path.begin()->string() == ".." || name == "." || !path.has_filename())
         throw wrong("is not a path below " + folder.string() + " as `lapfx batch list` prints it");
     const std::optional<ItemKind> kind = kind_of(name);
@@ -226,7 +244,7 @@ BatchItem batch_item(const fs::path& folder, const std::string& name) {
     const fs::file_status status = fs::status(folder / path, error);
     if (!fs::exists(status)) throw wrong("is no file of " + folder.string());
     if (!fs::is_regular_file(status)) throw wrong("of " + folder.string() + " is not a plain file");
-    return {name, *kind};
+    return {no_option(path.generic_string()), *kind};
 }
 
 }  // namespace lapfx::commands

@@ -93,9 +93,18 @@ TEST_F(BatchListTest, ResultsAreNoItems) {
     write("results/a.mp4/result.json", text_of({})), write("results/a.mp4/fitted.scene.json", "{}");
     write("results/b.mp4/running.lock", ""), write("results/b.mp4/fitted.scene.json", "{ }");
     EXPECT_THAT(names(), ElementsAre("a.mp4", "out/b.mp4"));
+    EXPECT_THAT(notes,
+                ElementsAre(EndsWith(": 2 folders of results are not looked through: results/a.mp4, results/b.mp4")));
     EXPECT_THAT(names(folder / "out"), ElementsAre("a.mp4"));
     write("mine/result.json", "{\"another\": 1}"), write("mine/c.mp4", "ccc");
     EXPECT_THAT(names(), ElementsAre("a.mp4", "mine/c.mp4", "out/b.mp4"));
+}
+
+TEST_F(BatchListTest, NoNameIsAnOption) {
+    write("-1.mp4", "a"), write("-week/s.scene.json", "{}"), write("week/-2.mp4", "bb");
+    EXPECT_THAT(names(), ElementsAre("./-1.mp4", "./-week/s.scene.json", "week/-2.mp4"));
+    for (const std::string name : {"./-1.mp4", "-1.mp4"})
+        EXPECT_EQ(batch_item(folder / "", name), (BatchItem{"./-1.mp4", ItemKind::video})) << name;
 }
 
 TEST_F(BatchListTest, NothingLeftIsAFaultThatSaysWhatWasThere) {
