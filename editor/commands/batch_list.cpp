@@ -163,13 +163,28 @@ Contents contents_of(const fs::path& folder, const std::vector<BatchItem>& items
     return contents;
 }
 
-void drop_copies(const fs::path& folder, std::vector<BatchItem>& items, std::vector<std::string>& notes) {
+/// Files that scenes of the list name, and the first scene that does.
+using References = std::map<fs::path, std::string>;
+
+/// The scene whose reference a video is.
+std::optional<std::string> scene_of(const fs::path& video, const References& references) {
+    std::error_code error;
+    const auto found = references.find(fs::canonical(video, error));
+    return error || found == references.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// A reference stays rather than its copies.
+void drop_copies(const fs::path& folder, const References& references, std::vector<BatchItem>& items,
+                 std::vector<std::string>& notes) {
     std::set<std::string> copies;
-    for (const auto& [hash, names] : contents_of(folder, items))
+    for (auto [hash, names] : contents_of(folder, items)) {
+        std::ranges::stable_partition(
+            names, [&](const std::string& name) { return scene_of(folder / name, references).has_value(); });
         for (std::size_t i = 1; i < names.size(); ++i) {
             copies.insert(names[i]);
             notes.push_back(shown(names[i]) + ": has the content of " + shown(names[0]) + " and is left out");
         }
+    }
     std::erase_if(items, [&](const BatchItem& item) { return copies.contains(item.name); });
 }
 
@@ -185,16 +200,19 @@ fs::path reference_of(const fs::path& scene) {
     }
 }
 
-void drop_references(const fs::path& folder, std::vector<BatchItem>& items, std::vector<std::string>& notes) {
-    std::map<fs::path, std::string> references;
+References references_of(const fs::path& folder, const std::vector<BatchItem>& items) {
+    References references;
     for (const BatchItem& item : items)
         if (item.kind == ItemKind::scene) references.emplace(reference_of(folder / item.name), item.name);
+    return references;
+}
+
+void drop_references(const fs::path& folder, const References& references, std::vector<BatchItem>& items,
+                     std::vector<std::string>& notes) {
     std::erase_if(items, [&](const BatchItem& item) {
-        if (item.kind != ItemKind::video) return false;
-        std::error_code error;
-        const auto found = references.find(fs::canonical(folder / item.name, error));
-        if (error || found == references.end()) return false;
-        notes.push_back(shown(item.name) + ": is the reference of " + shown(found->second) + ", which is fitted to it");
+        const std::optional<std::string> scene = scene_of(folder / item.name, references);
+        if (item.kind != ItemKind::video || !scene) return false;
+        notes.push_back(shown(item.name) + ": is the reference of " + shown(*scene) + ", which is fitted to it");
         return true;
     });
 }
@@ -216,8 +234,9 @@ BatchList batch_items(const fs::path& folder, const fs::path& results) {
     BatchList list;
     list.items = items_of(folder, Walk(folder, results, list.notes).files, list.notes);
     std::sort(list.items.begin(), list.items.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
-    drop_references(folder, list.items, list.notes);
-    drop_copies(folder, list.items, list.notes);
+    const References references = references_of(folder, list.items);
+    drop_copies(folder, references, list.items, list.notes);
+    drop_references(folder, references, list.items, list.notes);
     if (list.items.empty()) {
         std::vector<Fault> faults;
         for (const std::string& note : list.notes) faults.push_back({.file = "", .place = "", .reason = note});

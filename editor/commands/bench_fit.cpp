@@ -8,8 +8,7 @@
 // colours and exposure. Curves: true amounts (Preview::layers) of the fitted scene beside those of the hidden one, once
 // a second, root mean square. Parameters: those of the scene itself; the smoke rate b is the optical depth that a
 // second of burning adds to what the camera sees, since presets show the same haze more or less densely. Intervals are
-// those of the fit. Parameters are told of all scenes, and of those that show enough of it: smoke whose true mean veil
-// peaks at an optical depth of `plain_depth`, blood that covers `plain_blood` of the view.
+// those of the fit.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -44,10 +43,6 @@ constexpr double rate = 6.0;             // frames per second of the reference
 constexpr double truth_step = 1.0;       // s
 constexpr std::uint32_t film_part = 41;  // of the random numbers (bench_measure_random.h)
 constexpr double begins_at = 0.3;        // s: where tools of the fitted scene begin before the fit
-constexpr double plain_depth[] = {0.25, 1.2};
-constexpr double plain_blood = 0.02;
-const std::vector<std::string> fitted_keys = {"bleeding.speed", "bleeding.max_extent", "smoke.haze.accumulation",
-                                              "smoke.haze.ventilation", "smoke.plume.density"};
 
 struct Drawing {
     std::shared_ptr<ClipCache> clips = std::make_shared<ClipCache>();
@@ -100,6 +95,17 @@ std::vector<ShownAmounts> truth_of(const CaseScene& scene, const Drawing& drawin
     return truth;
 }
 
+double depth_of(const ShownAmounts& shown) {
+    return -std::log1p(-std::min(shown.veil, 0.99));
+}
+
+ShownPeaks peaks_of(const std::vector<ShownAmounts>& truth) {
+    ShownPeaks peaks;
+    for (const ShownAmounts& shown : truth)
+        peaks.depth = std::max(peaks.depth, depth_of(shown)), peaks.blood = std::max(peaks.blood, shown.blood);
+    return peaks;
+}
+
 /// Optical depth of the veil over the core's haze: a preset's extinction and unevenness have a part in it, so that a
 /// smoke rate says little without. Of when the plume is gone; nothing where there is no such time.
 std::optional<double> haze_factor(const CaseScene& scene, const std::vector<ShownAmounts>& truth) {
@@ -112,7 +118,7 @@ std::optional<double> haze_factor(const CaseScene& scene, const std::vector<Show
         const SmokeAmounts smoke = model.smoke_at(time);
         if (smoke.emission > 0.0) clear_from = time + tuned.preset.smoke.plume.fade_out + truth_step;
         if (time < clear_from || smoke.haze <= 0.0) continue;
-        both += -std::log1p(-std::min(truth[i].veil, 0.99)) * smoke.haze;
+        both += depth_of(truth[i]) * smoke.haze;
         haze2 += smoke.haze * smoke.haze;
     }
     return haze2 > 0.0 ? std::optional(both / haze2) : std::nullopt;
@@ -129,8 +135,9 @@ struct Outcome {
     bool same_view = false;
     std::string hidden, fitted;  ///< organs
     double blood_rms = 0.0, veil_rms = 0.0, blood_before = 0.0, veil_before = 0.0;
-    double peak_depth = 0.0, peak_blood = 0.0;  ///< of the hidden scene: optical depth, share of the view
+    ShownPeaks peaks;  ///< of the hidden scene
     SeenTruth truth, found;
+    bool b_is_alike = false;  ///< smoke rates are as the camera sees them; else the haze never stands alone
     match::FitResult result;
     std::string burn_key, cut_key;  ///< of when its tools begin; empty: none of the kind works
     double seconds = 0.0;
@@ -159,10 +166,7 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& referenc
     Outcome outcome;
     outcome.hidden = hidden.label, outcome.fitted = scene.label;
     outcome.truth = seen_truth(hidden.tuned, hidden.organ);
-    for (const ShownAmounts& shown : hidden_truth) {
-        outcome.peak_depth = std::max(outcome.peak_depth, -std::log1p(-std::min(shown.veil, 0.99)));
-        outcome.peak_blood = std::max(outcome.peak_blood, shown.blood);
-    }
+    outcome.peaks = peaks_of(hidden_truth);
     const std::vector<ShownAmounts> before = truth_of(scene, drawing);
     outcome.blood_before = rms(before, hidden_truth, &ShownAmounts::blood);
     outcome.veil_before = rms(before, hidden_truth, &ShownAmounts::veil);
@@ -171,7 +175,8 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& referenc
     input.target = match::target_of(reference.frames, {.to = case_duration, .step = effort.step});
     input.organ = scene.organ;
     input.seed = effort.seed, input.rounds = effort.rounds;
-    input.parameters = match::free_parameters(input.start, fitted_keys);
+    input.parameters = match::free_parameters(
+        input.start, std::vector<std::string>(match::usual_parameters.begin(), match::usual_parameters.end()));
     match::begin_with_proposal(input);
     match::PreviewCurve curve(scene.organ, drawing.options(), {.size = match::preview_size(glm::dvec2(size))});
     input.draw = [&](const match::Tuned& tuned, std::span<const double> times) {
@@ -188,7 +193,8 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& referenc
     outcome.veil_rms = rms(after, hidden_truth, &ShownAmounts::veil);
     outcome.found = seen_truth(scene.tuned, scene.organ);
     const std::optional<double> true_factor = haze_factor(hidden, hidden_truth), factor = haze_factor(scene, after);
-    if (true_factor && factor) outcome.truth.smoke_rate *= *true_factor, outcome.found.smoke_rate *= *factor;
+    outcome.b_is_alike = true_factor && factor;
+    if (outcome.b_is_alike) outcome.truth.smoke_rate *= *true_factor, outcome.found.smoke_rate *= *factor;
     const std::vector<ToolContact>& events = scene.tuned.scene.events;
     outcome.burn_key = time_key(events, [](const ToolContact& c) { return c.hot() && c.power > 0.0; });
     outcome.cut_key = time_key(events, [](const ToolContact& c) { return divides(c.action) && c.strength > 0.0; });
@@ -209,7 +215,7 @@ std::string line_of(const Outcome& o) {
                   o.found.cut_start - o.truth.cut_start, ratio(o.found.smoke_rate, o.truth.smoke_rate),
                   ratio(o.found.ventilation, o.truth.ventilation), ratio(o.found.blood_pace, o.truth.blood_pace),
                   ratio(o.found.blood_extent, o.truth.blood_extent), o.truth.blood_stops ? "" : " (grows on)",
-                  o.truth.clears_for, o.peak_depth, o.peak_blood, o.result.curves, o.seconds);
+                  o.truth.clears_for, o.peaks.depth, o.peaks.blood, o.result.curves, o.seconds);
     return text;
 }
 
@@ -220,17 +226,16 @@ struct Recovery {
     const char* key;     ///< of the fitted parameter; null: `event` is
     std::string Outcome::*event;
     double SeenTruth::*value;
-    bool of_smoke;          ///< else of blood
     bool as_ratio;          ///< errors are shares of the truth, else differences, s
     double median, ninety;  ///< bounds of its errors
 };
 constexpr Recovery recoveries[] = {
-    {"smoke begins", "smoke_begins", nullptr, &Outcome::burn_key, &SeenTruth::burn_start, true, false, 0.2, 0.2},
-    {"blood begins", "blood_begins", nullptr, &Outcome::cut_key, &SeenTruth::cut_start, false, false, 0.2, 0.2},
-    {"b", "b", "smoke.haze.accumulation", nullptr, &SeenTruth::smoke_rate, true, true, 0.1, 0.2},
-    {"ventilation", "ventilation", "smoke.haze.ventilation", nullptr, &SeenTruth::ventilation, true, true, 0.3, 0.3},
-    {"speed", "speed", "bleeding.speed", nullptr, &SeenTruth::blood_pace, false, true, 0.1, 0.2},
-    {"max extent", "max_extent", "bleeding.max_extent", nullptr, &SeenTruth::blood_extent, false, true, 0.1, 0.2},
+    {"smoke begins", "smoke_begins", nullptr, &Outcome::burn_key, &SeenTruth::burn_start, false, 0.2, 0.2},
+    {"blood begins", "blood_begins", nullptr, &Outcome::cut_key, &SeenTruth::cut_start, false, 0.2, 0.2},
+    {"b", "b", "smoke.haze.accumulation", nullptr, &SeenTruth::smoke_rate, true, 0.1, 0.2},
+    {"ventilation", "ventilation", "smoke.haze.ventilation", nullptr, &SeenTruth::ventilation, true, 0.3, 0.3},
+    {"speed", "speed", "bleeding.speed", nullptr, &SeenTruth::blood_pace, true, 0.1, 0.2},
+    {"max extent", "max_extent", "bleeding.max_extent", nullptr, &SeenTruth::blood_extent, true, 0.1, 0.2},
 };
 
 const match::FittedParameter* fitted_of(const Outcome& o, const Recovery& r) {
@@ -243,8 +248,7 @@ const match::FittedParameter* fitted_of(const Outcome& o, const Recovery& r) {
 /// Whether the fit says that it knows it.
 bool told(const Outcome& o, const Recovery& r) {
     const match::FittedParameter* const p = fitted_of(o, r);
-    if (p != nullptr) return p->determined;
-    return o.found.*r.value > 0.0 && (r.value != &SeenTruth::cut_start || o.found.blood_pace > 0.0);
+    return p != nullptr && p->determined && (r.value != &SeenTruth::smoke_rate || o.b_is_alike);
 }
 
 /// What the fit found of one parameter.
@@ -271,8 +275,8 @@ BenchRow figures_of(const Outcome& o) {
                               {"blood_rms_before", o.blood_before},
                               {"veil_rms", o.veil_rms},
                               {"veil_rms_before", o.veil_before},
-                              {"peak_depth", o.peak_depth},
-                              {"peak_blood", o.peak_blood},
+                              {"peak_depth", o.peaks.depth},
+                              {"peak_blood", o.peaks.blood},
                               {"curves", o.result.curves},
                               {"fit_s", o.seconds}}};
     for (const Recovery& r : recoveries) {
@@ -291,16 +295,11 @@ double share_at(std::vector<double> errors, double share) {
     return errors[static_cast<std::size_t>(share * static_cast<double>(errors.size() - 1) + 0.5)];
 }
 
-bool is_plain(const Outcome& o, const Recovery& r) {
-    if (!r.of_smoke) return o.peak_blood >= plain_blood;
-    return o.peak_depth >= plain_depth[0] && o.peak_depth <= plain_depth[1];
-}
-
-std::string row_of(const Recovery& r, const std::vector<Outcome>& outcomes, bool plain_alone) {
+std::string row_of(const Recovery& r, const std::vector<Outcome>& outcomes) {
     std::vector<double> errors;
     int all = 0, covered = 0, with_interval = 0;
     for (const Outcome& o : outcomes) {
-        if (!o.same_view || (plain_alone && !is_plain(o, r))) continue;
+        if (!o.same_view) continue;
         ++all;
         const Found found = found_of(o, r);
         if (!found.told) continue;
@@ -342,13 +341,7 @@ std::string summary(const std::vector<Outcome>& outcomes) {
     }
     if (std::none_of(outcomes.begin(), outcomes.end(), [](const Outcome& o) { return o.same_view; })) return text;
     text += "Parameters, same view, where the fit says that it knows them:\n";
-    for (const Recovery& r : recoveries) text += row_of(r, outcomes, false);
-    char line[200];
-    std::snprintf(line, sizeof line,
-                  "Of these, smoke with a peak of its depth of %.2f to %.1f, blood of at least %.2f of the view:\n",
-                  plain_depth[0], plain_depth[1], plain_blood);
-    text += line;
-    for (const Recovery& r : recoveries) text += row_of(r, outcomes, true);
+    for (const Recovery& r : recoveries) text += row_of(r, outcomes);
     return text;
 }
 
@@ -369,7 +362,8 @@ BenchReport bench_fit(const BenchOptions& options) {
     std::vector<Outcome> outcomes;
     Progress progress("fitting", 2 * (end - first));
     for (int i = first; i < end; ++i) {
-        FitCase drawn = draw_fit_case(seed, i, prepared);
+        FitCase drawn = draw_fit_case(seed, i, prepared,
+                                      [&](const CaseScene& scene) { return peaks_of(truth_of(scene, drawing)); });
         const Filmed reference = film(drawn.hidden, Random(seed, film_part, static_cast<std::uint32_t>(i)), drawing);
         const std::vector<ShownAmounts> truth = truth_of(drawn.hidden, drawing);
         for (const bool same_view : {false, true}) {

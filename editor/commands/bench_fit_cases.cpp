@@ -58,25 +58,44 @@ CaseScene draw_bleeding_scene(Random& random, PreparedViews& prepared) {
     throw Error(Failure::runtime, Fault{.file = "", .place = "bench fit", .reason = "no cut of these views bleeds"});
 }
 
-/// Amounts that can be seen and measured.
-void draw_hidden(Random& random, Preset& preset) {
+/// Smoke is as dense as a drawn peak asks for. False: the scene does not show enough to measure.
+bool draw_hidden(Random& random, CaseScene& scene, const std::function<ShownPeaks(const CaseScene&)>& peaks_of) {
+    Preset& preset = scene.tuned.preset;
     preset.bleeding.speed = random.log_in(1.5, 8.0);
     preset.bleeding.max_extent = random.log_in(6.0, 20.0);
-    preset.smoke.haze.accumulation = random.log_in(0.06, 0.25);
+    double &haze = preset.smoke.haze.accumulation, &plume = preset.smoke.plume.density;
+    haze = random.log_in(0.06, 0.25);
     preset.smoke.haze.ventilation = random.log_in(0.05, 0.3);
-    preset.smoke.plume.density = random.in(0.1, 0.5);
+    plume = random.in(0.1, 0.5);
+    const double depth = random.log_in(least_peak_depth, most_peak_depth);
+    const ShownPeaks peaks = peaks_of(scene);
+    if (peaks.blood < least_peak_blood || peaks.depth <= 0.0) return false;
+    const double denser = depth / peaks.depth;
+    haze *= denser, plume *= denser;
+    if (!check(preset_table(), &preset).empty()) return false;
+    const ShownPeaks now = peaks_of(scene);
+    return now.depth >= least_peak_depth && now.depth <= most_peak_depth;
+}
+
+CaseScene draw_hidden_scene(Random& random, PreparedViews& prepared,
+                            const std::function<ShownPeaks(const CaseScene&)>& peaks_of) {
+    for (int tried = 0; tried < most_tries; ++tried) {
+        CaseScene scene = draw_bleeding_scene(random, prepared);
+        if (draw_hidden(random, scene, peaks_of)) return scene;
+    }
+    throw Error(Failure::runtime,
+                Fault{.file = "", .place = "bench fit", .reason = "no scene shows enough blood and smoke"});
 }
 
 }  // namespace
 
-FitCase draw_fit_case(std::uint32_t seed, int number, PreparedViews& prepared) {
+FitCase draw_fit_case(std::uint32_t seed, int number, PreparedViews& prepared,
+                      const std::function<ShownPeaks(const CaseScene&)>& peaks_of) {
     Random random(seed, part, static_cast<std::uint32_t>(number));
-    FitCase drawn{.hidden = draw_bleeding_scene(random, prepared), .fitted = {}};
-    draw_hidden(random, drawn.hidden.tuned.preset);
+    FitCase drawn{.hidden = draw_hidden_scene(random, prepared, peaks_of), .fitted = {}};
     do {
         drawn.fitted = draw_bleeding_scene(random, prepared);
     } while (drawn.fitted.label == drawn.hidden.label);
-    const std::vector<SmokeClip> clips = drawn.fitted.tuned.preset.smoke.clips;
     const VesselParameters vessels = drawn.fitted.tuned.preset.vessels;
     drawn.fitted.tuned.preset = load_preset(data_folder() / "presets" / "gastric_banding.json");
     drawn.fitted.tuned.preset.vessels = vessels;

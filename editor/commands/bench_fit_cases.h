@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,8 +29,19 @@ struct FitCase {
     CaseScene hidden, fitted;
 };
 
-/// `prepared`: organs that were prepared before.
-FitCase draw_fit_case(std::uint32_t seed, int number, PreparedViews& prepared);
+/// The most that a scene shows.
+struct ShownPeaks {
+    double depth = 0.0;  ///< optical depth of the mean veil
+    double blood = 0.0;  ///< share of the view
+};
+
+/// Of what a hidden scene shows: what can be known of smoke is known for such peaks (how well emission, clearing and
+/// onset come back from a veil measured within 0.03), and blood is measured within 0.015 of the view.
+inline constexpr double least_peak_depth = 0.25, most_peak_depth = 1.2, least_peak_blood = 0.03;
+
+/// `prepared`: organs that were prepared before. `peaks_of` draws a scene.
+FitCase draw_fit_case(std::uint32_t seed, int number, PreparedViews& prepared,
+                      const std::function<ShownPeaks(const CaseScene&)>& peaks_of);
 
 /// What its curves are made of, in the terms of what a camera sees, so that scenes of different organs and cameras can
 /// be compared.

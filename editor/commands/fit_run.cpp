@@ -208,7 +208,9 @@ FitRun run_fit(const FitOptions& given) {
     input.organ = prepare_organ(shown.scene, input.start.preset.vessels);
     const glm::ivec2 size = match::preview_size(video.info().size, reference.aspect);
     input.aspect = static_cast<double>(size.x) / size.y;
-    if (!files.fitted_scene.empty()) run.proposed = match::begin_with_proposal(input);
+    const bool tools = !files.fitted_scene.empty();
+    std::vector<std::string> proposed = match::begin_with_proposal(input, tools);
+    if (tools) run.proposed = std::move(proposed);
     match::PreviewCurve curve = preview_curve(shown, input.organ, options.estimator, size);
     match::FitColors color_matching(color_fit(o, peaks, input.target, steps), curve);
     if (o.colors) input.match_colors = [&](const match::Tuned& tuned) { return color_matching.amidst(tuned); };

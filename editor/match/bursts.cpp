@@ -18,11 +18,13 @@ constexpr double least_part = 0.03;                    // of all that is emitted
 constexpr double even_within = 0.12;                   // of the mean: what varies less is even
 constexpr double curve_step = 0.5;                     // s between points of the curve, at least
 constexpr std::size_t most_points = 24;
+constexpr double most_factor = 4.0;  // as much as the row of curves.emission allows
 
 constexpr double offset_error = 0.03, offset_step = 0.015;  // E
-constexpr double burst_cost = 4.0;   // of a burst more, beside misfit in standard errors: an offset costs less
-constexpr int offsets_tried = 4;     // to either side
-constexpr double error_lasts = 1.0;  // s
+constexpr double burst_cost = 4.0;    // of a burst more, beside misfit in standard errors: an offset costs less
+constexpr int offsets_tried = 4;      // to either side
+constexpr double clear_error = 0.01;  // E, of a clear moment
+constexpr double error_lasts = 1.0;   // s
 
 /// Root mean square of the points, in standard errors.
 double error_without(std::span<const HazePoint> points) {
@@ -92,13 +94,14 @@ double emitted(const EmissionFound& found, double from, double to) {
     return sum;
 }
 
-/// The factor within the bursts, each in parts of equal length; between bursts it does not matter.
-std::vector<CurvePoint> curve_of(const EmissionFound& found, const SmokeFound& smoke) {
+/// The factor within the bursts, each in parts of equal length; between bursts it does not matter. Where one would be
+/// larger than allowed, the accumulation is raised so that it is not.
+std::vector<CurvePoint> take_curve(const EmissionFound& found, SmokeFound& smoke) {
     double length = 0.0;
     for (const Burst& burst : smoke.bursts) length += burst.end - burst.start;
     const double part = std::max(curve_step, length / static_cast<double>(most_points));
     std::vector<CurvePoint> points;
-    double off = 0.0, weight = 0.0;
+    double off = 0.0, weight = 0.0, most = 0.0;
     for (const Burst& burst : smoke.bursts) {
         const auto parts = std::max(static_cast<int>(std::floor((burst.end - burst.start) / part)), 1);
         const double width = (burst.end - burst.start) / parts;
@@ -106,10 +109,14 @@ std::vector<CurvePoint> curve_of(const EmissionFound& found, const SmokeFound& s
             const double from = burst.start + i * width;
             const double value = emitted(found, from, from + width) / width / smoke.accumulation;
             points.push_back({from + 0.5 * width, value});
+            most = std::max(most, value);
             off += width * (value - 1.0) * (value - 1.0), weight += width;
         }
     }
     if (std::sqrt(off / weight) < even_within) points.clear();
+    if (most <= most_factor || points.empty()) return points;
+    smoke.accumulation *= most / most_factor;
+    for (CurvePoint& point : points) point.value *= most_factor / most;
     return points;
 }
 
@@ -139,11 +146,11 @@ SmokeFound smoke_of(std::span<const HazePoint> points, double usual) {
         return smoke;
     }
     smoke.accumulation = sum / length;
-    smoke.emission = curve_of(found, smoke);
+    smoke.emission = take_curve(found, smoke);
     return smoke;
 }
 
-SmokeFound smoke_above_offset(std::span<const HazePoint> points, double usual) {
+SmokeFound smoke_above_offset(std::span<const HazePoint> points, double usual, std::optional<double> clear_at) {
     if (points.empty()) return {};
     const double length = points.back().time - points.front().time;
     // Errors of neighbouring points go together: as many as there are seconds count.
@@ -154,6 +161,7 @@ SmokeFound smoke_above_offset(std::span<const HazePoint> points, double usual) {
         const double offset = i * offset_step;
         std::vector<HazePoint> above(points.begin(), points.end());
         for (HazePoint& point : above) point.density -= offset;
+        if (clear_at && *clear_at < above.front().time) above.insert(above.begin(), {*clear_at, 0.0, clear_error});
         SmokeFound found = smoke_of(above, usual);
         if (found.bursts.empty()) found.error = error_without(above);
         const double cost = count * found.error * found.error + offset * offset / (offset_error * offset_error) +

@@ -12,6 +12,7 @@
 // Pure functions, any thread.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -52,10 +53,10 @@ EmissionFound emission_within(std::span<const HazePoint> points, const EmissionF
 
 /// The same as the core takes it.
 struct SmokeFound {
-    double accumulation = 0.0;         ///< haze.accumulation, 1/s: the mean emission of the bursts
+    double accumulation = 0.0;         ///< haze.accumulation, 1/s: the mean emission of the bursts, or more
     double ventilation = 0.0;          ///< haze.ventilation, 1/s
     std::vector<Burst> bursts;         ///< events of full power
-    std::vector<CurvePoint> emission;  ///< curves.emission that explains the rest; empty: the bursts are even
+    std::vector<CurvePoint> emission;  ///< curves.emission, 0..4, that explains the rest; empty: the bursts are even
     bool falls = false;                ///< as in EmissionFound
     double error = 0.0;                ///< as in EmissionFound, of the emission within the bursts
     double offset = 0.0;               ///< E that is there all the time and is no smoke: of the baseline
@@ -65,6 +66,7 @@ struct SmokeFound {
 SmokeFound smoke_of(std::span<const HazePoint> points, double usual);
 
 /// A baseline may be a little hazy, or clearer than the clip: the haze has an offset, 0 +- 0.03, that is found along.
-SmokeFound smoke_above_offset(std::span<const HazePoint> points, double usual);
+/// `clear_at`: a time before all points at which there is no smoke, s.
+SmokeFound smoke_above_offset(std::span<const HazePoint> points, double usual, std::optional<double> clear_at = {});
 
 }  // namespace lapfx::match

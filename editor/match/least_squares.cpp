@@ -9,7 +9,8 @@ namespace lapfx::match {
 
 namespace {
 
-bool add_slopes(const LeastSquares& problem, std::span<const double> x, std::span<const double> here,
+/// A step that is refused is made to the other side; an unknown that cannot be moved to either changes nothing.
+void add_slopes(const LeastSquares& problem, std::span<const double> x, std::span<const double> here,
                 std::span<double> slopes) {
     std::vector<std::vector<double>> places(x.size(), {x.begin(), x.end()});
     for (std::size_t k = 0; k < x.size(); ++k)
@@ -17,11 +18,15 @@ bool add_slopes(const LeastSquares& problem, std::span<const double> x, std::spa
     if (problem.expect) problem.expect(places);
     std::vector<double> there(here.size());
     for (std::size_t k = 0; k < x.size(); ++k) {
-        if (!problem.evaluate(places[k], there)) return false;
-        const double step = places[k][k] - x[k];
-        for (std::size_t i = 0; i < here.size(); ++i) slopes[i * x.size() + k] = (there[i] - here[i]) / step;
+        double step = places[k][k] - x[k];
+        bool moved = problem.evaluate(places[k], there);
+        if (!moved && x[k] - step >= problem.low[k] && x[k] - step <= problem.high[k]) {
+            places[k][k] = x[k] - step, step = -step;
+            moved = problem.evaluate(places[k], there);
+        }
+        for (std::size_t i = 0; i < here.size(); ++i)
+            slopes[i * x.size() + k] = moved ? (there[i] - here[i]) / step : 0.0;
     }
-    return true;
 }
 
 class Cost : public ceres::CostFunction {
@@ -34,8 +39,9 @@ class Cost : public ceres::CostFunction {
         const std::span<const double> x(blocks[0], problem_.low.size());
         const std::span<double> here(residuals, problem_.residuals);
         if (!problem_.evaluate(x, here)) return false;
-        if (jacobians == nullptr || jacobians[0] == nullptr) return true;
-        return add_slopes(problem_, x, here, {jacobians[0], here.size() * x.size()});
+        if (jacobians != nullptr && jacobians[0] != nullptr)
+            add_slopes(problem_, x, here, {jacobians[0], here.size() * x.size()});
+        return true;
     }
 
   private:
@@ -92,7 +98,10 @@ std::optional<double> solve(const LeastSquares& problem, std::vector<double>& x)
 
 bool linearise(const LeastSquares& problem, std::span<const double> x, std::span<double> residuals,
                std::span<double> slopes) {
-    if (problem.evaluate(x, residuals) && add_slopes(problem, x, residuals, slopes)) return true;
+    if (problem.evaluate(x, residuals)) {
+        add_slopes(problem, x, residuals, slopes);
+        return true;
+    }
     std::fill(residuals.begin(), residuals.end(), 0.0);
     std::fill(slopes.begin(), slopes.end(), 0.0);
     return false;

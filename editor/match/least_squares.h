@@ -24,7 +24,7 @@ struct LeastSquares {
     std::function<bool(std::span<const double> x, std::span<double> residuals)> evaluate = {};
     /// Is told all places of the slopes before they are evaluated, one after the other; must not throw.
     std::function<void(std::span<const std::vector<double>> places)> expect = {};
-    double slope_step = 0.02;            ///< how far an unknown is moved, away from its upper bound
+    double slope_step = 0.02;            ///< how far an unknown is moved: up, or where that is refused, down
     double tolerance = 1e-4;             ///< ends when an iteration makes the cost less by no more than this share
     int iterations = 25;                 ///< at most
     std::function<bool()> goes_on = {};  ///< asked before each iteration; false ends it; may throw

@@ -314,8 +314,8 @@ WoundsFound Explanation::result() {
     found.strengths_differ = !fit.even;
     for (std::size_t k = 0; k < count; ++k) found.at_least = std::max(found.at_least, tables_.travelled(fit, k));
     found.max_extent_is_known = fit.max_extent < unbounded;
-    found.max_extent =
-        found.max_extent_is_known ? preset.bleeding.max_extent : std::max(found.max_extent, found.at_least);
+    found.max_extent = found.max_extent_is_known ? preset.bleeding.max_extent
+                                                 : within_row("max_extent", std::max(found.max_extent, found.at_least));
     correct(found_);
     const double unit = std::sqrt(unit_of(fit));
     const std::vector<double> errors = tables_.errors(fit);

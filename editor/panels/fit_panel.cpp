@@ -120,7 +120,7 @@ const match::FittedParameter* fitted(const FitFound* found, const std::string& k
     return at == all.end() ? nullptr : &*at;
 }
 
-/// "4 to 6.3 mm/s", and the interval.
+/// "4 to 6.3 mm/s"
 void change_text(ui::Ui& ui, double before, double after, const Parameter& row) {
     ui::label(ui,
               ui.join({before == after ? formatted(ui, "%.3g", after) : formatted(ui, "%.3g to %.3g", before, after),

@@ -85,17 +85,15 @@ FitFound FittingRun::find() {
     found.parameters = match::free_parameters(found.start, wanted_.keys);
     found.target = match::target_of(wanted_.reference, {.offset = wanted_.of.offset, .to = found.start.scene.duration});
     match::FitInput input{.start = found.start,
-                          .before = found.start,
                           .parameters = found.parameters,
                           .target = found.target,
                           .organ = wanted_.of.organ,
                           .aspect = wanted_.aspect,
                           .weights = wanted_.weights,
                           .seed = wanted_.of.seed};
-    if (wanted_.tools || wanted_.proposal_alone) {
-        found.lines = match::begin_with_proposal(input, wanted_.tools);
-        found.tuned = input.start;
-    }
+    std::vector<std::string> lines = match::begin_with_proposal(input, wanted_.tools);
+    if (wanted_.tools || wanted_.proposal_alone) found.lines = std::move(lines);
+    found.tuned = input.proposed.value_or(input.start);
     if (wanted_.proposal_alone) return found;
     const double part = wanted_.color_keys.empty() ? 1.0 : amounts_part;
     input.draw = [this](const match::Tuned& tuned, std::span<const double> times) {

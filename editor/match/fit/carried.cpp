@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "match/episode.h"
 
@@ -71,21 +72,21 @@ ShownCurves curves_of(std::span<const FrameAmounts> frames) {
 
 Carried::Carried(std::size_t parameters, double share_per_mm2) : parameters_(parameters), area_factor_(share_per_mm2) {}
 
-void Carried::find_factors() {
+/// Each from the first curve that shows its amount: what is learnt afterwards is beside it.
+void Carried::find_factors(std::span<const Amounts> core, const ShownCurves& curves) {
     std::vector<double> depth, haze, emission;
     double area2 = 0.0, blood = 0.0, most_area = 0.0;
-    for (std::size_t i = 0; i < core_.size(); ++i) {
-        depth.push_back(depth_of(curves_.veil[i]));
-        haze.push_back(core_[i].haze), emission.push_back(core_[i].emission);
-        const double area = core_[i].blood_area;
-        area2 += area * area, blood += area * curves_.blood[i];
+    for (std::size_t i = 0; i < core.size(); ++i) {
+        depth.push_back(depth_of(curves.veil[i]));
+        haze.push_back(core[i].haze), emission.push_back(core[i].emission);
+        const double area = core[i].blood_area;
+        area2 += area * area, blood += area * curves.blood[i];
         most_area = std::max(most_area, area);
     }
     const bool bleeds = most_area > least_area && blood > 0.0,
                smokes = *std::max_element(haze.begin(), haze.end()) >= least_depth;
-    factors_known_ = bleeds && smokes;
-    if (bleeds) area_factor_ = blood / area2;
-    if (!smokes) return;
+    if (bleeds && !std::exchange(area_known_, true)) area_factor_ = blood / area2;
+    if (!smokes || std::exchange(haze_known_, true)) return;
     least_squares(depth, haze, emission, haze_factor_, plume_factor_);
     haze_factor_ = std::clamp(haze_factor_, least_factor, most_factor);
 }
@@ -93,6 +94,7 @@ void Carried::find_factors() {
 void Carried::drawn(std::span<const double> coordinates, std::span<const Amounts> core, const ShownCurves& curves) {
     const std::size_t times = core.size();
     const bool first = core_.empty();
+    find_factors(core, curves);
     ShownCurves told;
     std::vector<double> step(parameters_);
     double length2 = 0.0;
@@ -114,7 +116,6 @@ void Carried::drawn(std::span<const double> coordinates, std::span<const Amounts
                 depth_slopes_[i * parameters_ + k] += part * (depth_of(curves.veil[i]) - depth_of(told.veil[i]));
             }
     stand_at(coordinates, core, curves);
-    if (!factors_known_) find_factors();
 }
 
 void Carried::stand_at(std::span<const double> coordinates, std::span<const Amounts> core, const ShownCurves& curves) {

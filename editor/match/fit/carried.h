@@ -30,7 +30,7 @@ ShownCurves curves_of(std::span<const FrameAmounts> frames);
 
 class Carried {
   public:
-    /// `share_per_mm2`: what one mm2 of blood covers of the view, until a drawn curve with blood tells it.
+    /// `share_per_mm2`: what one mm2 of blood covers of the view, until a first drawn curve with blood tells it.
     Carried(std::size_t parameters, double share_per_mm2);
 
     /// The scene has been drawn with these coordinates. The first time B is 0; later what was told wrongly about this
@@ -46,9 +46,9 @@ class Carried {
     ShownCurves at(std::span<const double> coordinates, std::span<const Amounts> core) const;
 
   private:
-    void find_factors();
+    void find_factors(std::span<const Amounts> core, const ShownCurves& curves);
     std::size_t parameters_;
-    bool factors_known_ = false;  ///< a drawn curve had blood and smoke
+    bool area_known_ = false, haze_known_ = false;  ///< a drawn curve had blood; smoke
     double haze_factor_ = 1.0, plume_factor_ = 0.0, area_factor_;
     std::vector<double> coordinates_;
     std::vector<Amounts> core_;

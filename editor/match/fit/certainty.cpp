@@ -28,7 +28,7 @@ std::vector<Block> blocks_of(std::span<const TargetPoint> target) {
             blocks.push_back({i, i});
         blocks.back().last = i + 1;
     }
-    if (blocks.size() > 1 && target.back().time - target[blocks.back().first].time < 0.5 * Objective::block) {
+    if (blocks.size() > 1 && target.back().time - target[blocks.back().first].time < Objective::block - 1e-9) {
         blocks[blocks.size() - 2].last = blocks.back().last;  // a short rest is no block of its own
         blocks.pop_back();
     }
@@ -77,24 +77,12 @@ std::vector<std::vector<double>> corrections(const Objective& objective, const L
     return steps;
 }
 
-/// Those on which the amounts depend: what is held is not fitted to them.
-std::size_t free_columns(const Objective& objective, const Linearised& at) {
-    std::size_t count = 0;
-    for (std::size_t column = 0; column < at.columns; ++column) {
-        bool any = false;
-        for (std::size_t row = 0; row < 2 * objective.times() && !any; ++row)
-            any = at.slopes[row * at.columns + column] != 0.0;
-        count += any ? 1 : 0;
-    }
-    return count;
-}
-
 /// How large the errors of this video are beside the stated ones, as what the fit leaves tells it (reduced
 /// chi-squared).
 double error_factor(const Objective& objective, const Linearised& at) {
     double sum = 0.0;
     for (std::size_t row = 0; row < 2 * objective.times(); ++row) sum += at.residuals[row] * at.residuals[row];
-    const double freedom = objective.blocks() - static_cast<double>(free_columns(objective, at));
+    const double freedom = objective.blocks() - static_cast<double>(at.fitted);
     return std::clamp(std::sqrt(sum / std::max(freedom, 1.0)), least_factor, most_factor);
 }
 

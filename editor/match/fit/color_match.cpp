@@ -136,7 +136,7 @@ struct Tried {
 /// the next nearest, that is as steep as light can be; of one try, in proportion. `least_slope`: of the line, over that
 /// through the origin.
 double next_of(std::vector<glm::dvec2> given_and_seen, double wanted, double least_slope) {
-    for (glm::dvec2& pair : given_and_seen) pair.y = std::max(pair.y, least_light);
+    for (glm::dvec2& pair : given_and_seen) pair = glm::max(pair, glm::dvec2(least_light));
     std::ranges::stable_sort(given_and_seen, {}, [&](const glm::dvec2& pair) { return std::abs(pair.y - wanted); });
     const glm::dvec2 best = given_and_seen.front();
     std::erase_if(given_and_seen,
@@ -310,7 +310,8 @@ class Matching {
             std::vector<glm::dvec2> pairs;
             for (const Tried& tried : tried_)
                 if (const std::optional<glm::dvec3>& color = tried.seen.tissue; color && finite(*color))
-                    pairs.emplace_back(tried.exposure * glm::convertSRGBToLinear(tried.organ)[c], (*color)[c]);
+                    pairs.emplace_back(tried.exposure * std::max(glm::convertSRGBToLinear(tried.organ)[c], least_organ),
+                                       (*color)[c]);
             wanted[c] = next_of(std::move(pairs), (*input_.reference.colors.tissue)[c], through_tissue);
         }
         return glm::max(wanted, glm::dvec3(0.0));

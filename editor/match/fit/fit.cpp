@@ -49,7 +49,7 @@ class Fit {
         : input_(input),
           shared_(shared),
           base_(input.start),
-          start_(coordinates_of(input)),
+          start_(coordinates_of(input, input.start)),
           objective_(input.target, input.weights, start_),
           carried_(start_.size(), share_of(input)) {
         for (const TargetPoint& aim : input.target) times_.push_back(aim.time);
@@ -63,7 +63,7 @@ class Fit {
 
     /// Where the first search ends, once it has begun: as the curves are told, without another drawn.
     double told_cost() {
-        first_place_ = search(space(), start_, options_with(unknown(), other_places));
+        first_place_ = search(space(), start_, first_options(unknown()));
         return space().cost_at(*first_place_);
     }
 
@@ -84,9 +84,11 @@ class Fit {
     }
 
   private:
-    static std::vector<double> coordinates_of(const FitInput& input) {
+    static std::vector<double> coordinates_of(const FitInput& input, const Tuned& tuned) {
         std::vector<double> coordinates;
-        for (const FreeParameter& p : input.parameters) coordinates.push_back(p.coordinate(p.get(input.start)));
+        for (const FreeParameter& p : input.parameters)
+            coordinates.push_back(
+                std::clamp(p.coordinate(p.get(tuned)), p.coordinate(p.minimum), p.coordinate(p.maximum)));
         return coordinates;
     }
     /// Until a drawn curve with blood tells it.
@@ -181,7 +183,7 @@ class Fit {
     /// which there is enough of both to see. False: it was ended.
     bool match_colors() {
         if (!input_.match_colors) return true;
-        SearchOptions options = options_with(unknown(), other_places);
+        SearchOptions options = first_options(unknown());
         search_round(options);
         if (!goes_on()) return false;
         const std::optional<Tuned> matched = input_.match_colors(space().tuned(best_.coordinates));
@@ -189,21 +191,34 @@ class Fit {
         if (early_) return false;
         const std::vector<std::string> changed = different_colors(base_, *matched);
         if (changed.empty()) return true;
+        const Tuned other = base_;
         take_colors(base_, *matched, changed);
         const Drawn before = std::exchange(best_, {});
         carried_ = Carried(start_.size(), share_of(input_));
         if (draw(before.coordinates)) return true;
-        best_ = before;
+        base_ = other, best_ = before;
         return false;
+    }
+    /// To the side with more room within the bounds, or to the other one where a rule between values forbids it.
+    double step_to_learn(std::size_t k) {
+        const FreeParameter& p = input_.parameters[k];
+        const double at = best_.coordinates[k];
+        double up = std::min(p.coordinate(p.maximum) - at, learning_step),
+               down = -std::min(at - p.coordinate(p.minimum), learning_step);
+        if (up < -down) std::swap(up, down);
+        for (const double step : {up, down}) {
+            std::vector<double> moved = best_.coordinates;
+            moved[k] += step;
+            if (std::isfinite(space().cost_at(moved))) return step;
+        }
+        return 0.0;
     }
     /// One curve for each parameter that the core's amounts do not depend on.
     bool learn_unknown() {
         for (std::size_t k = 0; k < start_.size(); ++k) {
-            const FreeParameter& p = input_.parameters[k];
-            if (known_[k]) continue;
+            const double step = known_[k] ? 0.0 : step_to_learn(k);
+            if (step == 0.0) continue;  // or it cannot be moved beside the others, and nothing is told of it
             std::vector<double> moved = best_.coordinates;
-            const double above = p.coordinate(p.maximum) - moved[k], below = moved[k] - p.coordinate(p.minimum);
-            const double step = above >= below ? std::min(above, learning_step) : -std::min(below, learning_step);
             moved[k] += step;
             const std::optional<Drawn> drawn = curve(moved);
             if (!drawn) return false;
@@ -212,14 +227,20 @@ class Fit {
         }
         return true;
     }
-    SearchOptions options_with(std::vector<bool> held, std::size_t others = 0) {
-        return {
-            .held = std::move(held), .others = others, .seed = input_.seed, .goes_on = [this] { return goes_on(); }};
+    SearchOptions options_with(std::vector<bool> held) {
+        return {.held = std::move(held), .seed = input_.seed, .goes_on = [this] { return goes_on(); }};
+    }
+    /// Looks elsewhere, too.
+    SearchOptions first_options(std::vector<bool> held) {
+        SearchOptions options = options_with(std::move(held));
+        options.others = other_places;
+        if (input_.proposed) options.also = coordinates_of(input_, *input_.proposed);
+        return options;
     }
     /// What the reference does not tell is held as soon as the curves are as near as measuring tells, so that no more
     /// are drawn to find it. Farther away, slopes say little about what is told.
     void search_and_hold() {
-        SearchOptions options = options_with({}, other_places);
+        SearchOptions options = first_options({});
         const double as_near = 0.5 * objective_.blocks();
         int round = 0;
         for (bool more = true; more && round < input_.rounds && best_.cost > as_near; ++round)
@@ -238,7 +259,7 @@ class Fit {
         const double before = best_.cost;
         const std::vector<double> next =
             first_place_ ? *std::exchange(first_place_, {}) : search(space(), from, options);
-        options.others = 0;
+        options.others = 0, options.also.clear();
         double moved = 0.0;
         for (std::size_t k = 0; k < next.size(); ++k) moved = std::max(moved, std::abs(next[k] - from[k]));
         if (moved < bound_near || !draw(next)) return false;
@@ -251,6 +272,7 @@ class Fit {
     /// `error_of_held`: coordinates, of those that are held; 0: they are as they are.
     std::vector<Certainty> certainties(const std::vector<double>& coordinates, double error_of_held = 0.0) {
         Linearised linear = linearised(space(), coordinates);
+        linear.fitted = 1 + static_cast<std::size_t>(std::count(held_.begin(), held_.end(), false));
         for (std::size_t k = 0; k < held_.size(); ++k) {
             if (!held_[k]) continue;
             const std::size_t column = k + 1, prior = 2 * times_.size() + k;  // after the offset, and the amounts
@@ -397,7 +419,7 @@ class Fit {
             fitted.determined = false;
             fitted.why = "the fit ended before that was known";
         } else if (!c.determined) {
-            fitted.why = why_undetermined(k, input_.parameters, certainties_, objective_.target());
+            fitted.why = why_undetermined(k, input_.parameters, certainties_, objective_.target(), input_.weights);
             if (held_[k])
                 fitted.after = kept(p);
             else
@@ -433,8 +455,12 @@ void require_something(const FitInput& input) {
     if (input.parameters.empty()) refuse("no parameter is free: there is nothing to fit");
     if (input.target.size() < 2)
         refuse("the reference has fewer than two measured moments within the scene: nothing to fit to");
-    const bool any = std::any_of(input.target.begin(), input.target.end(),
-                                 [](const TargetPoint& aim) { return aim.blood || aim.veil; });
+    const Weights& weights = input.weights;
+    if (weights.blood == 0.0 && weights.veil == 0.0)
+        refuse("the weights of blood and of the veil are 0: there is nothing to fit to");
+    const bool any = std::any_of(input.target.begin(), input.target.end(), [&](const TargetPoint& aim) {
+        return (aim.blood && weights.blood > 0.0) || (aim.veil && weights.veil > 0.0);
+    });
     if (!any) refuse("neither blood nor veil of the reference is measurable within the scene: nothing to fit to");
 }
 

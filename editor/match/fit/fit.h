@@ -43,8 +43,9 @@ struct FitProgress {
 };
 
 struct FitInput {
-    Tuned start;                       ///< where the search begins
-    std::optional<Tuned> before = {};  ///< without the proposal; what is not determined keeps its value; none: start
+    Tuned start;                         ///< where the search begins
+    std::optional<Tuned> before = {};    ///< without the proposal; what is not determined keeps its value; none: start
+    std::optional<Tuned> proposed = {};  ///< another place that the first search tries: a proposal without its tools
     std::vector<FreeParameter> parameters = {};  ///< at least one
     std::size_t of_proposal = 0;                 ///< so many of the last parameters exist beside its tools only
     std::vector<TargetPoint> target = {};        ///< at least two
@@ -75,8 +76,8 @@ struct FittedParameter {
 
 struct FitResult {
     Tuned tuned;
-    std::vector<FittedParameter> parameters = {};
-    std::vector<FrameAmounts> before = {}, after = {};          ///< as drawn and measured, at the target's times
+    std::vector<FittedParameter> parameters = {};       ///< as FitInput's; none where it ended before the search
+    std::vector<FrameAmounts> before = {}, after = {};  ///< as drawn and measured, at the target's times
     std::optional<double> blood_before = {}, blood_after = {};  ///< root mean square differences
     std::optional<double> veil_before = {}, veil_after = {};
     bool proposal_left = false;       ///< with the tools of `before` the curves are nearer: it began with those

@@ -42,6 +42,16 @@ bool FitColors::draw_again(FitResult& result, const Progress& progress) {
     return true;
 }
 
+/// Of a fit that ended before they could be matched for what it found.
+std::vector<std::string> FitColors::ended_lines(const FitResult& result) const {
+    if (!begun_ || different_colors(result.tuned, begun_->start).empty())
+        return {"colours: the fit ended before the scene was drawn for them; they stay"};
+    std::vector<std::string> lines = likeness_lines(*begun_);
+    lines.insert(lines.end(), begun_->lines.begin(), begun_->lines.end());
+    lines.emplace_back("colours: matched after a first search; the fit ended before they were matched to the end");
+    return lines;
+}
+
 std::vector<std::string> FitColors::finish(FitResult& result) {
     const double most_drawn = ColorMatchInput{}.rounds + 2.0;  // and what it starts from, and what was found
     double reached = 0.0;
@@ -50,7 +60,7 @@ std::vector<std::string> FitColors::finish(FitResult& result) {
         return !input_.finish || input_.finish(reached);
     };
     const ColorMatch found = match(result.tuned, input_.keys, progress);
-    if (found.drawn == 0) return {"colours: the fit ended before the scene was drawn for them; they stay"};
+    if (found.drawn == 0) return ended_lines(result);
     const bool same = different_colors(result.tuned, found.tuned).empty();
     result.tuned = found.tuned;
     std::vector<std::string> lines = likeness_lines(found);

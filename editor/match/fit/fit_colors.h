@@ -41,6 +41,7 @@ class FitColors {
   private:
     ColorMatch match(const Tuned& start, std::vector<std::string> keys,
                      const std::function<bool(int drawn, double share)>& progress);
+    std::vector<std::string> ended_lines(const FitResult& result) const;
     bool draw_again(FitResult& result, const Progress& progress);
 
     ColorFit input_;

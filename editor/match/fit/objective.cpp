@@ -9,7 +9,9 @@ Objective::Objective(std::vector<TargetPoint> target, const Weights& weights, st
     : target_(std::move(target)), start_(std::move(start)) {
     const double length = target_.empty() ? 0.0 : target_.back().time - target_.front().time;
     if (length > 0.0) in_block_ = std::max(block * static_cast<double>(target_.size() - 1) / length, 1.0);
-    for (const TargetPoint& aim : target_) {
+    for (TargetPoint& aim : target_) {
+        if (weights.blood == 0.0) aim.blood.reset();
+        if (weights.veil == 0.0) aim.veil.reset();
         const double blood = aim.blood ? weights.blood / course_error(*aim.blood, blood_course) : 0.0;
         const double veil = aim.veil ? weights.veil / course_error(*aim.veil, veil_course) : 0.0;
         blood_scale_.push_back(blood / std::sqrt(in_block_));

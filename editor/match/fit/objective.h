@@ -30,6 +30,7 @@ class Objective {
     Objective(std::vector<TargetPoint> target, const Weights& weights, std::vector<double> start);
 
     std::size_t times() const { return target_.size(); }
+    /// Without an amount that is left out.
     std::span<const TargetPoint> target() const { return target_; }
     /// Blood and veil of each time, then those of the parameters, then that of the offset.
     std::size_t size() const { return 2 * times() + start_.size() + 1; }

@@ -34,7 +34,7 @@ using RenderThread = std::function<bool(const std::function<void()>& step)>;
 struct CurveCalls {
     Progress progress = {};       ///< false ends it
     FrameMeasured measured = {};  ///< in the order of the times, on the thread beside
-    /// Render thread, after each picture in the order of the times: the preview, which shows that moment.
+    /// Render thread, after each picture in the order of the times: the preview, which may show another moment.
     std::function<void(Preview&, double time)> drawn = {};
 };
 

@@ -90,12 +90,9 @@ class Proposing {
         return points;
     }
     void propose_smoke() {
-        std::vector<HazePoint> points = haze_points();
+        const std::vector<HazePoint> points = haze_points();
         if (points.size() < 2) return say("veil: not measurable, smoke stays as it is");
-        constexpr double clear_error = 0.01;
-        if (target_.front().time > 0.0) points.insert(points.begin(), {begins(), 0.0, clear_error});
-        const HazeParameters& haze = start_.preset.smoke.haze;
-        const SmokeFound found = smoke_above_offset(points, haze.ventilation);
+        const SmokeFound found = smoke_above_offset(points, start_.preset.smoke.haze.ventilation, begins());
         proposal_.veil_offset = found.offset;
         move_hot(found);
         if (found.bursts.empty()) return say("veil: no smoke beyond the error of measuring");
@@ -283,13 +280,13 @@ std::vector<std::string> begin_with_proposal(FitInput& input, bool tools) {
     std::vector<std::string> keys;
     for (const FreeParameter& p : input.parameters) keys.push_back(p.key);
     Proposal proposal = propose(input.start, input.organ, input.target, {.aspect = input.aspect, .keys = keys});
-    input.before = std::exchange(input.start, std::move(proposal.tuned));
-    for (const FreeParameter& p : input.parameters) p.set(input.start, p.get(input.start));  // within its bounds
+    for (const FreeParameter& p : input.parameters) p.set(proposal.tuned, p.get(proposal.tuned));  // within its bounds
     if (tools) {
+        input.before = std::exchange(input.start, std::move(proposal.tuned));
         free_moved_tools(input, keys);
     } else {
-        input.start.scene.events = input.before->scene.events;
-        input.start.scene.curves.emission = input.before->scene.curves.emission;
+        proposal.tuned.scene = input.start.scene;
+        input.proposed = std::move(proposal.tuned);
         proposal.lines.emplace_back("tools: stay as they are");
     }
     return std::move(proposal.lines);

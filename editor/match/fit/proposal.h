@@ -49,6 +49,7 @@ Proposal propose(const Tuned& start, const std::shared_ptr<const PreparedOrgan>&
 
 /// The search of a fit begins where the reference says; what it began with becomes its `before`. The lines of the
 /// proposal. `tools`: events may be moved; when single contacts work is found more exactly along with the parameters.
+/// Where they may not, the values of the proposal are a place that the search tries (FitInput::proposed).
 std::vector<std::string> begin_with_proposal(FitInput& input, bool tools = true);
 
 /// Instead of the proposal's lines, where FitResult::proposal_left.

@@ -167,15 +167,21 @@ Linearised linearised(const SearchSpace& space, std::span<const double> coordina
     Problem unknowns(space, at, {});
     const LeastSquares problem = unknowns.problem(spans_of(space, at, unlimited));
     const std::size_t rows = problem.residuals, columns = at.size() + 1;
-    Linearised linear{
-        .residuals = std::vector<double>(rows), .slopes = std::vector<double>(rows * columns), .columns = columns};
+    Linearised linear{.residuals = std::vector<double>(rows),
+                      .slopes = std::vector<double>(rows * columns),
+                      .columns = columns,
+                      .fitted = columns};
     linearise(problem, unknowns.unknowns(), linear.residuals, linear.slopes);
+    // Priors do not depend on the core: an unknown that it refuses to move is known by its prior alone.
+    for (std::size_t k = 0; k < at.size(); ++k)
+        linear.slopes[(2 * space.objective.times() + k) * columns + k + 1] = 1.0 / Objective::prior;
     return linear;
 }
 
 std::vector<double> search(const SearchSpace& space, std::vector<double> start, const SearchOptions& options) {
     const std::vector<Span> spans = spans_of(space, start, options.radius);
     std::vector<Place> places = spread_places(space, start, options);
+    if (!options.also.empty()) places.push_back({options.also, 0.0});
     std::vector<std::vector<double>> expected;
     for (const Place& place : places) expected.push_back(place.coordinates);
     space.expect(expected);

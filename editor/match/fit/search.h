@@ -36,9 +36,10 @@ struct SearchSpace {
 struct Linearised {
     std::vector<double> residuals, slopes;  ///< slopes[row * columns + column]
     std::size_t columns = 0;
+    std::size_t fitted = 0;  ///< of the columns: the others are held, and not fitted to the amounts
 };
 
-/// Residuals and slopes are 0 where the core refuses the values.
+/// Where the core refuses the values, slopes of amounts are 0: of one parameter, that it cannot move, or of all.
 Linearised linearised(const SearchSpace& space, std::span<const double> coordinates);
 
 inline constexpr double unlimited = 1e9;  ///< coordinates
@@ -48,6 +49,7 @@ struct SearchOptions {
     double radius = unlimited;           ///< coordinates: how far each may move
     std::size_t others = 0;              ///< besides the start, so many places are tried, spread evenly over the bounds
     std::uint32_t seed = 1;              ///< of those places
+    std::vector<double> also = {};       ///< one more place; empty: none
     std::function<bool()> goes_on = {};  ///< false ends the search with what it has
 };
 

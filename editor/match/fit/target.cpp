@@ -29,8 +29,8 @@ struct Mean {
 std::vector<TargetPoint> target_of(std::span<const FrameAmounts> reference, const TargetOptions& options) {
     const double length = options.to - options.from;
     if (!(length > 0.0) || reference.empty()) return {};
-    const auto steps =
-        std::clamp(static_cast<std::size_t>(std::ceil(length / options.step - 1e-9)), std::size_t{1}, options.most);
+    const auto steps = std::clamp(static_cast<std::size_t>(std::ceil(length / options.step - 1e-9)), std::size_t{1},
+                                  std::max(options.most, std::size_t{2}) - 1);
     const double step = length / static_cast<double>(steps);
     const double around = std::min(0.5 * step, most_around);
     std::vector<TargetPoint> target;

@@ -23,7 +23,7 @@ struct TargetOptions {
     double offset = 0.0;           ///< s; reference time = scene time + offset
     double from = 0.0, to = 12.0;  ///< s of the scene
     double step = 0.2;             ///< s between times, longer where there would be more than `most`
-    std::size_t most = 60;
+    std::size_t most = 60;         ///< times
 };
 
 /// Each is the mean of the frames that are not farther than half a step, and 0.25 s. Times at which the reference has

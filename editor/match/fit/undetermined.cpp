@@ -52,15 +52,18 @@ bool shows_anything_of(const std::string& key, std::span<const TargetPoint> targ
 }
 
 std::string why_undetermined(std::size_t parameter, const std::vector<FreeParameter>& parameters,
-                             const std::vector<Certainty>& certainties, std::span<const TargetPoint> target) {
+                             const std::vector<Certainty>& certainties, std::span<const TargetPoint> target,
+                             const Weights& weights) {
     const std::string& key = parameters[parameter].key;
     const Course blood = course_of(target, &TargetPoint::blood), veil = course_of(target, &TargetPoint::veil);
     if (key.starts_with("bleeding.")) {
+        if (weights.blood == 0.0) return "blood does not count, its weight is 0";
         if (const std::string why = without_course(blood, "blood"); !why.empty()) return why;
         if (key == "bleeding.max_extent" && blood.last > still_grows * blood.peak)
             return "blood still spreads when the video ends; a video of its standstill would tell it";
     }
     if (key.starts_with("smoke.")) {
+        if (weights.veil == 0.0) return "the veil does not count, its weight is 0";
         if (const std::string why = without_course(veil, "veil"); !why.empty()) return why;
         if (key == "smoke.haze.ventilation" &&
             (veil.last > (1.0 - clears_by) * veil.peak || veil.last_at - veil.peak_at < telling_decay))

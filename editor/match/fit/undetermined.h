@@ -16,6 +16,7 @@ bool shows_anything_of(const std::string& key, std::span<const TargetPoint> targ
 
 /// For people, one sentence without a full stop: "the video ends while it still smokes; 4 s of clearing would tell it".
 std::string why_undetermined(std::size_t parameter, const std::vector<FreeParameter>& parameters,
-                             const std::vector<Certainty>& certainties, std::span<const TargetPoint> target);
+                             const std::vector<Certainty>& certainties, std::span<const TargetPoint> target,
+                             const Weights& weights = {});
 
 }  // namespace lapfx::match

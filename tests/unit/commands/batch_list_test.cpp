@@ -72,6 +72,14 @@ TEST_F(BatchListTest, TheReferenceOfASceneIsFittedWithIt) {
     EXPECT_THAT(notes, ElementsAre("videos/a.mp4: is the reference of s.scene.json, which is fitted to it"));
 }
 
+TEST_F(BatchListTest, ACopyOfAReferenceIsNoVideoOfItsOwn) {
+    write("a.mp4", "same"), write("z.mp4", "same");
+    write("s.scene.json", test::scene_text(R"(, "organ": {"file": "o.ply"}, "reference": {"file": "z.mp4"})"));
+    EXPECT_THAT(names(), ElementsAre("s.scene.json"));
+    EXPECT_THAT(notes, ElementsAre("a.mp4: has the content of z.mp4 and is left out",
+                                   "z.mp4: is the reference of s.scene.json, which is fitted to it"));
+}
+
 TEST_F(BatchListTest, LinksAreFollowedOnceAndFilesHaveTheirOwnPlace) {
     write("z/a.mp4", "a");
     fs::create_directory_symlink(folder / "z", folder / "b");

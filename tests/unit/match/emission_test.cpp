@@ -110,6 +110,31 @@ TEST(Emission, IsFoundAboveAHazyBaseline) {
     }
 }
 
+/// Half a second of dense smoke after nine of thin: its factor would be more than a scene may have.
+TEST(Emission, AStrongPuffKeepsTheFactorAllowed) {
+    const Known known{.accumulation = 0.03, .bursts = {{1.0, 10.0, 1.0}, {12.0, 12.6, 14.0}}};
+    const SmokeFound found = found_in(known);
+    ASSERT_EQ(found.bursts.size(), 2U);
+    ASSERT_FALSE(found.emission.empty());
+    double most = 0.0;
+    for (const CurvePoint& point : found.emission) most = std::max(most, point.value);
+    EXPECT_NEAR(most, 4.0, 1e-12);
+    EXPECT_GT(found.accumulation * most, 0.2) << "the puff is as dense as it was";
+    EXPECT_NEAR(found.accumulation * found.emission.front().value, 0.03, 0.015);
+}
+
+/// Nine seconds of a clear view before the first point do not make the offset certain.
+TEST(Emission, AClearMomentLeavesTheOffset) {
+    std::vector<HazePoint> points =
+        points_of({.accumulation = 0.25, .bursts = {{8.0, 11.0, 1.0}}, .noise = 0.02}, 17.0);
+    std::erase_if(points, [](const HazePoint& point) { return point.time < 5.0; });
+    for (HazePoint& point : points) point.density += 0.045;
+    const SmokeFound found = smoke_above_offset(points, 0.05, 3.0);
+    EXPECT_NEAR(found.offset, 0.045, 0.016);
+    ASSERT_EQ(found.bursts.size(), 1U);
+    EXPECT_NEAR(found.bursts[0].start, 8.0, 0.3);
+}
+
 TEST(Emission, AHazyBaselineAloneIsNoSmoke) {
     std::vector<HazePoint> points;
     for (int i = 0; i < 100; ++i) points.push_back({0.1 * i, 0.03, 0.03});

@@ -80,6 +80,30 @@ TEST(Carried, LearnsWhatTheCoreDoesNotTell) {
         EXPECT_NEAR(taught.at(std::vector{0.0, 0.8}, amounts).veil[i], with(0.8).veil[i], 1e-9) << i;
 }
 
+/// What the factors explain is not learnt a second time, whichever amount is there.
+TEST(Carried, TellsALaterPlaceAsItWasDrawn) {
+    const auto told_as_drawn = [](const std::vector<Amounts>& first, const std::vector<Amounts>& second) {
+        // The view shows a little more than the core says as the parameter moves.
+        const auto drawn = [](const std::vector<Amounts>& amounts, double coordinate) {
+            ShownCurves curves = seen(amounts);
+            for (double& veil : curves.veil) veil = 1.0 - (1.0 - veil) * std::exp(-0.1 * coordinate);
+            return curves;
+        };
+        Carried carried(1, 5e-5);
+        carried.drawn(std::vector{0.0}, first, drawn(first, 0.0));
+        carried.drawn(std::vector{0.5}, second, drawn(second, 0.5));
+        const ShownCurves told = carried.at(std::vector{0.0}, first);
+        for (std::size_t i = 0; i < times; ++i) {
+            EXPECT_NEAR(told.veil[i], drawn(first, 0.0).veil[i], 1e-9) << i;
+            EXPECT_NEAR(told.blood[i], drawn(first, 0.0).blood[i], 1e-9) << i;
+        }
+    };
+    told_as_drawn(core(0.5, 20.0), core(0.8, 30.0));
+    told_as_drawn(core(0.5, 0.0), core(0.8, 0.0));
+    told_as_drawn(core(0.5, 0.0), core(0.8, 30.0));
+    told_as_drawn(core(0.0, 20.0), core(0.0, 30.0));
+}
+
 TEST(Carried, StaysWithinWhatAPictureCanShow) {
     Carried carried(1, 5e-5);
     carried.drawn(std::vector{0.0}, core(0.5, 20.0), seen(core(0.5, 20.0)));

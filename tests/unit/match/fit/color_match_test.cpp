@@ -123,6 +123,24 @@ TEST(ColorMatch, FindsHiddenColoursAndExposure) {
     EXPECT_THAT(likeness_lines(found), Contains(HasSubstr("blood: Delta E")));
 }
 
+/// A channel that is 0 tells no proportion.
+TEST(ColorMatch, AnOrganWithoutAChannelIsFoundAllTheSame) {
+    for (const glm::dvec3 none : {glm::dvec3(1.0, 0.0, 0.5), glm::dvec3(0.0, 0.5, 0.5), glm::dvec3(0.0)}) {
+        Tuned start = usual();
+        start.scene.organ.color = none;
+        Camera camera;
+        camera.film = glm::dvec3(0.004);
+        const ColorMatch found = match_colors({.start = start,
+                                               .reference = video_of(hidden()),
+                                               .keys = {color_keys().begin(), color_keys().end()},
+                                               .draw = camera.draw()});
+        const glm::dvec3 color = found.tuned.scene.organ.color;
+        for (int c = 0; c < 3; ++c) EXPECT_TRUE(color[c] >= 0.0 && color[c] <= 1.0) << color[c];
+        EXPECT_TRUE(std::isfinite(found.tuned.scene.camera.exposure));
+        EXPECT_LT(*found.after.tissue, none == glm::dvec3(0.0) ? 30.0 : 4.0) << *found.before.tissue;
+    }
+}
+
 TEST(ColorMatch, LeavesTheRestAsItIs) {
     Tuned found = matched(video_of(hidden())).tuned;
     const Tuned before = usual();

@@ -197,6 +197,7 @@ TEST(Fit, IntervalsHoldTheTruth) {
         for (const FittedParameter& p : found.parameters) {
             const double value = p.parameter.get(truth);
             EXPECT_LT(p.low, p.high) << p.parameter.key;
+            EXPECT_LT(p.high, 2.0 * p.low) << p.parameter.key << ": as wide as that says nothing";
             ++all, held += p.low <= value && value <= p.high ? 1 : 0;
         }
     }
@@ -307,6 +308,62 @@ TEST(Fit, EndsEarlyWhereTheColoursDo) {
     EXPECT_FALSE(fit(input).ended_early) << "nothing to change";
 }
 
+TEST(Fit, EndedBeforeTheColoursWereDrawnGivesWhatWasDrawn) {
+    Camera camera;
+    FitInput input = input_of({.hidden = hidden(7.0, 8.0, 0.3, 0.15)}, camera);
+    bool matched = false;
+    const auto draw = input.draw;
+    input.draw = [&](const Tuned& tuned, std::span<const double> times) {
+        return matched ? std::optional<std::vector<FrameAmounts>>() : draw(tuned, times);
+    };
+    input.match_colors = [&](Tuned tuned) {
+        matched = true;
+        tuned.preset.smoke.haze.color.r *= 0.5;
+        return std::optional(std::move(tuned));
+    };
+    const FitResult found = fit(input);
+    EXPECT_TRUE(matched);
+    EXPECT_TRUE(found.ended_early);
+    EXPECT_EQ(found.tuned.preset.smoke.haze.color, scene().preset.smoke.haze.color);
+}
+
+/// The highest temperature allowed is a step away: the other side tells the slope, and the others are found all the
+/// same.
+TEST(Fit, ARuleBetweenValuesIsNoEnd) {
+    Camera camera;
+    Known known{.hidden = hidden(7.0, 12.0, 0.3, 0.05),
+                .keys = {"bleeding.speed", "smoke.haze.accumulation", "cautery.coagulation_temperature"}};
+    FitInput input = input_of(known, camera);
+    input.start.preset.cautery.coagulation_temperature = 60.0, input.start.preset.cautery.char_temperature = 61.0;
+    const FitResult found = fit(input);
+    EXPECT_NEAR(found.tuned.preset.bleeding.speed, 7.0, 0.2);
+    EXPECT_TRUE(of(found, "bleeding.speed").determined);
+    const FittedParameter& temperature = of(found, "cautery.coagulation_temperature");
+    EXPECT_FALSE(temperature.determined) << temperature.low << " " << temperature.high;
+    EXPECT_LT(of(found, "bleeding.speed").low, of(found, "bleeding.speed").high);
+}
+
+TEST(Fit, WhatCannotMoveBesideTheOthersIsHeld) {
+    Known known{.hidden = hidden(4.0, 12.0, 0.3, 0.05), .keys = {"smoke.haze.accumulation", "smoke.keying.chroma_low"}};
+    ASSERT_EQ(scene().preset.smoke.keying.chroma_high, 0.0) << "chroma_low may not be above it";
+    const FitResult found = found_for(known);
+    EXPECT_FALSE(of(found, "smoke.keying.chroma_low").determined);
+    EXPECT_EQ(found.tuned.preset.smoke.keying.chroma_low, scene().preset.smoke.keying.chroma_low);
+    EXPECT_NEAR(found.tuned.preset.smoke.haze.accumulation, 0.3, 0.02);
+}
+
+TEST(Fit, AnAmountWithoutWeightIsLeftOut) {
+    Camera camera;
+    FitInput input = input_of({.hidden = hidden(7.0, 8.0, 0.3, 0.15)}, camera);
+    input.weights.blood = 0.0;
+    const FitResult found = fit(input);
+    EXPECT_EQ(of(found, "bleeding.speed").why, "blood does not count, its weight is 0");
+    EXPECT_EQ(found.tuned.preset.bleeding.speed, scene().preset.bleeding.speed);
+    EXPECT_NEAR(found.tuned.preset.smoke.haze.accumulation, 0.3, 0.02);
+    input.weights.veil = 0.0;
+    EXPECT_THROW(fit(input), Error);
+}
+
 TEST(Fit, ThatIsCancelledGivesTheBestSoFar) {
     const Tuned truth = hidden(7.0, 8.0, 0.3, 0.15);
     Camera camera;
@@ -320,6 +377,7 @@ TEST(Fit, ThatIsCancelledGivesTheBestSoFar) {
     EXPECT_TRUE(found.ended_early);
     EXPECT_EQ(found.curves, 2);
     EXPECT_LT(*found.veil_after, *found.veil_before) << "one search was drawn";
+    ASSERT_EQ(found.parameters.size(), 4U);
     for (const FittedParameter& p : found.parameters) {
         EXPECT_EQ(p.after, p.parameter.get(found.tuned)) << "what is told is what is there";
         EXPECT_FALSE(p.determined);
@@ -350,6 +408,7 @@ TEST(Fit, ProgressGrowsAndShowsTheBest) {
 TEST(Fit, TellsTheValuesThatAreThere) {
     for (const double until : {5.0, seconds}) {
         const FitResult found = found_for({.hidden = hidden(2.0, 30.0, 0.1, 0.08), .noise = 0.02, .until = until});
+        ASSERT_EQ(found.parameters.size(), 4U);
         for (const FittedParameter& p : found.parameters) EXPECT_EQ(p.after, p.parameter.get(found.tuned));
     }
 }

@@ -231,6 +231,10 @@ TEST(BeginWithProposal, ToolsStayWhereTheyMayNotMove) {
     EXPECT_THAT(keys_of(input), testing::ElementsAre("smoke.haze.accumulation"));
     EXPECT_EQ(input.start.scene.events, scene().scene.events);
     EXPECT_THAT(lines, testing::Contains("tools: stay as they are"));
+    EXPECT_FALSE(input.before);
+    ASSERT_TRUE(input.proposed);
+    EXPECT_EQ(input.proposed->scene.events, scene().scene.events);
+    EXPECT_NE(input.proposed->preset.smoke.haze.accumulation, input.start.preset.smoke.haze.accumulation);
 }
 
 std::vector<double> times_of(const FitInput& input) {

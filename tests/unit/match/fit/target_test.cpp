@@ -59,7 +59,8 @@ TEST(Target, OfOneMomentOrNoneIsNothing) {
 
 TEST(Target, HasNoMoreTimesThanAreWanted) {
     const auto target = target_of(rising(100.0), {.from = 0.0, .to = 100.0, .step = 0.2, .most = 50});
-    EXPECT_EQ(target.size(), 51U);
+    EXPECT_EQ(target.size(), 50U);
+    EXPECT_EQ(target.back().time, 100.0);
 }
 
 TEST(Target, ErrorsWithinAVideoAreThoseOfTheIntervalWithinBounds) {
