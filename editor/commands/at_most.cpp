@@ -46,7 +46,12 @@ Limit limit_of(const std::string& text) {
     if (equals == std::string::npos)
         throw wrong_option("--at-most", "\"" + text + "\" is not NAME=VALUE, such as veil_rms=0.05");
     const match::Figure& figure = figure_of(text.substr(0, equals));
-    return {&figure, value_of(text.substr(equals + 1))};
+    const std::string number = text.substr(equals + 1);
+    const double value = value_of(number);
+    if (figure.farness == match::Farness::ratio && value < 1.0)
+        throw wrong_option("--at-most", figure.name + "=" + number + " never holds: of a ratio the larger of it and " +
+                                            "1 / it is limited, which is 1 at least");
+    return {&figure, value};
 }
 
 /// Of a limit that does not hold.

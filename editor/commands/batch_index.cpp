@@ -65,6 +65,12 @@ std::string state_words(const BatchEntry& entry) {
            figures(result, result.veil) + ".";
 }
 
+std::string notes(const BatchResult& result) {
+    std::string html;
+    for (const std::string& note : result.notes) html += "<p class=\"quiet\">" + escaped(note) + "</p>\n";
+    return html;
+}
+
 std::string plots(const BatchResult& result, std::size_t number) {
     match::FitResult shown;
     shown.before = result.before, shown.after = result.after;
@@ -123,7 +129,8 @@ std::string article(const BatchEntry& entry, std::size_t number, const Ranks& ra
     html += entry.report ? "<a href=\"" + relative_url(entry.item + '/' + report_name) + "\">" + name + "</a>" : name;
     html += "</h2>\n<p>" + state_words(entry) + "</p>\n";
     if (entry.result && entry.result->faults.empty())
-        html += "<div class=\"shown\">\n" + plots(*entry.result, number) + pictures(*entry.result) + "</div>\n";
+        html += notes(*entry.result) + "<div class=\"shown\">\n" + plots(*entry.result, number) +
+                pictures(*entry.result) + "</div>\n";
     return html + "</article>\n";
 }
 

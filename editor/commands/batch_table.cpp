@@ -82,6 +82,8 @@ void add_entry(std::string& csv, const BatchEntry& entry, const std::set<std::st
     add_amount(row, result.blood), add_amount(row, result.veil);
     row.add(entry.result && result.faults.empty() ? number(result.seconds) : "");
     row.add(entry.report ? entry.item + '/' + report_name : "");
+    row.add(entry.result && result.faults.empty() ? (result.ended_early ? "yes" : "no") : "");
+    row.add(joined(result.notes));
     for (const std::string& key : keys) add_parameter(row, result, key);
     row.end();
 }
@@ -117,7 +119,7 @@ std::string table_csv(const std::vector<BatchEntry>& entries) {
     const std::set<std::string> keys = keys_of(entries);
     std::string csv =
         "item,kind,state,fault,blood_peak,blood_mean,blood_rms_before,blood_rms_after,"
-        "veil_peak,veil_mean,veil_rms_before,veil_rms_after,seconds,report";
+        "veil_peak,veil_mean,veil_rms_before,veil_rms_after,seconds,report,ended_early,notes";
     for (const std::string& key : keys)
         for (const char* column : {"_before", "_after", "_low", "_high", "_determined"}) {
             csv += ',';

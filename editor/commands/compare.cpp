@@ -14,6 +14,7 @@
 #include "lapfx/context.h"
 #include "match/fit/target.h"
 #include "match/peak_colors.h"
+#include "output/files.h"
 
 namespace lapfx::commands {
 
@@ -52,17 +53,7 @@ void check_output(const Options& o) {
                                      {&o.preset, "the file of --preset"}})
         if (is_same_file(o.json, *file)) throw wrong_option("--json", "\"" + o.json + "\" is " + what);
     check_folder(o.json);
-}
-
-/// The part of `window` that the reference has, too. Throws Error (bad_input) where there is none.
-Window common_time(const Options& o, const Window& window, double offset, const VideoReader& reference) {
-    const Window common{std::max(window.from, -offset), std::min(window.to, reference.info().duration - offset)};
-    if (common.from < common.to) return common;
-    throw refused(o.match.reference, "has no time in common with " + o.shown + ": " + match::seconds_text(window.from) +
-                                         " to " + match::seconds_text(window.to) + " of that are " +
-                                         match::seconds_text(window.from + offset) + " to " +
-                                         match::seconds_text(window.to + offset) + " of this, which ends at " +
-                                         match::seconds_text(reference.info().duration));
+    output::require_replaceable(o.json);
 }
 
 bool any_measurable(std::span<const match::FrameAmounts> frames, const Window& times) {
@@ -136,7 +127,7 @@ Found compare_scene(const Options& o) {
     VideoReader video = opened_video(o.match.reference);
     const SceneReference reference = reference_of(o.match, shown.scene);
     const double offset = reference.offset;
-    const Window common = common_time(o, window, offset, video);
+    const Window common = common_time(o.match.reference, video, o.shown, window, offset);
     Progress progress("comparing", progress_steps);
     const match::MeasureOptions options = measure_options(o.match, reference);
     const MeasuredVideo of_reference = measured(video, o.match.reference, options,
@@ -165,7 +156,7 @@ Found compare_video(const Options& o) {
     VideoReader video = opened_video(o.shown), reference = opened_video(o.match.reference);
     const Window window = window_of(o.match.window, video.info().duration, "video");
     const double offset = o.match.offset.value_or(0.0);
-    const Window common = common_time(o, window, offset, reference);
+    const Window common = common_time(o.match.reference, reference, o.shown, window, offset);
     Progress progress("comparing", progress_steps);
     const match::MeasureOptions options = measure_options(o.match, {});
     const bool same = is_same_file(o.shown, o.match.reference);  // then the baseline is of both
@@ -283,8 +274,8 @@ void add_compare(CLI::App& app) {
         "every 0.2 s, or where it is long at 60 times, but at least every 0.5 s. It prints one line in words,\n"
         "then each figure. The preview is the scene or the first video. Differences are preview - reference,\n"
         "and amounts shares of the view, 0 to 1. Of a figure with a sign --at-most limits the size; of a\n"
-        "ratio the larger of it and 1 / it, so that 1 is alike. A figure that is not measurable holds no\n"
-        "limit.\n\n"
+        "ratio the larger of it and 1 / it, so that 1 is alike. A figure that is not measurable fails\n"
+        "its limit.\n\n"
         "The figures:\n" +
         figure_list() +
         "\n"

@@ -23,8 +23,10 @@ void print(const match::FitResult& found) {
     print_misfit("veil", found.veil_before, found.veil_after);
     for (const match::FittedParameter& p : found.parameters) {
         std::cout << p.parameter.key << ": ";
-        if (!p.determined)
-            std::cout << p.after << (p.after == p.before ? ", kept" : "") << ": not determined, " << p.why << '\n';
+        if (!p.determined && p.after == p.before)
+            std::cout << p.after << ", kept: not determined, " << p.why << '\n';
+        else if (!p.determined)
+            std::cout << p.before << " -> " << p.after << ": not determined, " << p.why << '\n';
         else
             std::cout << p.before << " -> " << p.after << " (" << p.low << " to " << p.high << ")"
                       << (p.parameter.row->unit.empty() ? "" : " ") << p.parameter.row->unit
@@ -34,7 +36,7 @@ void print(const match::FitResult& found) {
 
 void run(const FitOptions& o) {
     const FitRun done = run_fit(o);
-    for (const std::string& line : done.proposed) std::cout << line << '\n';
+    for (const std::string& line : done.proposed) std::cout << "begins with: " << line << '\n';
     const match::FitResult& result = done.report.result;
     print(result);
     for (const std::string& line : done.report.colors) std::cout << line << '\n';
@@ -58,7 +60,8 @@ void add_fit(CLI::App& app) {
             "or silenced as it needs; when single contacts begin and end is fitted, too. Where the scene's own "
             "tools bring it nearer, they stay. Write that scene, with preset and reference, to this file")
         ->option_text("FILE.scene.json");
-    verb->add_option("--csv", o->files.csv, "Write the curves of reference, before and after to this file")
+    verb->add_option("--csv", o->files.csv,
+                     "Write the curves of reference, before and after to this file, by the scene's time")
         ->option_text("FILE");
     verb->add_option("--report", o->files.report,
                      "Write the result with curves, intervals and pictures as one file for a browser (.html)")

@@ -159,11 +159,13 @@ void add_fit_options(CLI::App& verb, FitOptions& options, const std::string& of)
         "Match the colours of blood and smoke, too, and with --fitted-scene exposure and colour of the organ");
     verb.add_option("--seed", options.seed, "Of the chance in the search and in the intervals")
         ->option_text("NUMBER")
+        ->check(whole_number())
         ->capture_default_str();
-    verb.add_option("--budget", options.budget, "Ends after so many seconds, with the best so far")
+    verb.add_option("--budget", options.budget,
+                    "Ends after so many seconds with the best so far, or with a fault where the scene was not drawn "
+                    "once until then")
         ->option_text("S")
-        ->check(finite_number())
-        ->check(CLI::PositiveNumber)
+        ->check(number_above_0())
         ->capture_default_str();
 }
 
@@ -191,6 +193,9 @@ FitRun run_fit(const FitOptions& given) {
     const Window window = window_of(o.match.window, shown.scene.duration, "scene");
     VideoReader video = opened_video(files.reference);
     const SceneReference reference = reference_of(o.match, shown.scene);
+    (void)common_time(o.match.reference, video, o.files.scene, window, reference.offset);
+    if (shown.scene.events.empty() && files.fitted_scene.empty())
+        note(o.files.scene + ": /events is empty, so nothing smokes or bleeds; with --fitted-scene tools are added");
     Steps steps(o.budget);
     match::MeasureOptions options = measure_options(o.match, reference);
     match::PeakColors peaks(window.from + reference.offset, window.to + reference.offset);
@@ -215,7 +220,7 @@ FitRun run_fit(const FitOptions& given) {
     match::FitColors color_matching(color_fit(o, peaks, input.target, steps), curve);
     if (o.colors) input.match_colors = [&](const match::Tuned& tuned) { return color_matching.amidst(tuned); };
     match::FitResult result = fitted(o, input, curve, steps);
-    if (result.proposal_left) run.proposed = {std::string(match::scene_was_nearer)};
+    if (result.proposal_left) run.proposed = {match::scene_was_nearer(shown.scene)};
     std::vector<std::string> colors;
     if (o.colors) colors = color_matching.finish(result);
     if (o.colors && files.fitted_scene.empty())

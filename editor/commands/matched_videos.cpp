@@ -1,5 +1,6 @@
 #include "commands/matched_videos.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <sstream>
@@ -33,7 +34,9 @@ Window window_of(const std::string& text, double duration, const std::string& wh
     if (!(in >> window.from >> comma >> window.to) || comma != ',' || in >> more || !std::isfinite(window.from) ||
         !std::isfinite(window.to))
         throw wrong_option("--window", "\"" + text + "\" is not FROM,TO in seconds, such as 2,8");
-    if (window.from < 0.0 || window.to > duration || window.from >= window.to)
+    if (window.from >= window.to)
+        throw wrong_option("--window", "\"" + text + "\" does not end after it begins: FROM,TO, such as 2,8");
+    if (window.from < 0.0 || window.to > duration)
         throw wrong_option(
             "--window", "\"" + text + "\" is not a part of the " + whole + ", 0 to " + match::seconds_text(duration));
     return window;
@@ -58,6 +61,8 @@ void note(const std::string& text) {
 }
 
 VideoReader opened_video(const std::string& file) {
+    if (file.empty())
+        throw Error(Failure::bad_input, Fault{.file = "", .place = "", .reason = "the name of a video is empty"});
     VideoReader video(file);
     if (!video.info().warning.empty()) note(file + ": " + video.info().warning);
     return video;
@@ -89,6 +94,21 @@ void note_cover(const std::string& file, const Window& covered, const Window& wi
     if (covered.from <= window.from + much && covered.to >= window.to - much) return;
     note(file + ": covers only " + match::seconds_text(covered.from) + " to " + match::seconds_text(covered.to) +
          "; the rest is not " + done);
+}
+
+Window common_time(const std::string& file, const VideoReader& reference, const std::string& shown,
+                   const Window& window, double offset) {
+    const double duration = reference.info().duration;
+    const Window common{std::max(window.from, -offset), std::min(window.to, duration - offset)};
+    if (common.from < common.to) return common;
+    throw Error(
+        Failure::bad_input,
+        Fault{.file = file,
+              .place = "",
+              .reason = "has no time in common with " + shown + ": " + match::seconds_text(window.from) + " to " +
+                        match::seconds_text(window.to) + " of that are " + match::seconds_text(window.from + offset) +
+                        " to " + match::seconds_text(window.to + offset) + " of this, which ends at " +
+                        match::seconds_text(duration)});
 }
 
 PreviewOptions preview_options(const ShownScene& shown) {

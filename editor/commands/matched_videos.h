@@ -28,6 +28,9 @@ void add_match_options(CLI::App& verb, MatchOptions& options, const std::string&
 struct Window {
     double from, to;
 };
+/// The part of a window of `shown` that the reference, `file`, has, too. Throws Error (bad_input) where there is none.
+Window common_time(const std::string& file, const VideoReader& reference, const std::string& shown,
+                   const Window& window, double offset);
 /// "2,8"; all of `duration` where `text` is empty. `whole`: what it is a part of, "scene". Throws Error (bad_input).
 Window window_of(const std::string& text, double duration, const std::string& whole);
 

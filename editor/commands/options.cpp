@@ -1,7 +1,9 @@
 #include "commands/options.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <iostream>
 #include <regex>
 
@@ -26,6 +28,27 @@ glm::ivec2 parse_size(const std::string& text) {
     if (size.x < 1 || size.y < 1 || size.x > 16384 || size.y > 16384)
         throw wrong_option("--size", "\"" + text + "\" is outside 1x1 to 16384x16384");
     return size;
+}
+
+CLI::Validator number_above_0() {
+    return {[](const std::string& text) {
+                double value = 0.0;
+                return CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0.0
+                           ? ""
+                           : "\"" + text + "\" is not a number above 0";
+            },
+            "NUMBER"};
+}
+
+CLI::Validator whole_number() {
+    return {[](const std::string& text) {
+                std::uint32_t value = 0;
+                const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+                return code == std::errc() && end == text.data() + text.size()
+                           ? ""
+                           : "\"" + text + "\" is not a whole number from 0 to 4294967295";
+            },
+            "NUMBER"};
 }
 
 CLI::Validator finite_number() {

@@ -24,6 +24,9 @@ glm::ivec2 parse_size(const std::string& text);
 
 /// Refuses "nan" and "inf", which CLI::Range accepts.
 CLI::Validator finite_number();
+CLI::Validator number_above_0();
+/// From 0 to 2^32 - 1.
+CLI::Validator whole_number();
 
 /// Throws Error (bad_input) where a picture cannot have that name: it is a PNG.
 void check_picture_name(const std::string& option, const std::string& file);

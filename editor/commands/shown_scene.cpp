@@ -5,6 +5,7 @@
 #include "commands/session.h"
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/formats.h"
 
 namespace lapfx::commands {
 
@@ -46,6 +47,10 @@ void SceneFiles::add(const std::string& place, const std::string& file, const Er
 
 ShownScene open_shown(const std::string& scene, const std::vector<std::string>& presets,
                       const std::vector<std::string>& settings) {
+    if (is_named_as(Content::video, scene))
+        throw Error(
+            Failure::bad_input,
+            Fault{.file = scene, .place = "", .reason = "is named as a video; a scene (.scene.json) is needed here"});
     ShownScene shown{.scene = load_scene(scene), .presets = {}, .clips = std::make_shared<ClipCache>()};
     SceneFiles files(shown.scene, scene);
     files.open("/organ/file", shown.scene.organ.file, require_exists);

@@ -97,8 +97,8 @@ class Telling {
         if (a_.frames == 0) {
             say("is at no time measurable in both", Said::unmeasurable);
         } else if (preview || reference) {
-            const char* where = !reference ? "preview" : !preview ? "reference" : "preview and of the reference";
-            say(std::string("is not measurable in most of the ") + where, Said::unmeasurable);
+            const char* where = !reference ? "preview" : !preview ? "reference" : "preview and in the reference";
+            say(std::string("is not measurable most of the time compared, in the ") + where, Said::unmeasurable);
         }
         return !clauses_.empty();
     }

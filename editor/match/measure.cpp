@@ -148,8 +148,8 @@ void sum_up(Measurement& found) {
             found.blood = episode_of(found.frames, Curve::blood);
         found.veil = episode_of(found.frames, Curve::veil);
         if (found.blood.peak && !found.blood.peak_at)
-            found.notes.emplace_back("Blood: no change beyond the error of measuring.");
-        if (!found.veil.peak_at) found.notes.emplace_back("Veil: no change beyond the error of measuring.");
+            found.notes.emplace_back("Blood: as its intervals go, it may not change at all.");
+        if (!found.veil.peak_at) found.notes.emplace_back("Veil: as its intervals go, it may not change at all.");
     } else if (courses > veils) {
         sum_up_course(found, *longest_course(found));
     } else {

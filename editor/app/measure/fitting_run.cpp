@@ -120,7 +120,7 @@ FitFound FittingRun::find() {
     const bool with_colors = !wanted_.color_keys.empty();
     if (with_colors) input.match_colors = [&colors](const match::Tuned& tuned) { return colors.amidst(tuned); };
     found.result = match::fit(input);
-    if (found.result->proposal_left) found.lines = {std::string(match::scene_was_nearer)};
+    if (found.result->proposal_left) found.lines = {match::scene_was_nearer(wanted_.start.scene)};
     if (with_colors && !found.result->after.empty()) found.colors = colors.finish(*found.result);
     found.tuned = found.result->tuned;
     return found;

@@ -378,7 +378,8 @@ class Matching {
             say(exposure_key + (from == to ? ": stays, the tissue of the video is as bright" : ": stays"));
         else
             say(exposure_key + text(": %.4g -> %.4g, ", before, after) + "the tissue of the video was " +
-                text("%.2f", 1.0 / *result_.light_before) + " times as bright as that of the scene");
+                text("%.2f", 1.0 / *result_.light_before) + " times as bright as that of the scene" +
+                (from == to ? "" : "; the colour of the organ does its part"));
         if (moves_organ_)
             say(organ_key + (from == to ? ": stays, the tissue of the video has its tint"
                                         : ": " + hex(from) + " -> " + hex(to) + ", the tint of the video's tissue"));

@@ -193,10 +193,10 @@ class Fit {
         if (changed.empty()) return true;
         const Tuned other = base_;
         take_colors(base_, *matched, changed);
-        const Drawn before = std::exchange(best_, {});
-        carried_ = Carried(start_.size(), share_of(input_));
+        Drawn before = std::exchange(best_, {});
+        Carried carried = std::exchange(carried_, Carried(start_.size(), share_of(input_)));
         if (draw(before.coordinates)) return true;
-        base_ = other, best_ = before;
+        base_ = other, best_ = std::move(before), carried_ = std::move(carried);
         return false;
     }
     /// To the side with more room within the bounds, or to the other one where a rule between values forbids it.

@@ -276,6 +276,12 @@ Proposal propose(const Tuned& start, const std::shared_ptr<const PreparedOrgan>&
     return Proposing(start, organ, target, options).run();
 }
 
+std::string scene_was_nearer(const Scene& before) {
+    return before.events.empty() ? "tools: none are added, what they would explain is within the error of measuring"
+                                 : "tools: stay as they are, with which the scene is nearer to the reference than with "
+                                   "those proposed";
+}
+
 std::vector<std::string> begin_with_proposal(FitInput& input, bool tools) {
     std::vector<std::string> keys;
     for (const FreeParameter& p : input.parameters) keys.push_back(p.key);

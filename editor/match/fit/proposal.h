@@ -12,7 +12,6 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "match/fit/fit.h"
@@ -52,8 +51,7 @@ Proposal propose(const Tuned& start, const std::shared_ptr<const PreparedOrgan>&
 /// Where they may not, the values of the proposal are a place that the search tries (FitInput::proposed).
 std::vector<std::string> begin_with_proposal(FitInput& input, bool tools = true);
 
-/// Instead of the proposal's lines, where FitResult::proposal_left.
-inline constexpr std::string_view scene_was_nearer =
-    "tools: stay as they are, with which the scene is nearer to the reference than with those proposed";
+/// Instead of the proposal's lines, where FitResult::proposal_left. `before`: the scene without the proposal.
+std::string scene_was_nearer(const Scene& before);
 
 }  // namespace lapfx::match

@@ -19,6 +19,7 @@ constexpr std::size_t followed = 3;  // of the places that are tried
 constexpr double spread = 2.5;       // coordinates to either side of the start, where bounds allow
 
 constexpr double most_offset = 0.3;  // of the veil
+constexpr double unmoved = 1e-9;     // coordinates
 
 struct Span {
     double low, high;
@@ -135,8 +136,8 @@ std::vector<Place> spread_places(const SearchSpace& space, std::span<const doubl
 
 Tuned SearchSpace::tuned(std::span<const double> coordinates) const {
     Tuned tuned = base;
-    for (std::size_t k = 0; k < parameters.size(); ++k)
-        if (coordinates[k] != parameters[k].coordinate(parameters[k].get(base)))  // it keeps its value to the last bit
+    for (std::size_t k = 0; k < parameters.size(); ++k)  // one that does not move keeps its value to the last bit
+        if (std::abs(coordinates[k] - parameters[k].coordinate(parameters[k].get(base))) > unmoved)
             parameters[k].set(tuned, parameters[k].value(coordinates[k]));
     return tuned;
 }

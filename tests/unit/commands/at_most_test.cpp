@@ -71,6 +71,9 @@ TEST(AtMost, TellsEachThatDoesNotHold) {
 }
 
 TEST(AtMost, RefusesWhatIsNoLimit) {
+    EXPECT_THAT(refused({"veil_peak_ratio=0.5"}),
+                ElementsAre("--at-most: veil_peak_ratio=0.5 never holds: of a ratio the larger of it and 1 / it is "
+                            "limited, which is 1 at least"));
     EXPECT_THAT(refused({"veil_rsm=1"}),
                 ElementsAre("--at-most: \"veil_rsm\" is not a figure; nearest is veil_rms (see lapfx help)"));
     EXPECT_THAT(refused({"veil_rms"}), ElementsAre("--at-most: \"veil_rms\" is not NAME=VALUE, such as veil_rms=0.05"));

@@ -96,20 +96,22 @@ TEST(BatchTableTest, HasAColumnForEachParameterOfAny) {
     std::istringstream lines(csv);
     std::string line;
     std::getline(lines, line);
-    EXPECT_EQ(line,
-              "item,kind,state,fault,blood_peak,blood_mean,blood_rms_before,blood_rms_after,veil_peak,veil_mean,"
-              "veil_rms_before,veil_rms_after,seconds,report,bleeding.speed_before,bleeding.speed_after,"
-              "bleeding.speed_low,bleeding.speed_high,bleeding.speed_determined,smoke.haze.ventilation_before,"
-              "smoke.haze.ventilation_after,smoke.haze.ventilation_low,smoke.haze.ventilation_high,"
-              "smoke.haze.ventilation_determined");
+    EXPECT_EQ(
+        line,
+        "item,kind,state,fault,blood_peak,blood_mean,blood_rms_before,blood_rms_after,veil_peak,veil_mean,"
+        "veil_rms_before,veil_rms_after,seconds,report,ended_early,notes,bleeding.speed_before,bleeding.speed_after,"
+        "bleeding.speed_low,bleeding.speed_high,bleeding.speed_determined,smoke.haze.ventilation_before,"
+        "smoke.haze.ventilation_after,smoke.haze.ventilation_low,smoke.haze.ventilation_high,"
+        "smoke.haze.ventilation_determined");
     std::getline(lines, line);
-    EXPECT_EQ(line,
-              "a.scene.json,scene,done,,0.1,0.05,0.04,0.01,0.5,0.25,,,12.34,a.scene.json/report.html,4,6.5,6,7,yes,"
-              "0.03,0.03,,,no");
+    EXPECT_EQ(
+        line,
+        "a.scene.json,scene,done,,0.1,0.05,0.04,0.01,0.5,0.25,,,12.34,a.scene.json/report.html,no,a note,4,6.5,6,7,yes,"
+        "0.03,0.03,,,no");
     std::getline(lines, line);
-    EXPECT_EQ(line, item + ",video,failed,\"a, \"\"b\"\".mp4: <script> is broken; second\",,,,,,,,,,,,,,,,,,,,");
+    EXPECT_EQ(line, item + ",video,failed,\"a, \"\"b\"\".mp4: <script> is broken; second\",,,,,,,,,,,,,,,,,,,,,,");
     std::getline(lines, line);
-    EXPECT_EQ(line, "z.mp4,video,unfinished,,,,,,,,,,,,,,,,,,,,,");
+    EXPECT_EQ(line, "z.mp4,video,unfinished,,,,,,,,,,,,,,,,,,,,,,,");
 }
 
 TEST(BatchIndexTest, NamesBreakNothingAndLinksStayBelow) {

@@ -133,8 +133,8 @@ TEST_F(MeasureTest, TellsThatNothingHappens) {
     const Measurement found = measure(reader, {});
     EXPECT_FALSE(found.blood.peak_at);
     EXPECT_FALSE(found.veil.peak_at);
-    EXPECT_EQ(found.notes, (std::vector<std::string>{"Blood: no change beyond the error of measuring.",
-                                                     "Veil: no change beyond the error of measuring."}));
+    EXPECT_EQ(found.notes, (std::vector<std::string>{"Blood: as its intervals go, it may not change at all.",
+                                                     "Veil: as its intervals go, it may not change at all."}));
 }
 
 TEST_F(MeasureTest, TellsThatMostIsNotMeasurable) {
