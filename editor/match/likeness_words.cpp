@@ -98,7 +98,7 @@ class Telling {
             say("is at no time measurable in both", Said::unmeasurable);
         } else if (preview || reference) {
             const char* where = !reference ? "preview" : !preview ? "reference" : "preview and in the reference";
-            say(std::string("is not measurable most of the time compared, in the ") + where, Said::unmeasurable);
+            say(std::string("is too rarely measurable in the ") + where, Said::unmeasurable);
         }
         return !clauses_.empty();
     }

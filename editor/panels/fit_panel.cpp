@@ -102,17 +102,6 @@ void report(ui::Ui& ui, const FitParts& on) {
     if (ui::progress(ui, "Writing the report", on.reporting.progress(), {.cancellable = true})) on.reporting.cancel();
 }
 
-void found_lines(ui::Ui& ui, const FitFound& found) {
-    if (found.result) {
-        misfit_line(ui, "Blood", found.result->blood_before, found.result->blood_after);
-        misfit_line(ui, "Veil", found.result->veil_before, found.result->veil_after);
-    }
-    for (const auto* const lines : {&found.lines, &found.colors})
-        for (const std::string& line : *lines) wrapped(ui, line, ui::Tone::dim);
-}
-
-// --- what may change -------------------------------------------------------------------------------------------------
-
 const match::FittedParameter* fitted(const FitFound* found, const std::string& key) {
     if (found == nullptr || !found->result) return nullptr;
     const auto& all = found->result->parameters;
@@ -128,23 +117,55 @@ void change_text(ui::Ui& ui, double before, double after, const Parameter& row) 
               {.tone = before == after ? ui::Tone::dim : ui::Tone::normal, .number = true, .width = ui::grow()});
 }
 
+void interval(ui::Ui& ui, const match::FittedParameter& p) {
+    if (!p.determined) return;
+    ui::label(ui, formatted(ui, "%.3g .. %.3g%s", p.low, p.high, p.at_bound ? ", at its bound" : ""),
+              {.tone = p.at_bound ? ui::Tone::warning : ui::Tone::dim, .number = true});
+    ui.last().tip = "Holds the true value in nine of ten cases";
+}
+
+void why_not(ui::Ui& ui, const match::FittedParameter& p) {
+    if (!p.determined && !p.why.empty()) wrapped(ui, ui.join({"Not determined: ", ui.copy(p.why)}), ui::Tone::warning);
+}
+
+/// When a tool works, of "events.1.time": "Event 2, time: 1.4 to 2.1 s".
+void tool_line(ui::Ui& ui, const match::FittedParameter& p) {
+    int event = 0;
+    if (std::sscanf(p.parameter.key.c_str(), "events.%d.", &event) != 1) return;
+    {
+        const ui::Row row(ui, {.width = ui::grow()});
+        ui::label(ui, formatted(ui, "Event %d, %s", event + 1, p.parameter.row->key.data()),
+                  {.tone = ui::Tone::dim, .width = ui::px(ui.em(8.5F))});
+        change_text(ui, p.before, p.after, *p.parameter.row);
+        interval(ui, p);
+    }
+    why_not(ui, p);
+}
+
+void found_lines(ui::Ui& ui, const FitFound& found) {
+    if (found.result) {
+        misfit_line(ui, "Blood", found.result->blood_before, found.result->blood_after);
+        misfit_line(ui, "Veil", found.result->veil_before, found.result->veil_after);
+        for (const match::FittedParameter& p : found.result->parameters) tool_line(ui, p);
+    }
+    for (const auto* const lines : {&found.lines, &found.colors})
+        for (const std::string& line : *lines) wrapped(ui, line, ui::Tone::dim);
+}
+
+// --- what may change -------------------------------------------------------------------------------------------------
+
 void found_of(ui::Ui& ui, const FitFound& found, const std::string& key) {
     const auto free = std::find_if(found.parameters.begin(), found.parameters.end(),
                                    [&](const match::FreeParameter& p) { return p.key == key; });
     if (free == found.parameters.end()) return;
+    const match::FittedParameter* const p = fitted(&found, key);
     {
         const ui::Row row(ui, {.width = ui::grow()});
         ui::label(ui, "", {.width = ui::px(ui.em(1))});
         change_text(ui, free->get(found.start), free->get(found.tuned), *free->row);
-        const match::FittedParameter* const p = fitted(&found, key);
-        if (p != nullptr && p->determined) {
-            ui::label(ui, formatted(ui, "%.3g .. %.3g%s", p->low, p->high, p->at_bound ? ", at its bound" : ""),
-                      {.tone = p->at_bound ? ui::Tone::warning : ui::Tone::dim, .number = true});
-            ui.last().tip = "Holds the true value in nine of ten cases";
-        }
+        if (p != nullptr) interval(ui, *p);
     }
-    if (const match::FittedParameter* const p = fitted(&found, key); p != nullptr && !p->determined && !p->why.empty())
-        wrapped(ui, ui.join({"Not determined: ", ui.copy(p->why)}), ui::Tone::warning);
+    if (p != nullptr) why_not(ui, *p);
 }
 
 /// One that may change; gives whether it is to be taken away.

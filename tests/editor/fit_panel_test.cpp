@@ -95,6 +95,27 @@ TEST_F(FitPanel, AFitComesNearerAndIsTakenAsOneStep) {
     EXPECT_TRUE(document::same(before, editor().document.content()));
 }
 
+TEST_F(FitPanel, WhenToolsWorkIsTold) {
+    fitting().look.keys = {"smoke.haze.accumulation"};
+    editor().document.change("Late", [](document::Content& c) {
+        c.scene.events.resize(1);
+        c.scene.events[0].time = 3.0;
+    });
+    press("Fit");
+    ASSERT_NE(fitting().found(), nullptr) << ui().dump();
+    int told = 0;
+    for (const match::FittedParameter& p : fitting().found()->result->parameters) {
+        if (!p.parameter.of_scene) continue;
+        const std::size_t event = static_cast<std::size_t>(p.parameter.key.at(std::string("events.").size()) - '0');
+        EXPECT_TRUE(says("Event " + std::to_string(event + 1) + ", " + std::string(p.parameter.row->key)))
+            << p.parameter.key << '\n'
+            << ui().dump();
+        EXPECT_TRUE(p.determined || says("Not determined: " + p.why)) << p.why;
+        ++told;
+    }
+    EXPECT_GE(told, 1);
+}
+
 TEST_F(FitPanel, WhatIsLockedStays) {
     editor().tuning().lock(app::parameters().find("smoke.haze.accumulation"), true);
     ui().frame();
@@ -128,6 +149,16 @@ TEST_F(FitPanel, ToolsStayWhereTheyMayNotChange) {
         EXPECT_EQ(editor().document.scene().events[i].time, events[i].time);
         EXPECT_EQ(editor().document.scene().events[i].power, events[i].power);
     }
+}
+
+TEST_F(FitPanel, BeginsThoughNothingElseBringsAFrame) {
+    ui().frame().frame();
+    ASSERT_GT(fitting().due(), ui().time);
+    fitting().start();
+    EXPECT_LE(fitting().due(), ui().time);
+    fitting().cancel();
+    ui().frame();
+    EXPECT_GT(fitting().due(), ui().time);
 }
 
 TEST_F(FitPanel, NothingFreeIsTold) {

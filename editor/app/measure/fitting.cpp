@@ -77,6 +77,7 @@ void Fitting::begin(bool proposal_alone) {
     leave();
     measuring_asked_ = false;
     asked_ = proposal_alone;
+    due_ = now_;  // a click may be the last thing that happens in this frame
 }
 
 void Fitting::cancel() {

@@ -96,7 +96,8 @@ class Proposing {
         proposal_.veil_offset = found.offset;
         move_hot(found);
         if (found.bursts.empty()) return say("veil: no smoke beyond the error of measuring");
-        for (const Burst& burst : found.bursts) say(text_of("smoke: from %.1f s to %.1f s", burst.start, burst.end));
+        for (const Burst& burst : found.bursts)
+            say(text_of("smoke: from %.1f s to %.1f s", std::max(burst.start, 0.0), burst.end));
         if (found.falls)
             set("smoke.haze.ventilation", found.ventilation);
         else

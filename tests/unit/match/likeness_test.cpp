@@ -324,10 +324,10 @@ TEST(Likeness, TellsWhatIsNotMeasurableInMostFrames) {
     EXPECT_FALSE(found.blood.matches());
     EXPECT_NEAR(*found.blood.rms, 0.0, 1e-12) << "of the rest";
     EXPECT_EQ(in_words(found),
-              "blood is not measurable most of the time compared, in the reference; veil matches within the error of "
+              "blood is too rarely measurable in the reference; veil matches within the error of "
               "measuring");
     EXPECT_EQ(in_words(likeness_of(reference, preview, 0)),
-              "blood is not measurable most of the time compared, in the preview; veil matches within the error of "
+              "blood is too rarely measurable in the preview; veil matches within the error of "
               "measuring");
     for (FrameAmounts& f : reference) f.flags = told::dense;
     EXPECT_EQ(in_words(likeness_of(preview, reference, 0)),

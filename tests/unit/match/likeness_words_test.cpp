@@ -121,7 +121,7 @@ TEST(LikenessWords, WhatCannotBeMendedHasNoKey) {
     expect(same[1], "veil matches within the error of measuring", Said::match, "");
     AmountLikeness a = different();
     a.in_reference = Presence::unmeasurable;
-    expect(of_veil(a), "veil is not measurable most of the time compared, in the reference", Said::unmeasurable, "");
+    expect(of_veil(a), "veil is too rarely measurable in the reference", Said::unmeasurable, "");
     a.frames = 0;
     expect(of_veil(a), "veil is at no time measurable in both", Said::unmeasurable, "");
     const std::vector<Clause> apart = clauses({}, events);
