@@ -376,7 +376,7 @@ BenchReport bench_fit(const BenchOptions& options) {
             }
             Outcome outcome = fit_one(drawn.hidden, scene, reference, truth, drawing, effort);
             outcome.same_view = same_view;
-            std::cout << i + 1 << ' ' << line_of(outcome) << std::flush;  // a whole run takes half an hour
+            std::cout << i + 1 << ' ' << line_of(outcome) << std::flush;  // a whole run takes more than an hour
             report.rows.push_back(figures_of(outcome));
             outcomes.push_back(std::move(outcome));
             progress.step();
