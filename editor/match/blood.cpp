@@ -26,6 +26,7 @@ constexpr float maybe_film = 0.05F, maybe_certain = 1.5F, sure_film = 0.1F, sure
 constexpr float redder_film = 0.035F, redder_certain = 1.0F;
 constexpr float thin_redness = 0.7F, thin_rise = 0.15F, surely_red = 1.1F;
 constexpr double sure_share_of_film = 0.25;
+constexpr float film_lit = 1.1F;                            // most light of a film over the tissue's: noise
 constexpr float code_power = 2.2F;                          // of light, by its code value
 constexpr int fill_reach = 10;                              // px from which hidden places are filled
 constexpr float redder_rise = 1.1F, redder_redness = 0.8F;  // of what is left out when the veil is looked for
@@ -114,12 +115,15 @@ void BloodFinder::find_film(const cv::Mat& baseline, const cv::Mat& baseline_red
     // The white balance changes redness as well.
     const cv::Vec3f& gains = film_.gains();
     const float drift = std::pow(gains[2] / std::sqrt(gains[0] * gains[1]), 1.0F / code_power);
+    // A film on bright tissue is nearly as bright as that, and redder: a highlight is brighter than the tissue.
+    const float bright = film_lit * gains[2] / linear_of(static_cast<float>(255.0 * BloodQualifier{}.brightness));
     for (int y = 0; y < valid.rows; ++y)
         for (int x = 0; x < valid.cols; ++x) {
+            const float most = brightest * std::max(1.0F, bright * baseline.at<cv::Vec3f>(y, x)[2]);
             const float film = film_.thickness().at<float>(y, x), certain = film_.sureness().at<float>(y, x);
             const float red = redness_.at<float>(y, x), was = drift * baseline_redness.at<float>(y, x);
             const bool can = valid.at<std::uint8_t>(y, x) != 0 && hidden_.at<std::uint8_t>(y, x) == 0 &&
-                             clear_.at<cv::Vec3f>(y, x)[2] <= brightest;
+                             clear_.at<cv::Vec3f>(y, x)[2] <= most;
             const auto mark = [&](cv::Mat& into, bool so) { into.at<std::uint8_t>(y, x) = can && so ? 255 : 0; };
             mark(redder_, film >= redder_film && certain >= redder_certain && red >= redder_redness * redness);
             mark(maybe_, film >= maybe_film && certain >= maybe_certain && red >= redness && red >= rise * was);

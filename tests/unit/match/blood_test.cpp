@@ -88,6 +88,23 @@ TEST(Blood, OfAFilmFollowsTheQualifier) {
     EXPECT_EQ(found({.brightness = 0.05}), 0.0);
 }
 
+/// As bright as it may be and still be read: its blood is brighter than tissue usually is.
+cv::Mat bright_tissue() {
+    cv::Mat tissue = test::tissue();
+    double most = 0.0;
+    cv::minMaxLoc(tissue.reshape(1), nullptr, &most);
+    return tissue * (0.97 / most);
+}
+
+TEST(Blood, OfAFilmOnBrightTissueHasItsArea) {
+    const auto found = [](const cv::Mat& frame, const BloodQualifier& qualifier = {}) {
+        return Found(frame, even(0), qualifier, bright_tissue(), true).blood();
+    };
+    EXPECT_NEAR(found(filmed(0.15, bright_tissue())), disc, 0.06 * disc);
+    EXPECT_EQ(found(bright_tissue()), 0.0);
+    EXPECT_EQ(found(filmed(0.15, bright_tissue()), {.brightness = 0.05}), 0.0);
+}
+
 TEST(Blood, IsNoFilmWhereAllIsDarker) {
     EXPECT_EQ(Found(0.6 * test::tissue(), even(0), {}, test::tissue(), true).blood(), 0.0);
 }
