@@ -295,10 +295,10 @@ constexpr Parameter blood_rows[] = {
     number<&Q::rise>("rise", "Rise", {1, 5, 0.02, "", Scale::logarithmic},
                      "Least factor by which a place became redder than in the baseline. 1 also counts what was as red "
                      "before; higher finds less blood. Of thin blood 0.15 of what is above 1 is asked."),
-    number<&Q::brightness>(
-        "brightness", "Brightness", {0.05, 1, 0.01},
-        "Largest red of blood, more on tissue that is bright itself: what is brighter is a highlight or "
-        "tissue. Lower finds less blood."),
+    number<&Q::brightness>("brightness", "Brightness", {0.05, 1, 0.01},
+                           "Largest red of blood: what is brighter is a highlight or tissue. Lower finds less blood. "
+                           "Where the tissue of the baseline is in its place, and brighter than 0.8 itself, as many "
+                           "times more."),
 };
 
 constexpr Range part_of_picture{0, 1, 0.005, "of the picture"};

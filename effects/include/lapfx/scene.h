@@ -55,7 +55,7 @@ struct SceneLight {
 struct BloodQualifier {
     double redness = 2.2;     ///< least redness of blood
     double rise = 1.3;        ///< least factor of redness over the baseline's at that place
-    double brightness = 0.8;  ///< largest red of blood, 0..1, more on bright tissue: what is brighter is none
+    double brightness = 0.8;  ///< largest red of blood, 0..1: what is brighter is a highlight or tissue
 };
 
 /// When something happens in the reference, s of its own time; -1 = not marked.
