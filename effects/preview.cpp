@@ -1,6 +1,7 @@
 #include "lapfx/authoring/preview.h"
 #include "lapfx/authoring/prepared_scene.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "foundation.h"
@@ -207,17 +208,21 @@ std::vector<std::uint8_t> Preview::State::shown_part(const SceneCamera& seen, gl
     return part;
 }
 
-std::vector<std::uint8_t> Preview::State::view_part(const View& view, double time, const SceneCamera& seen,
+std::vector<std::uint8_t> Preview::State::view_part(const View& view, double time, const SceneCamera& camera,
                                                     glm::ivec2 size) {
-    std::vector<std::uint8_t> part = shown_part(seen, size);
+    std::vector<std::uint8_t> part = shown_part(camera, size);
     draw_tissue(view, time);
     const std::vector<float> with_tool = read_depth(frame.scene_depth(), size);
     frame.begin_scene();
     effects.draw_organ(view);
     frame.begin_smoke();
     const std::vector<float> organ = read_depth(frame.scene_depth(), size);
-    for (std::size_t i = 0; i < part.size(); ++i)
-        if (organ[i] >= 1.0F || with_tool[i] != organ[i]) part[i] = 0;
+    bool seen = false;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+        if (with_tool[i] != organ[i]) part[i] = 0;
+        seen = seen || (part[i] != 0 && organ[i] < 1.0F);
+    }
+    if (!seen) std::ranges::fill(part, std::uint8_t{0});
     return part;
 }
 

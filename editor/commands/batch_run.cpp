@@ -92,6 +92,7 @@ std::string input_of(const Job& job) {
     hash.add(job.fitted ? "fitted" : "measured");
     hash.add(job.options.match.window);
     hash.add(said(job.options.match.baseline));
+    hash.add(job.options.match.view);
     if (!job.options.files.reference.empty()) hash.add_file(job.options.files.reference);
     try {
         if (job.fitted) add_fit(hash, job.options);
@@ -202,11 +203,12 @@ void measure(const Job& job, const fs::path& folder, BatchResult& result) {
     VideoReader video = opened_video(file);
     const Window window = window_of(job.options.match.window, video.info().duration, "video");
     Progress progress("measuring", steps);
-    const match::Measurement found = measured_video(
-        video, file, {.baseline = job.options.match.baseline, .from = window.from, .to = window.to}, [&](double share) {
-            progress.to(share);
-            return true;
-        });
+    match::MeasureOptions options = measure_options(job.options.match, {}, video.info().size);
+    options.from = window.from, options.to = window.to;
+    const match::Measurement found = measured_video(video, file, options, [&](double share) {
+        progress.to(share);
+        return true;
+    });
     write_file(folder / amounts_name, match::csv_of(found));
     result.from = window.from, result.to = window.to;
     result.blood = amount_of(found.blood), result.veil = amount_of(found.veil);

@@ -33,6 +33,7 @@
 #include "match/fit/proposal.h"
 #include "match/measure.h"
 #include "match/peak_colors.h"
+#include "match/view_share.h"
 #include "output/files.h"
 
 namespace lapfx::commands {
@@ -71,7 +72,9 @@ Filmed film(const CaseScene& hidden, Random random, const Drawing& drawing) {
         return image;
     };
     preview.set_contacts({});
-    match::Estimator estimator(picture(0.0), {});
+    match::EstimatorOptions told = {};
+    told.round_view = match::round_view_of(hidden.tuned.scene.camera, case_aspect);  // as with --view
+    match::Estimator estimator(picture(0.0), told);
     preview.set_contacts(hidden.tuned.scene.events);
     const auto count = static_cast<int>(case_duration * rate);
     std::vector<Image> pictures;

@@ -2,8 +2,10 @@
 // of it is drawn from random numbers; moves act on the picture and on what is known of it alike.
 #pragma once
 
+#include <glm/glm.hpp>
 #include <map>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +17,7 @@ namespace lapfx::commands {
 /// A picture and what is in each of its pixels.
 struct Shown {
     cv::Mat code;   ///< CV_8UC3, BGR
-    cv::Mat view;   ///< CV_8U, 255 where there is tissue to measure: no surround, no instrument
+    cv::Mat view;   ///< CV_8U, 255 of the valid view: no surround, no instrument
     cv::Mat blood;  ///< CV_8U, 255
     cv::Mat veil;   ///< CV_32F, 0..1, 1 - transmission
 };
@@ -36,6 +38,7 @@ struct KnownView {
     Image baseline;
     std::vector<KnownPicture> pictures;
     std::map<std::string, std::string> labels;  ///< organ, light and camera of renders; operation of real frames
+    std::optional<glm::dvec3> round_view = {};  ///< EstimatorOptions::round_view, where it is known
     bool real = false;
     bool moves = false;     ///< the baseline is 1 to 4 s older, and the scene moved since
     bool in_order = false;  ///< each picture follows the one before it

@@ -13,7 +13,9 @@ constexpr double between = 0.1;  // s
 void measure_each(
     const KnownView& view, const match::EstimatorOptions& options,
     const std::function<void(const KnownPicture&, const match::Estimator&, const match::FrameAmounts&)>& measured) {
-    match::Estimator estimator(view.baseline, options);
+    match::EstimatorOptions of_view = options;
+    of_view.round_view = view.round_view;
+    match::Estimator estimator(view.baseline, of_view);
     std::vector<const KnownPicture*> counted;
     for (const KnownPicture& known : view.pictures)
         if (known.counted) counted.push_back(&known);

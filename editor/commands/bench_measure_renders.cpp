@@ -13,6 +13,7 @@
 #include "lapfx/authoring/video.h"
 #include "lapfx/clip_cache.h"
 #include "match/colors.h"
+#include "match/view_share.h"
 #include "output/files.h"
 
 namespace lapfx::commands {
@@ -151,6 +152,11 @@ struct KnownRenders::State {
         return now;
     }
 
+    /// Told, as a user does: before smoke lights it, the dark behind an organ looks like the surround.
+    glm::dvec3 view() const {
+        return match::round_view_of(drawn.scene.camera, static_cast<double>(size.width) / size.height);
+    }
+
     /// What the picture's frame leaves of it.
     Shown framed(const Shown& whole, const Move& move) {
         Shown part = moved(whole, move, size);
@@ -188,7 +194,8 @@ KnownView KnownRenders::still(int number) {
     KnownView view{
         .baseline = filmed(random, s.framed(s.baseline(0.0, s.camera), {}).code, cv::Scalar::all(1.0), noise),
         .pictures = {},
-        .labels = s.drawn.labels};
+        .labels = s.drawn.labels,
+        .round_view = s.view()};
     const Shown shown = s.framed(s.shown(time, s.camera), move);
     KnownPicture picture = known(shown);
     picture.picture = filmed(random, shown.code, draw_gains(random), noise);
@@ -210,6 +217,7 @@ KnownView KnownRenders::clip(int number, int count) {
         .baseline = filmed(random, s.framed(s.baseline(start, s.camera), {}).code, cv::Scalar::all(1.0), noise),
         .pictures = {},
         .labels = s.drawn.labels,
+        .round_view = s.view(),
         .moves = true,
         .in_order = true};
     for (int i = 0; i < count; ++i) {

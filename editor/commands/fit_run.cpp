@@ -197,7 +197,7 @@ FitRun run_fit(const FitOptions& given) {
     if (shown.scene.events.empty() && files.fitted_scene.empty())
         note(o.files.scene + ": /events is empty, so nothing smokes or bleeds; with --fitted-scene tools are added");
     Steps steps(o.budget);
-    match::MeasureOptions options = measure_options(o.match, reference);
+    match::MeasureOptions options = measure_options(o.match, reference, video.info().size);
     match::PeakColors peaks(window.from + reference.offset, window.to + reference.offset);
     if (o.colors)
         options.measured = [&peaks](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& found) {

@@ -7,6 +7,7 @@
 
 #include "app/measure/measuring.h"
 #include "commands/file_kind.h"
+#include "commands/measured_part.h"
 #include "commands/options.h"
 #include "commands/session.h"
 
@@ -24,6 +25,11 @@ void add_match_options(CLI::App& verb, MatchOptions& options, const std::string&
     verb.add_option("--baseline", options.baseline, "Time of a clear frame of the reference, s, as for lapfx measure")
         ->option_text("S")
         ->check(finite_number());
+    verb.add_option(
+            "--view", options.view,
+            "The round view of the reference, as for lapfx measure. Left out, it is looked for, and what is dark "
+            "at the rim of every frame is no part of it")
+        ->option_text("x,y,r");
 }
 
 Window window_of(const std::string& text, double duration, const std::string& whole) {
@@ -50,9 +56,10 @@ SceneReference reference_of(const MatchOptions& options, const Scene& scene) {
     return reference;
 }
 
-match::MeasureOptions measure_options(const MatchOptions& options, const SceneReference& reference) {
+match::MeasureOptions measure_options(const MatchOptions& options, const SceneReference& reference, glm::ivec2 size) {
     match::MeasureOptions made = app::measure_options(reference.measure);
     if (options.baseline) made.baseline = options.baseline;  // also 0, which a scene has for none
+    if (!options.view.empty()) made.estimator.round_view = round_view_of(options.view, size);
     return made;
 }
 

@@ -18,10 +18,11 @@ namespace lapfx::commands {
 
 struct MatchOptions {
     std::string reference, window;
+    std::string view;                        ///< x,y,r
     std::optional<double> offset, baseline;  ///< s
 };
-/// --offset, --window and --baseline. `of`: what has the time that the offset is from, "scene"; `done`: what is done to
-/// the window, "fitted".
+/// --offset, --window, --baseline and --view. `of`: what has the time that the offset is from, "scene"; `done`: what is
+/// done to the window, "fitted".
 void add_match_options(CLI::App& verb, MatchOptions& options, const std::string& of, const std::string& done);
 
 /// s, of the scene or of the video that is held against the reference.
@@ -36,8 +37,8 @@ Window window_of(const std::string& text, double duration, const std::string& wh
 
 /// What the scene says of its own reference holds for that video only; the options come first.
 SceneReference reference_of(const MatchOptions& options, const Scene& scene);
-/// How that reference is measured.
-match::MeasureOptions measure_options(const MatchOptions& options, const SceneReference& reference);
+/// How that reference is measured; `size`: of its pictures. Throws Error (bad_input).
+match::MeasureOptions measure_options(const MatchOptions& options, const SceneReference& reference, glm::ivec2 size);
 
 /// A line on stderr.
 void note(const std::string& text);

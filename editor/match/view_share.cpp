@@ -20,10 +20,14 @@ double segment(double radius, double distance) {
 
 }  // namespace
 
+glm::dvec3 round_view_of(const SceneCamera& camera, double aspect) {
+    const double all = std::hypot(0.5 * aspect, 0.5);
+    return {0.5, 0.5, camera.vignette < round_from ? all : std::min(round_radius, all)};
+}
+
 double view_area(const SceneCamera& camera, double aspect) {
-    if (camera.vignette < round_from) return aspect;
     const double half_width = 0.5 * aspect, half_height = 0.5;
-    if (std::hypot(half_width, half_height) <= round_radius) return aspect;
+    if (round_view_of(camera, aspect).z >= std::hypot(half_width, half_height)) return aspect;
     return std::numbers::pi * round_radius * round_radius - 2.0 * segment(round_radius, half_width) -
            2.0 * segment(round_radius, half_height);
 }

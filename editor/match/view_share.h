@@ -13,6 +13,11 @@
 
 namespace lapfx::match {
 
+/// The valid view of what this camera draws, as EstimatorOptions::round_view: the round picture, or a disc around all
+/// of it. A picture of ours need not be looked through for it: before smoke lights it, the dark behind an organ looks
+/// like the surround.
+glm::dvec3 round_view_of(const SceneCamera& camera, double aspect);
+
 /// Area of the valid view, in squares as high as the picture: `aspect` (width over height) without a vignette, else the
 /// round view as far as it is within the picture. It is round from a vignette of 0.5 on.
 double view_area(const SceneCamera& camera, double aspect);

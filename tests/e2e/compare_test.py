@@ -141,6 +141,13 @@ def check_videos(lapfx, video, other, folder):
     code, said, told = run(lapfx, "compare", other, other, "--offset", "-1", "--window", "1,7")
     late = printed(said)[1]["veil_late"]
     assert code == 0 and late is not None and -1.5 < late < -0.3, (code, said, told)
+    # The haze is not as dense in the middle as elsewhere.
+    of_view = {}
+    for view in ("0.5,0.5,1", "0.5,0.5,0.2"):
+        code, said, told = run(lapfx, "compare", video, other, "--view", view)
+        assert code == 0, (code, said, told)
+        of_view[view] = printed(said)[1]["veil_rms"]
+    assert abs(of_view["0.5,0.5,1"] - of_view["0.5,0.5,0.2"]) > 0.005, of_view
 
 
 def check_refused(lapfx, scene, video, other, folder):
@@ -173,6 +180,8 @@ def check_refused(lapfx, scene, video, other, folder):
         ([*of_videos, "--window", "3,1"], "--window"),
         ([*of_scene, "--window", "0,1000"], "--window"),
         ([*of_videos, "--baseline", "99"], "--baseline: 99.00 s is outside the video"),
+        ([*of_videos, "--view", "0.5,0.5"], '--view: "0.5,0.5" is not x,y,r'),
+        ([*of_scene, "--view", "0.5,0.5,9"], '--view: the radius of "0.5,0.5,9" is outside 0.1 to 2 heights'),
         ([*of_scene, "--set", "bleeding.sped=3"], "nearest is bleeding.speed"),
         ([*of_scene, "--preset", os.path.join(folder, "none.json")], "none.json"),
         ([*of_videos, "--json", os.path.join(folder, "out.txt")], "does not end in .json"),

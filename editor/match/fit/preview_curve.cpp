@@ -4,6 +4,7 @@
 #include <future>
 
 #include "lapfx/error.h"
+#include "match/view_share.h"
 
 namespace lapfx::match {
 
@@ -109,6 +110,8 @@ std::optional<std::vector<FrameAmounts>> PreviewCurve::measure(const Scene& scen
                                                                std::span<const double> times, const CurveCalls& calls) {
     EstimatorOptions of_estimator = options_.estimator;
     of_estimator.survey.reset();
+    const glm::dvec2 shape(options_.size);
+    if (!scene.plate.use) of_estimator.round_view = round_view_of(scene.camera, shape.x / shape.y);  // else as it is
     Image baseline;
     const bool clear = draw([&] {
         show(scene, preset);

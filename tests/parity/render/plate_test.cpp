@@ -1,4 +1,5 @@
 // A plate: the picture of the reference comes out as it is, and smoke and blood lie over it as over any organ.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -108,6 +109,16 @@ TEST_F(PlateTest, AFrameOfAnotherShapeShowsAllOfItBetweenBlackBars) {
                 ASSERT_LE(std::max({apart.r, apart.g, apart.b}), 1) << x << ' ' << y;
             }
     }
+}
+
+TEST_F(PlateTest, TheValidViewIsThatOfTheVideo) {
+    const auto share = [this](glm::ivec2 of) {
+        const std::vector<std::uint8_t> view = preview().layers(0.0, of).view;
+        return static_cast<double>(std::ranges::count(view, 255)) / static_cast<double>(view.size());
+    };
+    EXPECT_NEAR(share({300, 160}), 240.0 / 300.0, 0.01) << "without the bars";
+    show(test::behind_round_view(picture, {120.0, 80.0}, 74.0));
+    EXPECT_NEAR(share(size), std::numbers::pi * 74.0 * 74.0 / (240.0 * 160.0), 0.02) << "without the surround";
 }
 
 TEST_F(PlateTest, AReferenceThatIsStoredSqueezedIsStretched) {

@@ -40,6 +40,16 @@ TEST(ViewShare, IsNothingBehindTheCameraAndOfTheFarSide) {
     EXPECT_EQ(share_per_mm2(right_angled(), 1.0, {0, 0, 0}, {0, 0, -1}), 0.0);
 }
 
+TEST(ViewShare, TheRoundViewIsThatOfTheVignetteElseAllOfThePicture) {
+    SceneCamera camera = right_angled();
+    EXPECT_EQ(round_view_of(camera, 1.5), glm::dvec3(0.5, 0.5, std::hypot(0.75, 0.5)));
+    camera.vignette = 0.49;
+    EXPECT_EQ(round_view_of(camera, 1.5).z, std::hypot(0.75, 0.5));
+    camera.vignette = 0.5;
+    EXPECT_EQ(round_view_of(camera, 1.5), glm::dvec3(0.5, 0.5, 0.56));
+    EXPECT_EQ(round_view_of(camera, 0.4).z, std::hypot(0.2, 0.5)) << "the rim is beyond the corners";
+}
+
 TEST(ViewShare, IsOfTheRoundViewWhereThereIsOne) {
     SceneCamera camera = right_angled();
     EXPECT_EQ(view_area(camera, 1.5), 1.5);

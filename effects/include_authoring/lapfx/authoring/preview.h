@@ -30,7 +30,7 @@ struct PreviewOptions {
 
 /// What is in the pixels of a frame, exactly: for measures that have to be checked. Rows from the top.
 struct Layers {
-    std::vector<std::uint8_t> view;   ///< 255 where the organ is seen, not an instrument, within the round view; else 0
+    std::vector<std::uint8_t> view;   ///< 255 within the round view, not on an instrument; all 0 if no organ is seen
     std::vector<std::uint8_t> blood;  ///< 255 where blood changes the light of the tissue by more than a tenth, else 0
     std::vector<float> veil;          ///< 1 - transmission of the smoke, mean of the three colours, 0..1
 };
