@@ -10,7 +10,8 @@ namespace {
 
 // A pixel's noise: that of its code value, that of a baseline that lies a little beside, and a floor.
 constexpr float code_noise = 0.008F, shift_noise = 0.10F, floor_noise = 0.003F;
-constexpr float outlier = 3.0F;  // units of noise from which a pixel counts less
+constexpr float darkest_tissue = 0.02F;  // linear, mean of the channels: a darker baseline shows no tissue
+constexpr float outlier = 3.0F;          // units of noise from which a pixel counts less
 constexpr float least_weight = 0.02F;
 constexpr int widest = 90, wide = 34, middle = 13, narrow = 5;  // px to each side
 constexpr double hold_widest = 1e-4, hold_wide = 0.01, hold_middle = 0.1, hold_narrow = 0.5;
@@ -49,11 +50,14 @@ double misfit_of(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& p
 void VeilSolver::weigh(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& counts, const cv::Mat& light,
                        bool robust) {
     weight_.create(frame.size(), CV_32F);
-    normal_.create(frame.size(), CV_32FC2);
+    for (cv::Mat* m : {&normal_, &normal_of_dark_}) m->create(frame.size(), CV_32FC2);
+    dark_.create(frame.size(), CV_8U);
+    has_dark_ = false;
     for (int y = 0; y < frame.rows; ++y) {
         const auto *b = baseline.ptr<cv::Vec3f>(y), *f = frame.ptr<cv::Vec3f>(y), *h = light.ptr<cv::Vec3f>(y);
         const auto *count = counts.ptr<float>(y), *veil = veil_.ptr<float>(y);
-        auto* normal = normal_.ptr<cv::Vec2f>(y);
+        auto *of_tissue = normal_.ptr<cv::Vec2f>(y), *of_dark = normal_of_dark_.ptr<cv::Vec2f>(y);
+        auto* dark = dark_.ptr<std::uint8_t>(y);
         auto* weight = weight_.ptr<float>(y);
         for (int x = 0; x < frame.cols; ++x) {
             const float noise = noise_of(b[x], f[x]);
@@ -66,7 +70,12 @@ void VeilSolver::weigh(const cv::Mat& baseline, const cv::Mat& frame, const cv::
             }
             w *= floor_noise * floor_noise / (noise * noise);
             weight[x] = w;
-            normal[x] = {w * up.dot(up), w * rise.dot(up)};
+            const cv::Vec2f normal(w * up.dot(up), w * rise.dot(up)), none(0.0F, 0.0F);
+            const bool is_dark = b[x][0] + b[x][1] + b[x][2] < 3.0F * darkest_tissue;
+            of_tissue[x] = is_dark ? none : normal;
+            of_dark[x] = is_dark ? normal : none;
+            dark[x] = is_dark ? 255 : 0;
+            has_dark_ = has_dark_ || is_dark;
         }
     }
 }
@@ -86,15 +95,25 @@ void VeilSolver::bound(const cv::Mat& frame, const cv::Mat& light) {
 
 void VeilSolver::solve_window(int of_estimator, double hold) {
     const int reach = static_cast<int>(std::lround(of_estimator * scale_));
-    cv::boxFilter(normal_, sums_, CV_32F, {2 * reach + 1, 2 * reach + 1}, {-1, -1}, true, cv::BORDER_CONSTANT);
+    const cv::Size window(2 * reach + 1, 2 * reach + 1);
     // What one pixel of clear difference, seen without noise, would say.
     const auto held = static_cast<float>(hold * 1e-3);
+    cv::boxFilter(normal_, sums_, CV_32F, window, {-1, -1}, true, cv::BORDER_CONSTANT);
+    solve_places(sums_, held, false);
+    if (!has_dark_) return;
+    cv::boxFilter(normal_of_dark_, sums_, CV_32F, window, {-1, -1}, true, cv::BORDER_CONSTANT);
+    solve_places(sums_, held, true);
+}
+
+void VeilSolver::solve_places(const cv::Mat& sums, float held, bool dark) {
     for (int y = 0; y < veil_.rows; ++y) {
-        const auto* sum = sums_.ptr<cv::Vec2f>(y);
+        const auto* sum = sums.ptr<cv::Vec2f>(y);
         const auto* most = bound_.ptr<float>(y);
+        const auto* is_dark = dark_.ptr<std::uint8_t>(y);
         auto* veil = veil_.ptr<float>(y);
         for (int x = 0; x < veil_.cols; ++x)
-            veil[x] = std::clamp((sum[x][1] + held * veil[x]) / (sum[x][0] + held), 0.0F, most[x]);
+            if ((is_dark[x] != 0) == dark)
+                veil[x] = std::clamp((sum[x][1] + held * veil[x]) / (sum[x][0] + held), 0.0F, most[x]);
     }
 }
 

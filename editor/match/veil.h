@@ -4,6 +4,9 @@
 // frame known): frame = (1 - veil) * baseline + veil * light. With the light of dense smoke known (haze_light.h), one
 // number is fitted by least squares over a window around each pixel, from wide to narrow windows, each held to the one
 // before as far as it says little. Pixels that no veil explains (blood, instruments) stand out and count less.
+//
+// The dark behind tissue lies farther back and has more smoke before it; it also has no noise to speak of. So it is
+// solved apart: it says nothing of the veil over tissue, nor tissue of that over the dark.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -43,12 +46,16 @@ class VeilSolver {
     void weigh(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& counts, const cv::Mat& light, bool robust);
     void bound(const cv::Mat& frame, const cv::Mat& light);
     void solve_window(int reach, double hold);
+    void solve_places(const cv::Mat& sums, float held, bool dark);
     void solve_widest();
 
     double scale_;
     cv::Mat veil_, weight_;
     cv::Mat smooth_, bound_;  // the frame, and the most that the veil can be
-    cv::Mat normal_, sums_;   // CV_32FC2: weighted (light - baseline)^2 and (frame - baseline) * (light - baseline)
+    cv::Mat dark_;            // CV_8U, 255 where the baseline shows the dark behind tissue
+    bool has_dark_ = false;
+    // CV_32FC2: weighted (light - baseline)^2 and (frame - baseline) * (light - baseline), of tissue and of the dark
+    cv::Mat normal_, normal_of_dark_, sums_;
 };
 
 /// VeilSolver::misfit of a frame that is the baseline with its channels multiplied, without veil.

@@ -41,6 +41,20 @@ TEST(Veil, IsNotDrawnAsideByWhatNoVeilExplains) {
     EXPECT_NEAR(solver.veil().at<float>(128, 160), 0.3, 0.06);
 }
 
+TEST(Veil, OverTissueIsNotThatOfTheDarkBehindIt) {
+    cv::Mat clear = test::tissue(), veil(test::height, test::width, CV_32F, cv::Scalar(0.1));
+    const cv::Mat light = test::light_of({});
+    const cv::Rect behind(0, 0, test::width / 3, test::height);
+    clear(behind) = cv::Scalar::all(0.001);
+    veil(behind) = 0.3F;
+    VeilSolver solver;
+    solver.solve(clear, test::veiled(clear, veil, light), ones(), light);
+    const cv::Rect rim(test::width / 3 + 2, 30, 12, test::height - 60), dark(test::width / 3 - 14, 30, 12, rim.height);
+    EXPECT_NEAR(cv::mean(solver.veil()(rim))[0], 0.1, 0.01);
+    EXPECT_NEAR(cv::mean(solver.veil()(dark))[0], 0.3, 0.01);
+    EXPECT_LT(mean_error(solver.veil(), veil), 0.01);
+}
+
 TEST(Veil, WhereNothingCountsComesFromAround) {
     const cv::Mat clear = test::tissue(), veil(test::height, test::width, CV_32F, cv::Scalar(0.4)),
                   light = test::light_of({});
