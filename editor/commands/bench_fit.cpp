@@ -6,9 +6,10 @@
 // the shipped preset gastric_banding with tools that begin at other times: one with another organ, camera and light,
 // and the hidden one itself under another light. First the proposal is made (match/fit/proposal.h), then the fit, with
 // colours and exposure. Curves: true amounts (Preview::layers) of the fitted scene beside those of the hidden one, once
-// a second, root mean square; and again over those times alone at which the reference is measurable. Parameters: those
-// of the scene itself; the smoke rate b is the optical depth that a second of burning adds to what the camera sees,
-// since presets show the same haze more or less densely. Intervals are those of the fit.
+// a second, root mean square; and again over those times alone at which the reference is measurable. How far the
+// measured reference itself is from its truth stands beside them. Parameters: those of the scene itself; the smoke rate
+// b is the optical depth that a second of burning adds to what the camera sees, since presets show the same haze more
+// or less densely. Intervals are those of the fit.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -140,6 +141,17 @@ std::vector<bool> told_at(const Filmed& reference, std::size_t times, match::Cur
     return told;
 }
 
+/// What was measured, at the times of truth_of(); 0 where no frame is.
+std::vector<ShownAmounts> measured_at(const Filmed& reference, std::size_t times) {
+    std::vector<ShownAmounts> measured(times);
+    for (const match::FrameAmounts& frame : reference.frames) {
+        const auto i = static_cast<std::size_t>(std::lround(frame.time / truth_step));
+        if (i < times && std::abs(frame.time - static_cast<double>(i) * truth_step) <= 0.5 / rate + 1e-9)
+            measured[i] = {.blood = frame.blood.value, .veil = frame.veil.value};
+    }
+    return measured;
+}
+
 /// Over the times that count; nothing where none does.
 std::optional<double> rms(const std::vector<ShownAmounts>& a, const std::vector<ShownAmounts>& b,
                           double ShownAmounts::*amount, const std::vector<bool>& counts) {
@@ -159,7 +171,8 @@ struct Outcome {
     std::string hidden, fitted;  ///< organs
     double blood_rms = 0.0, veil_rms = 0.0, blood_before = 0.0, veil_before = 0.0;
     std::optional<double> blood_rms_told = {}, veil_rms_told = {};  ///< at times at which the reference is measurable
-    ShownPeaks peaks;                                               ///< of the hidden scene
+    std::optional<double> blood_off = {}, veil_off = {};  ///< of the measured reference itself, at those times
+    ShownPeaks peaks;                                     ///< of the hidden scene
     SeenTruth truth, found;
     bool b_is_alike = false;  ///< smoke rates are as the camera sees them; else the haze never stands alone
     match::FitResult result;
@@ -215,10 +228,13 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& referenc
     const std::vector<ShownAmounts> after = truth_of(scene, drawing);
     outcome.blood_rms = rms(after, hidden_truth, &ShownAmounts::blood);
     outcome.veil_rms = rms(after, hidden_truth, &ShownAmounts::veil);
-    outcome.blood_rms_told =
-        rms(after, hidden_truth, &ShownAmounts::blood, told_at(reference, hidden_truth.size(), match::Curve::blood));
-    outcome.veil_rms_told =
-        rms(after, hidden_truth, &ShownAmounts::veil, told_at(reference, hidden_truth.size(), match::Curve::veil));
+    const std::vector<ShownAmounts> measured = measured_at(reference, hidden_truth.size());
+    const std::vector<bool> blood_told = told_at(reference, hidden_truth.size(), match::Curve::blood),
+                            veil_told = told_at(reference, hidden_truth.size(), match::Curve::veil);
+    outcome.blood_rms_told = rms(after, hidden_truth, &ShownAmounts::blood, blood_told);
+    outcome.veil_rms_told = rms(after, hidden_truth, &ShownAmounts::veil, veil_told);
+    outcome.blood_off = rms(measured, hidden_truth, &ShownAmounts::blood, blood_told);
+    outcome.veil_off = rms(measured, hidden_truth, &ShownAmounts::veil, veil_told);
     outcome.found = seen_truth(scene.tuned, scene.organ);
     const std::optional<double> true_factor = haze_factor(hidden, hidden_truth), factor = haze_factor(scene, after);
     outcome.b_is_alike = true_factor && factor;
@@ -234,16 +250,18 @@ double ratio(double found, double truth) {
 }
 
 std::string line_of(const Outcome& o) {
-    char text[440];
+    char text[480];
     std::snprintf(text, sizeof text,
-                  "%-17s %-17s %s blood %.4f (%.4f) veil %.4f (%.4f) burn %+.2f s cut %+.2f s b x%.2f w x%.2f pace "
+                  "%-17s %-17s %s blood %.4f (%.4f, measured %.4f) veil %.4f (%.4f, measured %.4f) burn %+.2f s cut "
+                  "%+.2f s b x%.2f w x%.2f pace "
                   "x%.2f extent x%.2f%s; clears %.1f s, peaks: depth %.2f, blood %.3f; %d curves %.0f s\n",
                   o.hidden.c_str(), o.fitted.c_str(), o.same_view ? "same " : "other", o.blood_rms, o.blood_before,
-                  o.veil_rms, o.veil_before, o.found.burn_start - o.truth.burn_start,
-                  o.found.cut_start - o.truth.cut_start, ratio(o.found.smoke_rate, o.truth.smoke_rate),
-                  ratio(o.found.ventilation, o.truth.ventilation), ratio(o.found.blood_pace, o.truth.blood_pace),
-                  ratio(o.found.blood_extent, o.truth.blood_extent), o.truth.blood_stops ? "" : " (grows on)",
-                  o.truth.clears_for, o.peaks.depth, o.peaks.blood, o.result.curves, o.seconds);
+                  o.blood_off.value_or(-1.0), o.veil_rms, o.veil_before, o.veil_off.value_or(-1.0),
+                  o.found.burn_start - o.truth.burn_start, o.found.cut_start - o.truth.cut_start,
+                  ratio(o.found.smoke_rate, o.truth.smoke_rate), ratio(o.found.ventilation, o.truth.ventilation),
+                  ratio(o.found.blood_pace, o.truth.blood_pace), ratio(o.found.blood_extent, o.truth.blood_extent),
+                  o.truth.blood_stops ? "" : " (grows on)", o.truth.clears_for, o.peaks.depth, o.peaks.blood,
+                  o.result.curves, o.seconds);
     return text;
 }
 
@@ -309,6 +327,8 @@ BenchRow figures_of(const Outcome& o) {
                               {"fit_s", o.seconds}}};
     if (o.blood_rms_told) row.measured["blood_rms_told"] = *o.blood_rms_told;
     if (o.veil_rms_told) row.measured["veil_rms_told"] = *o.veil_rms_told;
+    if (o.blood_off) row.measured["blood_rms_of_measured"] = *o.blood_off;
+    if (o.veil_off) row.measured["veil_rms_of_measured"] = *o.veil_off;
     for (const Recovery& r : recoveries) {
         const Found found = found_of(o, r);
         const std::string name = r.figure;

@@ -1,10 +1,10 @@
 // lapfx bench measure --learn FILE: learns the model of the mean veil (match/veil_model.h).
 //
-// Method: renders of ours with smoke of the core (stills and clips, as the bench measures them), and known veils laid
-// over clear renders of ours whose camera and instrument move (bench_measure_over.cpp), which have light and shape of
-// the smoke that our presets do not have. Each is measured as the bench does, and the figures of the estimator are the
-// inputs. With --over the veils are laid over those files in place of our renders, to compare: such a model is not
-// shipped, since nothing of other people's frames is to be in it.
+// Method: renders of ours with smoke of the core (stills and clips, as the bench measures them, and courses: many
+// moments under a still camera), and known veils laid over clear renders of ours whose camera and instrument move
+// (bench_measure_over.cpp), which have light and shape of the smoke that our presets do not have. Each is measured as
+// the bench does, and the figures of the estimator are the inputs. With --over the veils are laid over those files in
+// place of our renders, to compare: such a model is not shipped, since nothing of other people's frames is to be in it.
 #include <cstdio>
 #include <map>
 
@@ -24,11 +24,11 @@ namespace lapfx::commands {
 namespace {
 
 struct Extent {
-    int stills, clips, pictures_of_clip, clear_clips, composites;
+    int stills, clips, pictures_of_clip, courses, pictures_of_course, clear_clips, composites;
 };
 /// Of the random numbers: no picture that the bench measures is learned from, whatever the seeds.
 constexpr std::uint32_t learned_part = 100;
-constexpr Extent whole{100, 20, 30, 50, 8}, least{2, 1, 12, 6, 10};
+constexpr Extent whole{100, 20, 30, 40, 10, 50, 8}, least{2, 1, 12, 1, 4, 6, 10};
 
 class Lessons {
   public:
@@ -66,7 +66,8 @@ BenchReport bench_measure_learn(const BenchOptions& options) {
     Lessons lessons;
     int subject = 0;
     if (options.over.empty()) {
-        Progress progress("rendering and measuring", extent.stills + extent.clips + extent.clear_clips);
+        Progress progress("rendering and measuring",
+                          extent.stills + extent.clips + extent.courses + extent.clear_clips);
         const ScratchFolder folder;
         for (int i = 0; i < extent.stills; ++i, progress.step()) {
             lessons.begin(subject++);
@@ -75,6 +76,10 @@ BenchReport bench_measure_learn(const BenchOptions& options) {
         for (int i = 0; i < extent.clips; ++i, progress.step()) {
             lessons.begin(subject++);
             lessons.add(renders.clip(i, extent.pictures_of_clip));
+        }
+        for (int i = 0; i < extent.courses; ++i, progress.step()) {
+            lessons.begin(subject++);
+            lessons.add(renders.course(i, extent.pictures_of_course));
         }
         for (int i = 0; i < extent.clear_clips; ++i, progress.step()) {
             const std::filesystem::path file = folder.path() / "clear.mp4";

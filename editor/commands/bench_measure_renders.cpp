@@ -243,6 +243,31 @@ KnownView KnownRenders::clip(int number, int count) {
     return view;
 }
 
+KnownView KnownRenders::course(int number, int count) {
+    State& s = *state_;
+    Random random(s.seed, s.first + 5, static_cast<std::uint32_t>(number));
+    s.begin(random, true);
+    const double noise = draw_noise(random);
+    const cv::Scalar gains = draw_gains(random);  // they drift to these
+    KnownView view{
+        .baseline = filmed(random, s.framed(s.baseline(0.0, s.camera), {}).code, cv::Scalar::all(1.0), noise),
+        .pictures = {},
+        .labels = s.drawn.labels,
+        .round_view = s.view(),
+        .in_order = true};
+    for (int i = 1; i <= count; ++i) {
+        const double share = static_cast<double>(i) / count;
+        const Shown shown = s.framed(s.shown(share * s.drawn.scene.duration, s.camera), {});
+        cv::Scalar now = cv::Scalar::all(1.0);
+        for (int k = 0; k < 3; ++k) now[k] = std::pow(gains[k], share);
+        KnownPicture picture = known(shown);
+        picture.picture = filmed(random, shown.code, now, noise);
+        view.pictures.push_back(std::move(picture));
+    }
+    s.through_encoder(view);
+    return view;
+}
+
 void KnownRenders::write_clear(int number, const std::filesystem::path& file) {
     State& s = *state_;
     Random random(s.seed, s.first + 4, static_cast<std::uint32_t>(number));

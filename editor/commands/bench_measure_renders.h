@@ -24,6 +24,9 @@ class KnownRenders {
     /// A view with `count` pictures up to 4 s after the baseline, whose camera wanders and whose instrument moves; they
     /// went through a video encoder. Each third is counted, after the first second.
     KnownView clip(int number, int count);
+    /// A view with `count` pictures from the scene's begin to its end, whose camera stands still; they went through a
+    /// video encoder.
+    KnownView course(int number, int count);
 
     /// Writes a video of a view in which nothing happens but that camera and instrument move; 5 s.
     void write_clear(int number, const std::filesystem::path& file);

@@ -1,7 +1,9 @@
-// The mean veil of a frame from its statistics (veil_statistics.h) and the mean of its map (veil.h): a ridge regression
-// with squares and products (Hoerl and Kennard 1970). It was learned from renders of ours, whose veil is known exactly,
-// by `lapfx bench measure --learn`; the file that it wrote, veil_model.json, is part of the library and says from how
-// many renders of which seed, and how far it was off on those that were left out.
+// The mean veil of a frame from its statistics (veil_statistics.h) and the mean of its map (veil.h): what is to be
+// added to the map's, by a ridge regression with squares and products (Hoerl and Kennard 1970). Where the baseline lies
+// over the frame and the light of smoke is known the map is nearly exact; the ridge draws to it. It was learned from
+// renders of ours, whose veil is known exactly, by `lapfx bench measure --learn`; the file that it wrote,
+// veil_model.json, is part of the library and says from how many renders of which seed, and how far it was off on those
+// that were left out.
 //
 // Any thread; no OpenGL.
 #pragma once

@@ -16,9 +16,7 @@ constexpr double off_by_model = 0.06;
 /// Tells the mean of the map.
 std::shared_ptr<const VeilModel> map_alone() {
     nlohmann::json model = nlohmann::json::parse(VeilModel::shipped().json());
-    for (auto& size : model["size"]) size = 1.0;
-    for (auto& weight : model["weights"]) weight = 0.0;
-    model["weights"][veil_statistics] = 1.0;
+    for (auto& weight : model["weights"]) weight = 0.0;  // nothing is added to the map
     return std::make_shared<const VeilModel>(VeilModel::read(model.dump(), "map alone"));
 }
 
