@@ -17,6 +17,7 @@
 #include <iostream>
 #include <opencv2/imgproc.hpp>
 #include <optional>
+#include <span>
 
 #include "commands/bench.h"
 #include "commands/bench_fit_cases.h"
@@ -129,26 +130,30 @@ std::optional<double> haze_factor(const CaseScene& scene, const std::vector<Show
     return haze2 > 0.0 ? std::optional(both / haze2) : std::nullopt;
 }
 
-/// Of the times of truth_of(), those at which a frame of the reference tells the amount.
-std::vector<bool> told_at(const Filmed& reference, std::size_t times, match::Curve curve) {
-    std::vector<bool> told;
-    for (std::size_t i = 0; i < times; ++i) {
-        const double time = static_cast<double>(i) * truth_step;
-        told.push_back(std::ranges::any_of(reference.frames, [&](const match::FrameAmounts& frame) {
-            return std::abs(frame.time - time) <= 0.5 / rate + 1e-9 && measurable(frame, curve);
-        }));
-    }
-    return told;
-}
-
-/// What was measured, at the times of truth_of(); 0 where no frame is.
-std::vector<ShownAmounts> measured_at(const Filmed& reference, std::size_t times) {
-    std::vector<ShownAmounts> measured(times);
+/// The frames of the reference at the times of truth_of(); null where there is none.
+std::vector<const match::FrameAmounts*> frames_at(const Filmed& reference, std::size_t times) {
+    std::vector<const match::FrameAmounts*> frames(times, nullptr);
     for (const match::FrameAmounts& frame : reference.frames) {
         const auto i = static_cast<std::size_t>(std::lround(frame.time / truth_step));
         if (i < times && std::abs(frame.time - static_cast<double>(i) * truth_step) <= 0.5 / rate + 1e-9)
-            measured[i] = {.blood = frame.blood.value, .veil = frame.veil.value};
+            frames[i] = &frame;
     }
+    return frames;
+}
+
+/// At which of them the amount can be told.
+std::vector<bool> told_at(std::span<const match::FrameAmounts* const> frames, match::Curve curve) {
+    std::vector<bool> told;
+    for (const match::FrameAmounts* frame : frames) told.push_back(frame != nullptr && measurable(*frame, curve));
+    return told;
+}
+
+/// What was measured; 0 where there is no frame.
+std::vector<ShownAmounts> measured_at(std::span<const match::FrameAmounts* const> frames) {
+    std::vector<ShownAmounts> measured;
+    for (const match::FrameAmounts* frame : frames)
+        measured.push_back(frame == nullptr ? ShownAmounts{}
+                                            : ShownAmounts{.blood = frame->blood.value, .veil = frame->veil.value});
     return measured;
 }
 
@@ -228,9 +233,10 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& referenc
     const std::vector<ShownAmounts> after = truth_of(scene, drawing);
     outcome.blood_rms = rms(after, hidden_truth, &ShownAmounts::blood);
     outcome.veil_rms = rms(after, hidden_truth, &ShownAmounts::veil);
-    const std::vector<ShownAmounts> measured = measured_at(reference, hidden_truth.size());
-    const std::vector<bool> blood_told = told_at(reference, hidden_truth.size(), match::Curve::blood),
-                            veil_told = told_at(reference, hidden_truth.size(), match::Curve::veil);
+    const std::vector<const match::FrameAmounts*> frames = frames_at(reference, hidden_truth.size());
+    const std::vector<ShownAmounts> measured = measured_at(frames);
+    const std::vector<bool> blood_told = told_at(frames, match::Curve::blood),
+                            veil_told = told_at(frames, match::Curve::veil);
     outcome.blood_rms_told = rms(after, hidden_truth, &ShownAmounts::blood, blood_told);
     outcome.veil_rms_told = rms(after, hidden_truth, &ShownAmounts::veil, veil_told);
     outcome.blood_off = rms(measured, hidden_truth, &ShownAmounts::blood, blood_told);

@@ -1,6 +1,7 @@
 #include "commands/bench_measure_camera.h"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -58,6 +59,12 @@ cv::Scalar draw_gains(Random& random) {
     if (random.chance(balance_share))
         for (int k = 0; k < 3; ++k) gains[k] *= 1.0 + balance_deviation * random.normal();
     return gains;
+}
+
+cv::Scalar drifted(const cv::Scalar& gains, double share) {
+    cv::Scalar now = cv::Scalar::all(1.0);
+    for (int k = 0; k < 3; ++k) now[k] = std::pow(gains[k], share);
+    return now;
 }
 
 double draw_noise(Random& random) {

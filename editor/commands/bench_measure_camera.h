@@ -59,6 +59,8 @@ Shown moved(const Shown& shown, const Move& move, cv::Size size);
 /// Factors on the code values of blue, green and red: gain in 70 % of the cases (standard deviation 5 %), white balance
 /// in 60 % (3 % a channel).
 cv::Scalar draw_gains(Random& random);
+/// Those of a camera that drifts from none to `gains`, at a share of the way.
+cv::Scalar drifted(const cv::Scalar& gains, double share);
 
 /// Code values of noise, standard deviation.
 double draw_noise(Random& random);

@@ -223,8 +223,6 @@ KnownView KnownRenders::clip(int number, int count) {
     for (int i = 0; i < count; ++i) {
         const double later = latest * i / count;
         const SceneCamera seen = wander.at(s.camera, later);
-        cv::Scalar now = cv::Scalar::all(1.0);
-        for (int k = 0; k < 3; ++k) now[k] = std::pow(gains[k], later / latest);
         const bool counted = later >= counted_from && i % counted_each == 0;
         Shown shown{.code = {}, .view = {}, .blood = {}, .veil = {}};
         if (counted)
@@ -236,7 +234,7 @@ KnownView KnownRenders::clip(int number, int count) {
         }
         KnownPicture picture = counted ? known(shown) : KnownPicture{};
         picture.counted = counted;
-        picture.picture = filmed(random, shown.code, now, noise);
+        picture.picture = filmed(random, shown.code, drifted(gains, later / latest), noise);
         view.pictures.push_back(std::move(picture));
     }
     s.through_encoder(view);
@@ -258,10 +256,8 @@ KnownView KnownRenders::course(int number, int count) {
     for (int i = 1; i <= count; ++i) {
         const double share = static_cast<double>(i) / count;
         const Shown shown = s.framed(s.shown(share * s.drawn.scene.duration, s.camera), {});
-        cv::Scalar now = cv::Scalar::all(1.0);
-        for (int k = 0; k < 3; ++k) now[k] = std::pow(gains[k], share);
         KnownPicture picture = known(shown);
-        picture.picture = filmed(random, shown.code, now, noise);
+        picture.picture = filmed(random, shown.code, drifted(gains, share), noise);
         view.pictures.push_back(std::move(picture));
     }
     s.through_encoder(view);
