@@ -14,7 +14,8 @@ constexpr double low_share = 0.05, high_share = 0.95;
 constexpr double deviates = 1.645;                        // half a 90 % interval, in standard errors
 constexpr double determined_below = 0.4;                  // coordinates: a standard error of 40 %
 constexpr double least_factor = 0.35, most_factor = 2.0;  // of the stated errors
-constexpr double alike_above = 0.95;                      // correlation
+constexpr double least_of_all = 0.9;  // what smoke hides is smooth, and fitted along: little that is left says little
+constexpr double alike_above = 0.95;  // correlation
 
 /// Rows [first, last) of the blocks' times, for blood and veil alike.
 struct Block {
@@ -41,9 +42,9 @@ struct Normal {
     explicit Normal(std::size_t columns)
         : matrix(cv::Mat::zeros(static_cast<int>(columns), static_cast<int>(columns), CV_64F)),
           side(cv::Mat::zeros(static_cast<int>(columns), 1, CV_64F)) {}
-    void add_row(const Linearised& at, std::size_t row, double weight = 1.0) {
+    void add_row(const Linearised& at, std::size_t row) {
         for (std::size_t a = 0; a < at.columns; ++a) {
-            const double slope = weight * at.slopes[row * at.columns + a];
+            const double slope = at.slopes[row * at.columns + a];
             side.at<double>(static_cast<int>(a)) += slope * at.residuals[row];
             for (std::size_t b = 0; b < at.columns; ++b)
                 matrix.at<double>(static_cast<int>(a), static_cast<int>(b)) += slope * at.slopes[row * at.columns + b];
@@ -51,15 +52,23 @@ struct Normal {
     }
 };
 
+/// With the rows of the amounts, the first, multiplied.
+Linearised weighted(Linearised at, std::span<const double> weights) {
+    for (std::size_t row = 0; row < weights.size(); ++row) {
+        at.residuals[row] *= weights[row];
+        for (std::size_t a = 0; a < at.columns; ++a) at.slopes[row * at.columns + a] *= weights[row];
+    }
+    return at;
+}
+
 /// The steps that correct the fit for each drawn reference: steps[parameter][reference].
-std::vector<std::vector<double>> corrections(const Objective& objective, const Linearised& at, double data_weight,
-                                             std::uint32_t seed) {
+std::vector<std::vector<double>> corrections(const Objective& objective, const Linearised& at, std::uint32_t seed) {
     const std::vector<Block> blocks = blocks_of(objective.target());
     std::vector<Normal> parts;
     for (const Block& block : blocks) {
         Normal& part = parts.emplace_back(at.columns);
         for (std::size_t i = block.first; i < block.last; ++i)
-            part.add_row(at, i, data_weight), part.add_row(at, objective.times() + i, data_weight);
+            part.add_row(at, i), part.add_row(at, objective.times() + i);
     }
     Normal known(at.columns);  // of the priors
     for (std::size_t row = 2 * objective.times(); row < objective.size(); ++row) known.add_row(at, row);
@@ -77,40 +86,49 @@ std::vector<std::vector<double>> corrections(const Objective& objective, const L
     return steps;
 }
 
-/// How large the errors of this video are beside the stated ones, as what the fit leaves tells it (reduced
-/// chi-squared).
-double error_factor(const Objective& objective, const Linearised& at) {
-    double sum = 0.0;
-    for (std::size_t row = 0; row < 2 * objective.times(); ++row) sum += at.residuals[row] * at.residuals[row];
-    const double freedom = objective.blocks() - static_cast<double>(at.fitted);
-    return std::clamp(std::sqrt(sum / std::max(freedom, 1.0)), least_factor, most_factor);
-}
-
 double quantile(std::vector<double>& values, double share) {
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), place, values.end());
     return *place;
 }
 
-/// `data_weight`: of the rows of the amounts. What is known beforehand has its own errors, whatever those of a video.
-cv::Mat covariance_of(const Objective& objective, const Linearised& at, double data_weight) {
+cv::Mat covariance_of(const Objective& objective, const Linearised& at) {
     Normal all(at.columns);
-    for (std::size_t row = 0; row < objective.size(); ++row)
-        all.add_row(at, row, row < 2 * objective.times() ? data_weight : 1.0);
+    for (std::size_t row = 0; row < objective.size(); ++row) all.add_row(at, row);
     cv::Mat covariance;
     cv::invert(all.matrix, covariance, cv::DECOMP_SVD);
     return covariance;
 }
 
+/// How large the errors of this video are beside the stated ones, as what the fit leaves tells it (reduced
+/// chi-squared).
+double error_factor(const Objective& objective, const Linearised& at, double least) {
+    double sum = 0.0;
+    for (std::size_t row = 0; row < 2 * objective.times(); ++row) sum += at.residuals[row] * at.residuals[row];
+    const double freedom = objective.blocks() - static_cast<double>(at.fitted);
+    return std::clamp(std::sqrt(sum / std::max(freedom, 1.0)), least, most_factor);
+}
+
+/// What each row of the amounts is multiplied by, so that it is in standard errors of this video. What is known
+/// beforehand has its own errors, whatever those of a video.
+std::vector<double> row_weights(const Objective& objective, const Linearised& at, Errors errors) {
+    std::vector<double> weights(2 * objective.times(), 1.0);
+    const bool all = errors == Errors::all;
+    if (all) weights = objective.parts_of_error();
+    const double factor = error_factor(objective, weighted(at, weights), all ? least_of_all : least_factor);
+    for (double& weight : weights) weight /= factor;
+    return weights;
+}
+
 /// Standard errors of the parameters that come from those of the two scales, which the curves do not show.
-std::vector<double> scale_errors(const Objective& objective, const Linearised& at, const cv::Mat& covariance,
-                                 double data_weight) {
+std::vector<double> scale_errors(const Objective& objective, const Linearised& at, std::span<const double> weights,
+                                 const cv::Mat& covariance) {
     std::vector<double> errors(at.columns - 1, 0.0);
     for (const std::vector<double>& changes : {objective.blood_scaled(), objective.veil_scaled()}) {
         cv::Mat side = cv::Mat::zeros(static_cast<int>(at.columns), 1, CV_64F);
-        for (std::size_t row = 0; row < changes.size(); ++row)
+        for (std::size_t row = 0; row < weights.size(); ++row)
             for (std::size_t a = 0; a < at.columns; ++a)
-                side.at<double>(static_cast<int>(a)) += data_weight * at.slopes[row * at.columns + a] * changes[row];
+                side.at<double>(static_cast<int>(a)) += weights[row] * at.slopes[row * at.columns + a] * changes[row];
         const cv::Mat step = covariance * side;
         for (std::size_t k = 0; k < errors.size(); ++k)
             errors[k] = std::hypot(errors[k], step.at<double>(static_cast<int>(k) + 1));
@@ -120,12 +138,13 @@ std::vector<double> scale_errors(const Objective& objective, const Linearised& a
 
 }  // namespace
 
-std::vector<Certainty> certainty_of(const Objective& objective, const Linearised& at,
-                                    std::span<const double> coordinates, std::uint32_t seed) {
-    const double factor = error_factor(objective, at), data_weight = 1.0 / (factor * factor);
-    const cv::Mat covariance = covariance_of(objective, at, data_weight);
-    std::vector<std::vector<double>> steps = corrections(objective, at, data_weight, seed);
-    const std::vector<double> of_scales = scale_errors(objective, at, covariance, data_weight);
+std::vector<Certainty> certainty_of(const Objective& objective, const Linearised& linear,
+                                    std::span<const double> coordinates, Errors errors, std::uint32_t seed) {
+    const std::vector<double> weights = row_weights(objective, linear, errors);
+    const Linearised at = weighted(linear, weights);
+    const cv::Mat covariance = covariance_of(objective, at);
+    std::vector<std::vector<double>> steps = corrections(objective, at, seed);
+    const std::vector<double> of_scales = scale_errors(objective, at, weights, covariance);
     std::vector<Certainty> all(coordinates.size());
     const auto error = [&](std::size_t k) {
         const int i = static_cast<int>(k) + 1;  // after the offset
@@ -138,6 +157,7 @@ std::vector<Certainty> certainty_of(const Objective& objective, const Linearised
                      above = std::max(quantile(steps[k], high_share), deviates * c.error);
         c.low = coordinates[k] - std::hypot(below, deviates * of_scales[k]);
         c.high = coordinates[k] + std::hypot(above, deviates * of_scales[k]);
+        if (errors == Errors::all) c.error = std::hypot(c.error, of_scales[k]);
         c.determined = c.error < determined_below;
         for (std::size_t other = 0; other < all.size(); ++other) {
             if (other == k) continue;

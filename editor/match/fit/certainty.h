@@ -17,13 +17,19 @@ namespace lapfx::match {
 
 struct Certainty {
     double low = 0.0, high = 0.0;  ///< coordinates: 5 % and 95 %
-    double error = 0.0;            ///< standard error, coordinates, as the measuring's own errors say
+    double error = 0.0;            ///< standard error, coordinates; of Errors::all with that of the scales
     bool determined = false;       ///< it is known to within a factor of about two
     int alike = -1;                ///< another parameter that does the same to the curves; -1: none
 };
 
+/// By which errors of the amounts.
+enum class Errors {
+    of_course,  ///< those a search goes by
+    all         ///< with what smoke may hide for seconds (CourseError::hidden)
+};
+
 /// Of each parameter at `coordinates`, where the fit ended. `seed`: of the chance.
-std::vector<Certainty> certainty_of(const Objective& objective, const Linearised& at,
-                                    std::span<const double> coordinates, std::uint32_t seed);
+std::vector<Certainty> certainty_of(const Objective& objective, const Linearised& linear,
+                                    std::span<const double> coordinates, Errors errors, std::uint32_t seed);
 
 }  // namespace lapfx::match

@@ -270,7 +270,8 @@ class Fit {
         return true;
     }
     /// `error_of_held`: coordinates, of those that are held; 0: they are as they are.
-    std::vector<Certainty> certainties(const std::vector<double>& coordinates, double error_of_held = 0.0) {
+    std::vector<Certainty> certainties(const std::vector<double>& coordinates, Errors errors,
+                                       double error_of_held = 0.0) {
         Linearised linear = linearised(space(), coordinates);
         linear.fitted = 1 + static_cast<std::size_t>(std::count(held_.begin(), held_.end(), false));
         for (std::size_t k = 0; k < held_.size(); ++k) {
@@ -282,7 +283,7 @@ class Fit {
             else
                 for (std::size_t row = 0; row < prior - k; ++row) linear.slopes[row * linear.columns + column] = 0.0;
         }
-        std::vector<Certainty> all = certainty_of(objective_, linear, coordinates, input_.seed);
+        std::vector<Certainty> all = certainty_of(objective_, linear, coordinates, errors, input_.seed);
         for (std::size_t k = 0; k < all.size(); ++k) all[k].determined = all[k].determined && shown_[k];
         look_farther(coordinates, all);
         return all;
@@ -329,13 +330,17 @@ class Fit {
         }
         return std::sqrt(sum);
     }
-    /// Once it is known what is held: that it is as it was is not certain, which makes the others less certain.
+    /// Once it is known what is held: that it is as it was is not certain, which makes the others less certain. Where
+    /// smoke may have hidden blood, what the curves tell is found all the same, but it is not known.
     void tell_certainties() {
-        const std::vector<Certainty> beside_held = certainties_;
-        certainties_ = certainties(best_.coordinates, held_error);
+        const std::vector<Certainty> told = std::exchange(certainties_,
+                                                          certainties(best_.coordinates, Errors::all, held_error)),
+                                     known = certainties(best_.coordinates, Errors::all);
+        hidden_.resize(held_.size());
         for (std::size_t k = 0; k < held_.size(); ++k) {
             if (held_[k]) certainties_[k] = when_held_[k];
-            certainties_[k].determined = !held_[k] && beside_held[k].determined;
+            certainties_[k].determined = !held_[k] && told[k].determined && known[k].determined;
+            hidden_[k] = !held_[k] && told[k].determined && !known[k].determined;
         }
     }
     double kept_coordinate(std::size_t k) const { return input_.parameters[k].coordinate(kept(input_.parameters[k])); }
@@ -359,7 +364,7 @@ class Fit {
     bool hold_undetermined() {
         first_place_.reset();  // was found with nothing held
         std::vector<double> next = best_.coordinates;
-        certainties_ = certainties(next);
+        certainties_ = certainties(next, Errors::of_course);
         when_held_.resize(next.size());
         ruled_out_.assign(next.size(), false);
         while (const std::optional<std::size_t> k = early_ ? std::nullopt : least_told(next)) {
@@ -369,7 +374,7 @@ class Fit {
             if (beside != next && shown_[*k]) beside = search(space(), beside, options_with(held_));
             ruled_out_[*k] = shown_[*k] && space().cost_at(beside) > space().cost_at(next) + denial;
             held_[*k] = !ruled_out_[*k];
-            if (held_[*k]) next = beside, certainties_ = certainties(next);
+            if (held_[*k]) next = beside, certainties_ = certainties(next, Errors::of_course);
         }
         if (early_ || next == best_.coordinates) return false;
         Drawn before = std::exchange(best_, {});
@@ -418,6 +423,10 @@ class Fit {
         if (early_) {
             fitted.determined = false;
             fitted.why = "the fit ended before that was known";
+        } else if (hidden_[k]) {
+            fitted.why =
+                "smoke may hide blood while it spreads, and a video with less smoke before it would tell it; it is "
+                "where the curves are nearest";
         } else if (!c.determined) {
             fitted.why = why_undetermined(k, input_.parameters, certainties_, objective_.target(), input_.weights);
             if (held_[k])
@@ -442,6 +451,7 @@ class Fit {
     std::vector<Certainty> certainties_;
     std::vector<bool> known_;           ///< of each parameter: to the core
     std::vector<bool> held_, shown_;    ///< of each parameter: it keeps its value; the reference shows anything of it
+    std::vector<bool> hidden_;          ///< of each parameter: the curves tell it, but what smoke may hide does not
     std::vector<bool> ruled_out_;       ///< of each parameter: the curves are much farther with its value before
     std::vector<Certainty> when_held_;  ///< of each parameter that is held
     double last_cost_ = 0.0;

@@ -6,8 +6,9 @@
 // It searches over curves that are told without drawing (carried.h), draws the scene where that ended, measures it as
 // the reference was measured, learns from the difference and searches again: a few drawn curves in all, of which the
 // nearest is the result. Parameters that the reference does not tell keep their value, and it is said why; but where
-// the curves rule that value out, it is where they are nearest. Where a proposal moved tools, the scene as it was is
-// searched, too, over told curves: the fit goes on with the nearer of the two.
+// the curves rule that value out, or tell another but for what smoke may hide, it is where they are nearest. Where a
+// proposal moved tools, the scene as it was is searched, too, over told curves: the fit goes on with the nearer of the
+// two.
 //
 // The thread of `draw`; the same input gives the same result, unless the budget ends it.
 #pragma once

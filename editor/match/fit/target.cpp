@@ -39,13 +39,15 @@ std::vector<TargetPoint> target_of(std::span<const FrameAmounts> reference, cons
         const auto first = std::lower_bound(reference.begin(), reference.end(), time + options.offset - around,
                                             [](const FrameAmounts& frame, double at) { return frame.time < at; });
         Mean blood, veil;
-        bool any = false;
+        double likeness = 0.0;
+        int frames = 0;
         for (auto frame = first; frame != reference.end() && frame->time <= time + options.offset + around; ++frame) {
-            any = true;
+            likeness += frame->likeness, ++frames;
             if (measurable(*frame, Curve::blood)) blood.add(frame->blood);
             if (measurable(*frame, Curve::veil)) veil.add(frame->veil);
         }
-        if (any) target.push_back({.time = time, .blood = blood.get(), .veil = veil.get()});
+        if (frames > 0)
+            target.push_back({.time = time, .blood = blood.get(), .veil = veil.get(), .likeness = likeness / frames});
     }
     if (target.size() < 2) target.clear();
     return target;
@@ -55,6 +57,12 @@ double course_error(const Amount& amount, const CourseError& course) {
     constexpr double deviates = 1.645;  // half a 90 % interval, in standard errors
     const double most = std::min(course.none + course.share * std::max(amount.value, 0.0), course.most);
     return std::clamp((amount.high - amount.low) / (2.0 * deviates), course.least, most);
+}
+
+double hidden_error(const Amount& amount, double likeness, const CourseError& course) {
+    const double half = std::max(amount.high - amount.value, amount.value - amount.low);  // one end may be cut off
+    const double unseen = std::max(1.0 - likeness, 0.0) / (1.0 - usual_likeness);
+    return course.hidden * unseen * std::max(half - course.clear, 0.0);
 }
 
 std::optional<double> misfit(std::span<const TargetPoint> target, std::span<const FrameAmounts> shown,

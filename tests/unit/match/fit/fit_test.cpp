@@ -128,6 +128,21 @@ TEST(Fit, FindsAHiddenPreset) {
     }
 }
 
+TEST(Fit, SpeedOfBloodBehindSmokeIsFoundButNotKnown) {
+    const double truth = 7.0;
+    Camera camera;
+    FitInput input = input_of({.hidden = hidden(truth, 8.0, 0.12, 0.05)}, camera);
+    const FittedParameter clear = of(fit(input), "bleeding.speed");
+    EXPECT_TRUE(clear.determined) << clear.why;
+    for (TargetPoint& aim : input.target) aim.blood->low -= 0.2, aim.blood->high += 0.2, aim.likeness = 0.6;
+    const FittedParameter behind_smoke = of(fit(input), "bleeding.speed");
+    EXPECT_NEAR(behind_smoke.after, truth, 0.03 * truth) << "not that of the preset before, 4";
+    EXPECT_FALSE(behind_smoke.determined);
+    EXPECT_TRUE(behind_smoke.why.starts_with("smoke may hide blood")) << behind_smoke.why;
+    EXPECT_LT(behind_smoke.low, 0.5 * clear.low);
+    EXPECT_GT(behind_smoke.high, 2.0 * clear.high);
+}
+
 /// How fast it clears and how dense the plume is does to a few seconds of veil what the haze itself does: unknown, and
 /// held, they leave the haze to be known.
 TEST(Fit, HoldsOneAfterTheOther) {

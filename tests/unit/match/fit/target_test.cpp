@@ -77,6 +77,25 @@ TEST(Target, ErrorsWithinAVideoAreThoseOfTheIntervalWithinBounds) {
     EXPECT_DOUBLE_EQ(error(0.3, 0.001, blood_course), 0.002);
 }
 
+TEST(Target, BloodBehindSmokeMayBeMissed) {
+    const Amount behind_smoke{0.2, 0.088, 0.312};
+    EXPECT_EQ(hidden_error({0.02, 0.008, 0.032}, 0.75, blood_course), 0.0) << "as wide as of a clear view";
+    EXPECT_NEAR(hidden_error(behind_smoke, 0.75, blood_course), 0.3 * 0.1, 1e-12);
+    EXPECT_NEAR(hidden_error({0.0, 0.0, 0.112}, 0.75, blood_course), 0.3 * 0.1, 1e-12) << "there is none below 0";
+    EXPECT_NEAR(hidden_error(behind_smoke, 0.5, blood_course), 0.3 * 0.2, 1e-12) << "twice as much is unseen";
+    EXPECT_EQ(hidden_error(behind_smoke, 1.0, blood_course), 0.0);
+    EXPECT_EQ(hidden_error({0.3, 0.0, 0.9}, 0.5, veil_course), 0.0);
+}
+
+TEST(Target, LikenessIsTheMean) {
+    auto frames = rising(4.0);
+    for (FrameAmounts& frame : frames) frame.likeness = frame.time < 2.0 ? 0.9 : 0.6;
+    const auto target = target_of(frames, {.from = 0.5, .to = 3.5, .step = 1.0});
+    ASSERT_EQ(target.size(), 4U);
+    EXPECT_NEAR(target.front().likeness, 0.9, 1e-12);
+    EXPECT_NEAR(target.back().likeness, 0.6, 1e-12);
+}
+
 TEST(Target, MisfitIsTheRootMeanSquare) {
     const auto target = target_of(rising(10.0), {.from = 0.0, .to = 4.0, .step = 1.0});
     std::vector<FrameAmounts> shown(target.size());
