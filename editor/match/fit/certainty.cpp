@@ -14,8 +14,7 @@ constexpr double low_share = 0.05, high_share = 0.95;
 constexpr double deviates = 1.645;                        // half a 90 % interval, in standard errors
 constexpr double determined_below = 0.4;                  // coordinates: a standard error of 40 %
 constexpr double least_factor = 0.35, most_factor = 2.0;  // of the stated errors
-constexpr double least_of_all = 0.9;  // what smoke hides is smooth, and fitted along: little that is left says little
-constexpr double alike_above = 0.95;  // correlation
+constexpr double alike_above = 0.95;                      // correlation
 
 /// Rows [first, last) of the blocks' times, for blood and veil alike.
 struct Block {
@@ -102,20 +101,19 @@ cv::Mat covariance_of(const Objective& objective, const Linearised& at) {
 
 /// How large the errors of this video are beside the stated ones, as what the fit leaves tells it (reduced
 /// chi-squared).
-double error_factor(const Objective& objective, const Linearised& at, double least) {
+double error_factor(const Objective& objective, const Linearised& at) {
     double sum = 0.0;
     for (std::size_t row = 0; row < 2 * objective.times(); ++row) sum += at.residuals[row] * at.residuals[row];
     const double freedom = objective.blocks() - static_cast<double>(at.fitted);
-    return std::clamp(std::sqrt(sum / std::max(freedom, 1.0)), least, most_factor);
+    return std::clamp(std::sqrt(sum / std::max(freedom, 1.0)), least_factor, most_factor);
 }
 
 /// What each row of the amounts is multiplied by, so that it is in standard errors of this video. What is known
 /// beforehand has its own errors, whatever those of a video.
 std::vector<double> row_weights(const Objective& objective, const Linearised& at, Errors errors) {
     std::vector<double> weights(2 * objective.times(), 1.0);
-    const bool all = errors == Errors::all;
-    if (all) weights = objective.parts_of_error();
-    const double factor = error_factor(objective, weighted(at, weights), all ? least_of_all : least_factor);
+    if (errors == Errors::with_hidden) weights = objective.parts_of_error();
+    const double factor = error_factor(objective, at);
     for (double& weight : weights) weight /= factor;
     return weights;
 }
@@ -157,7 +155,7 @@ std::vector<Certainty> certainty_of(const Objective& objective, const Linearised
                      above = std::max(quantile(steps[k], high_share), deviates * c.error);
         c.low = coordinates[k] - std::hypot(below, deviates * of_scales[k]);
         c.high = coordinates[k] + std::hypot(above, deviates * of_scales[k]);
-        if (errors == Errors::all) c.error = std::hypot(c.error, of_scales[k]);
+        if (errors != Errors::of_course) c.error = std::hypot(c.error, of_scales[k]);
         c.determined = c.error < determined_below;
         for (std::size_t other = 0; other < all.size(); ++other) {
             if (other == k) continue;

@@ -17,15 +17,16 @@ namespace lapfx::match {
 
 struct Certainty {
     double low = 0.0, high = 0.0;  ///< coordinates: 5 % and 95 %
-    double error = 0.0;            ///< standard error, coordinates; of Errors::all with that of the scales
+    double error = 0.0;            ///< standard error, coordinates; but with Errors::of_course with that of the scales
     bool determined = false;       ///< it is known to within a factor of about two
     int alike = -1;                ///< another parameter that does the same to the curves; -1: none
 };
 
-/// By which errors of the amounts.
+/// Which errors of the amounts count; each with those before it.
 enum class Errors {
-    of_course,  ///< those a search goes by
-    all         ///< with what smoke may hide for seconds (CourseError::hidden)
+    of_course,  ///< those a search goes by; that of the scales counts in the interval alone
+    with_scales,
+    with_hidden  ///< with the blood that smoke may hide (TargetPoint::hidden_blood)
 };
 
 /// Of each parameter at `coordinates`, where the fit ended. `seed`: of the chance.

@@ -333,14 +333,15 @@ class Fit {
     /// Once it is known what is held: that it is as it was is not certain, which makes the others less certain. Where
     /// smoke may have hidden blood, what the curves tell is found all the same, but it is not known.
     void tell_certainties() {
-        const std::vector<Certainty> told = std::exchange(certainties_,
-                                                          certainties(best_.coordinates, Errors::all, held_error)),
-                                     known = certainties(best_.coordinates, Errors::all);
-        hidden_.resize(held_.size());
+        const std::vector<double>& at = best_.coordinates;
+        const std::vector<Certainty> seen = certainties(at, Errors::with_scales);
+        const std::vector<Certainty> known = certainties(at, Errors::with_hidden);
+        certainties_ = certainties(at, Errors::with_hidden, held_error);
+        behind_smoke_.resize(held_.size());
         for (std::size_t k = 0; k < held_.size(); ++k) {
             if (held_[k]) certainties_[k] = when_held_[k];
-            certainties_[k].determined = !held_[k] && told[k].determined && known[k].determined;
-            hidden_[k] = !held_[k] && told[k].determined && !known[k].determined;
+            certainties_[k].determined = !held_[k] && known[k].determined;
+            behind_smoke_[k] = !held_[k] && seen[k].determined && !known[k].determined;
         }
     }
     double kept_coordinate(std::size_t k) const { return input_.parameters[k].coordinate(kept(input_.parameters[k])); }
@@ -423,16 +424,16 @@ class Fit {
         if (early_) {
             fitted.determined = false;
             fitted.why = "the fit ended before that was known";
-        } else if (hidden_[k]) {
-            fitted.why =
-                "smoke may hide blood while it spreads, and a video with less smoke before it would tell it; it is "
-                "where the curves are nearest";
         } else if (!c.determined) {
-            fitted.why = why_undetermined(k, input_.parameters, certainties_, objective_.target(), input_.weights);
+            fitted.why = behind_smoke_[k] ? std::string(behind_smoke)
+                                          : why_undetermined(k, input_.parameters, certainties_, objective_.target(),
+                                                             input_.weights);
             if (held_[k])
                 fitted.after = kept(p);
-            else
+            else if (ruled_out_[k])
                 fitted.why += "; but the curves rule out the value before, so it is where they are nearest";
+            else
+                fitted.why += "; it is where the curves are nearest";
         } else {
             fitted.at_bound = at - p.coordinate(p.minimum) < bound_near || p.coordinate(p.maximum) - at < bound_near;
         }
@@ -451,7 +452,7 @@ class Fit {
     std::vector<Certainty> certainties_;
     std::vector<bool> known_;           ///< of each parameter: to the core
     std::vector<bool> held_, shown_;    ///< of each parameter: it keeps its value; the reference shows anything of it
-    std::vector<bool> hidden_;          ///< of each parameter: the curves tell it, but what smoke may hide does not
+    std::vector<bool> behind_smoke_;    ///< of each parameter: it would be known if smoke hid no blood
     std::vector<bool> ruled_out_;       ///< of each parameter: the curves are much farther with its value before
     std::vector<Certainty> when_held_;  ///< of each parameter that is held
     double last_cost_ = 0.0;

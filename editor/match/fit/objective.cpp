@@ -56,20 +56,12 @@ double Objective::blocks() const {
 }
 
 std::vector<double> Objective::parts_of_error() const {
-    std::vector<double> parts;
-    const auto add = [&](std::optional<Amount> TargetPoint::*amount, const CourseError& course) {
-        for (const TargetPoint& aim : target_) {
-            const std::optional<Amount>& at = aim.*amount;
-            if (!at) {
-                parts.push_back(1.0);
-                continue;
-            }
-            const double error = course_error(*at, course), hidden = hidden_error(*at, aim.likeness, course);
-            parts.push_back(error / std::hypot(error, std::sqrt(course.hidden_lasts / block) * hidden));
-        }
-    };
-    add(&TargetPoint::blood, blood_course);
-    add(&TargetPoint::veil, veil_course);
+    std::vector<double> parts(2 * times(), 1.0);
+    for (std::size_t i = 0; i < times(); ++i) {
+        if (!target_[i].blood) continue;
+        const double error = course_error(*target_[i].blood, blood_course);
+        parts[i] = error / std::hypot(error, std::sqrt(hidden_blood_lasts / block) * target_[i].hidden_blood);
+    }
     return parts;
 }
 

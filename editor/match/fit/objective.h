@@ -44,8 +44,8 @@ class Objective {
 
     /// How many blocks of time have an aim, of blood and of veil together: as many count as independent.
     double blocks() const;
-    /// Of each residual of an amount: the part of its standard error in all of it, with what smoke may hide
-    /// (CourseError::hidden). That is for how certain a result is; a search takes the residuals as they are.
+    /// Of each residual of an amount: the part of its standard error in all of it, with the blood that smoke may hide.
+    /// That is for how certain a result is; a search takes the residuals as they are, or it would lose what is there.
     std::vector<double> parts_of_error() const;
     /// How the residuals change where all aims are more by the standard error of their scale (CourseError).
     std::vector<double> blood_scaled() const;

@@ -10,6 +10,12 @@ namespace lapfx::match {
 namespace {
 
 constexpr double most_around = 0.25;  // s: the scene is drawn at one moment
+constexpr double hidden_by_veil = 0.1, usual_likeness = 0.75;
+
+double hidden_blood_of(const FrameAmounts& frame) {
+    const double unseen = std::max(1.0 - frame.likeness, 0.0) / (1.0 - usual_likeness);
+    return hidden_by_veil * unseen * std::max(frame.veil.value, 0.0);
+}
 
 struct Mean {
     Amount sum;
@@ -39,15 +45,15 @@ std::vector<TargetPoint> target_of(std::span<const FrameAmounts> reference, cons
         const auto first = std::lower_bound(reference.begin(), reference.end(), time + options.offset - around,
                                             [](const FrameAmounts& frame, double at) { return frame.time < at; });
         Mean blood, veil;
-        double likeness = 0.0;
+        double hidden = 0.0;
         int frames = 0;
         for (auto frame = first; frame != reference.end() && frame->time <= time + options.offset + around; ++frame) {
-            likeness += frame->likeness, ++frames;
+            hidden += hidden_blood_of(*frame), ++frames;
             if (measurable(*frame, Curve::blood)) blood.add(frame->blood);
             if (measurable(*frame, Curve::veil)) veil.add(frame->veil);
         }
         if (frames > 0)
-            target.push_back({.time = time, .blood = blood.get(), .veil = veil.get(), .likeness = likeness / frames});
+            target.push_back({.time = time, .blood = blood.get(), .veil = veil.get(), .hidden_blood = hidden / frames});
     }
     if (target.size() < 2) target.clear();
     return target;
@@ -57,12 +63,6 @@ double course_error(const Amount& amount, const CourseError& course) {
     constexpr double deviates = 1.645;  // half a 90 % interval, in standard errors
     const double most = std::min(course.none + course.share * std::max(amount.value, 0.0), course.most);
     return std::clamp((amount.high - amount.low) / (2.0 * deviates), course.least, most);
-}
-
-double hidden_error(const Amount& amount, double likeness, const CourseError& course) {
-    const double half = std::max(amount.high - amount.value, amount.value - amount.low);  // one end may be cut off
-    const double unseen = std::max(1.0 - likeness, 0.0) / (1.0 - usual_likeness);
-    return course.hidden * unseen * std::max(half - course.clear, 0.0);
 }
 
 std::optional<double> misfit(std::span<const TargetPoint> target, std::span<const FrameAmounts> shown,

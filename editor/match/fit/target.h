@@ -13,15 +13,18 @@
 
 namespace lapfx::match {
 
-/// Of the baseline's texture behind a veil.
-inline constexpr double usual_likeness = 0.75;
-
 /// Of one time of the scene. What is not measurable is missing.
 struct TargetPoint {
     double time = 0.0;  ///< s of the scene
     std::optional<Amount> blood, veil;
-    double likeness = usual_likeness;  ///< FrameAmounts::likeness
+    /// How much blood may be missed behind smoke, a standard error beside course_error(): the more, the thicker the
+    /// smoke and the less of the baseline's texture is there.
+    double hidden_blood = 0.0;
 };
+/// Hidden blood is alike for so many s: a course of it tells as much as one moment of each of them would. It and its
+/// amount were fitted to the 24 films of `lapfx bench fit --seed 1`: a root mean square of a tenth of the veil where a
+/// quarter of the texture is missing, correlated by 0.8, 0.6, 0.3 and 0.1 after 1, 5, 7 and 9 s.
+inline constexpr double hidden_blood_lasts = 10.0;
 
 struct TargetOptions {
     double offset = 0.0;           ///< s; reference time = scene time + offset
@@ -41,35 +44,12 @@ struct CourseError {
     /// interval is narrower, but not below `least`.
     double least, none, share, most;
     double scale_error;
-    /// Where smoke hides tissue, an amount may be missed for `hidden_lasts` s, by a share `hidden` of what half of its
-    /// interval is above `clear`, at usual_likeness. A search goes by the errors above alone, or it would lose what it
-    /// sees dimly; how certain its result is goes by both.
-    double clear, hidden, hidden_lasts;
 };
 /// Veil: known veils over moving clips came back with a root mean square error of 0.024 to 0.066 that lasts up to a
-/// second; blood and scales: `lapfx bench measure`, views of its classes "still". What hidden blood is off by was
-/// fitted to the 24 films of `lapfx bench fit`: a root mean square of 0.02 to 0.055 for half intervals of 0.065 to
-/// 0.18, three quarters of it still there 3 s later.
-inline constexpr CourseError blood_course{.least = 0.002,
-                                          .none = 0.002,
-                                          .share = 0.1,
-                                          .most = 0.006,
-                                          .scale_error = 0.15,
-                                          .clear = 0.012,
-                                          .hidden = 0.3,
-                                          .hidden_lasts = 3.0},
-    veil_course{.least = 0.01,
-                .none = 0.03,
-                .share = 0.0,
-                .most = 0.03,
-                .scale_error = 0.12,
-                .clear = 0.0,
-                .hidden = 0.0,
-                .hidden_lasts = 1.0};
+/// second; blood and scales: `lapfx bench measure`, views of its classes "still".
+inline constexpr CourseError blood_course{0.002, 0.002, 0.1, 0.006, 0.15}, veil_course{0.01, 0.03, 0.0, 0.03, 0.12};
 /// Standard error of a measured amount beside the others of its video.
 double course_error(const Amount& amount, const CourseError& course);
-/// How much of it may be missed for seconds: the more, the less of the baseline's texture is seen.
-double hidden_error(const Amount& amount, double likeness, const CourseError& course);
 
 /// Root mean square difference to what a scene shows at the same times; nothing where they share no measurable one.
 std::optional<double> misfit(std::span<const TargetPoint> target, std::span<const FrameAmounts> shown,

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "match/fit/certainty.h"
@@ -13,6 +14,10 @@ namespace lapfx::match {
 
 /// False for a parameter of blood or of smoke where the target's blood, or veil, does not change beyond its error.
 bool shows_anything_of(const std::string& key, std::span<const TargetPoint> target);
+
+/// Why, of what would be known if smoke hid no blood.
+inline constexpr std::string_view behind_smoke =
+    "smoke may hide blood while it spreads; a video with less smoke in front of it would tell it";
 
 /// For people, one sentence without a full stop: "the video ends while it still smokes; 4 s of clearing would tell it".
 std::string why_undetermined(std::size_t parameter, const std::vector<FreeParameter>& parameters,

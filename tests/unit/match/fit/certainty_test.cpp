@@ -11,12 +11,11 @@ namespace {
 constexpr std::size_t times = 13;  // one a second: each is a block of its own
 constexpr double slope = 0.05, deviates = 1.645;
 
-std::vector<TargetPoint> target_with(double half_of_blood) {
+std::vector<TargetPoint> target_with(double hidden) {
     std::vector<TargetPoint> target;
     for (std::size_t i = 0; i < times; ++i)
-        target.push_back({.time = static_cast<double>(i),
-                          .blood = Amount{0.2, 0.2 - half_of_blood, 0.2 + half_of_blood},
-                          .veil = {}});
+        target.push_back(
+            {.time = static_cast<double>(i), .blood = Amount{0.2, 0.1, 0.3}, .veil = {}, .hidden_blood = hidden});
     return target;
 }
 
@@ -37,38 +36,51 @@ Linearised line(const Objective& objective, double off) {
     return at;
 }
 
-/// Half of the interval, coordinates, in standard errors: without the scale it is the error of the line.
-double error_of(double half_of_blood, double off, Errors errors) {
-    const Objective objective(target_with(half_of_blood), {}, {0.0});
-    return certainty_of(objective, line(objective, off), std::vector{0.0}, errors, 1).front().error;
+Certainty certainty_with(double hidden, double off, Errors errors) {
+    const Objective objective(target_with(hidden), {}, {0.0});
+    return certainty_of(objective, line(objective, off), std::vector{0.0}, errors, 1).front();
 }
-/// Of the scale: the slopes are all alike, so it is what the parameter needs to make up for it.
+/// The slopes are all alike, so the scale's error is what the parameter needs to make up for it.
 const double of_scale = blood_course.scale_error * 0.2 / slope;  // 0.6
+/// 13 blocks and one unknown make reduced chi-squared 13 / 12 where the curve is as far off as stated.
+const double of_course = 0.006 * std::sqrt(13.0 / 12.0) / (slope * std::sqrt(13.0));
 
-// As far off as stated: 13 blocks and one unknown make reduced chi-squared 13 / 12.
+/// Both, where the prior of the parameter counts, too.
+double with_scale(double alone) {
+    const double of_prior = alone / Objective::prior, part = 1.0 / (1.0 + of_prior * of_prior);
+    return std::hypot(alone * std::sqrt(part), of_scale * part);
+}
+
 TEST(Certainty, IsThatOfLeastSquares) {
-    const double expected = 0.006 * std::sqrt(13.0 / 12.0) / (slope * std::sqrt(13.0));
-    EXPECT_NEAR(error_of(0.012, 0.006, Errors::of_course), expected, 0.002 * expected);
-    EXPECT_NEAR(error_of(0.112, 0.006, Errors::of_course), expected, 0.002 * expected) << "what a search goes by";
-    EXPECT_NEAR(error_of(0.012, 0.006, Errors::all), std::hypot(expected, of_scale), 0.002 * of_scale);
+    EXPECT_NEAR(certainty_with(0.0, 0.006, Errors::of_course).error, of_course, 0.002 * of_course);
+    EXPECT_NEAR(certainty_with(0.03, 0.006, Errors::of_course).error, of_course, 0.002 * of_course)
+        << "what a search goes by";
+    EXPECT_NEAR(certainty_with(0.0, 0.009, Errors::of_course).error, 1.5 * of_course, 0.003 * of_course)
+        << "what is left says that errors are half as large again";
+    EXPECT_NEAR(certainty_with(0.0, 0.0006, Errors::of_course).error, 0.35 * of_course / std::sqrt(13.0 / 12.0),
+                0.002 * of_course)
+        << "but not that they are none";
+}
+
+TEST(Certainty, OfTheScaleIsAdded) {
+    for (const Errors errors : {Errors::with_scales, Errors::with_hidden})
+        EXPECT_NEAR(certainty_with(0.0, 0.009, errors).error, with_scale(1.5 * of_course), 2e-4);
+    EXPECT_NEAR(certainty_with(0.03, 0.009, Errors::with_scales).error, with_scale(1.5 * of_course), 2e-4)
+        << "hidden blood is not asked for";
 }
 
 TEST(Certainty, IsLessWhereSmokeMayHideBlood) {
-    // Half an interval of 0.512 is 0.5 above a clear one: 0.15 may be missed for 3 s.
-    const double all = std::hypot(0.006, std::sqrt(3.0) * 0.15);
-    const double expected = all * std::sqrt(13.0 / 12.0) / (slope * std::sqrt(13.0));
-    const double of_prior = expected / Objective::prior, part = 1.0 / (1.0 + of_prior * of_prior);
-    EXPECT_NEAR(error_of(0.512, all, Errors::all), std::hypot(expected * std::sqrt(part), of_scale * part),
-                0.01 * expected);
+    const double hidden = 0.15;  // alike for 10 s, blocks of 1 s
+    const double alone = of_course * std::hypot(0.006, std::sqrt(hidden_blood_lasts) * hidden) / 0.006;
+    EXPECT_GT(alone, 3.0 * of_scale);
+    EXPECT_NEAR(certainty_with(hidden, 0.006, Errors::with_hidden).error, with_scale(alone), 0.01 * alone);
 }
 
 TEST(Certainty, IntervalHoldsTheErrorOfTheScaleThatNoCourseShows) {
-    const Objective objective(target_with(0.012), {}, {0.0});
-    const Linearised at = line(objective, 0.006);
-    for (const Errors errors : {Errors::of_course, Errors::all}) {
-        const Certainty found = certainty_of(objective, at, std::vector{0.0}, errors, 1).front();
-        EXPECT_NEAR(found.high, deviates * of_scale, 0.02 * of_scale);
-        EXPECT_NEAR(found.low, -found.high, 0.02 * of_scale);
+    for (const Errors errors : {Errors::of_course, Errors::with_scales}) {
+        const Certainty found = certainty_with(0.0, 0.006, errors);
+        EXPECT_NEAR(found.high, deviates * std::hypot(of_course, of_scale), 0.01);
+        EXPECT_NEAR(found.low, -found.high, 0.01);
         EXPECT_EQ(found.determined, errors == Errors::of_course) << "0.6 is more than 0.4";
     }
 }

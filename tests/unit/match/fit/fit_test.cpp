@@ -61,6 +61,7 @@ struct Camera {
             const double veil = 1.0 - std::exp(-depth) + 1.0 * noise * normal(random);
             const double blood = share - 0.5 * share * share + 0.2 * noise * normal(random);
             frame.veil = {veil, veil - 0.04, veil + 0.04};
+            frame.likeness = 1.0;  // all of the texture is there: nothing is hidden
             frame.blood = {blood, blood - 0.01, blood + 0.01};
         }
         return frames;
@@ -134,7 +135,7 @@ TEST(Fit, SpeedOfBloodBehindSmokeIsFoundButNotKnown) {
     FitInput input = input_of({.hidden = hidden(truth, 8.0, 0.12, 0.05)}, camera);
     const FittedParameter clear = of(fit(input), "bleeding.speed");
     EXPECT_TRUE(clear.determined) << clear.why;
-    for (TargetPoint& aim : input.target) aim.blood->low -= 0.2, aim.blood->high += 0.2, aim.likeness = 0.6;
+    for (TargetPoint& aim : input.target) aim.hidden_blood = 0.05;
     const FittedParameter behind_smoke = of(fit(input), "bleeding.speed");
     EXPECT_NEAR(behind_smoke.after, truth, 0.03 * truth) << "not that of the preset before, 4";
     EXPECT_FALSE(behind_smoke.determined);

@@ -77,23 +77,25 @@ TEST(Target, ErrorsWithinAVideoAreThoseOfTheIntervalWithinBounds) {
     EXPECT_DOUBLE_EQ(error(0.3, 0.001, blood_course), 0.002);
 }
 
-TEST(Target, BloodBehindSmokeMayBeMissed) {
-    const Amount behind_smoke{0.2, 0.088, 0.312};
-    EXPECT_EQ(hidden_error({0.02, 0.008, 0.032}, 0.75, blood_course), 0.0) << "as wide as of a clear view";
-    EXPECT_NEAR(hidden_error(behind_smoke, 0.75, blood_course), 0.3 * 0.1, 1e-12);
-    EXPECT_NEAR(hidden_error({0.0, 0.0, 0.112}, 0.75, blood_course), 0.3 * 0.1, 1e-12) << "there is none below 0";
-    EXPECT_NEAR(hidden_error(behind_smoke, 0.5, blood_course), 0.3 * 0.2, 1e-12) << "twice as much is unseen";
-    EXPECT_EQ(hidden_error(behind_smoke, 1.0, blood_course), 0.0);
-    EXPECT_EQ(hidden_error({0.3, 0.0, 0.9}, 0.5, veil_course), 0.0);
-}
-
-TEST(Target, LikenessIsTheMean) {
+TEST(Target, SmokeHidesBloodTheMoreTheThickerItIsAndTheLessTextureIsLeft) {
     auto frames = rising(4.0);
-    for (FrameAmounts& frame : frames) frame.likeness = frame.time < 2.0 ? 0.9 : 0.6;
+    for (FrameAmounts& frame : frames) {
+        frame.veil.value = frame.time < 2.0 ? 0.0 : 0.3;
+        frame.likeness = frame.time < 3.0 ? 0.75 : 0.5;
+    }
     const auto target = target_of(frames, {.from = 0.5, .to = 3.5, .step = 1.0});
     ASSERT_EQ(target.size(), 4U);
-    EXPECT_NEAR(target.front().likeness, 0.9, 1e-12);
-    EXPECT_NEAR(target.back().likeness, 0.6, 1e-12);
+    EXPECT_EQ(target[0].hidden_blood, 0.0);
+    EXPECT_EQ(target[1].hidden_blood, 0.0);
+    EXPECT_NEAR(target[2].hidden_blood, 0.1 * 0.3, 1e-12);
+    EXPECT_NEAR(target[3].hidden_blood, 0.1 * 0.3 * 2.0, 1e-12);
+}
+
+TEST(Target, HiddenBloodIsTheMeanAroundEachTime) {
+    auto frames = rising(4.0);
+    for (FrameAmounts& frame : frames) frame.veil.value = 0.1 * frame.time, frame.likeness = 0.75;
+    for (const TargetPoint& aim : target_of(frames, {.from = 1.0, .to = 3.0, .step = 0.5}))
+        EXPECT_NEAR(aim.hidden_blood, 0.01 * aim.time, 1e-4) << aim.time;
 }
 
 TEST(Target, MisfitIsTheRootMeanSquare) {
