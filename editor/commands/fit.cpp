@@ -72,8 +72,9 @@ void add_fit(CLI::App& app) {
         "estimator, and the parameters are changed until blood and veil over time are nearest. For each parameter it\n"
         "prints the value before and after, with an interval that is to hold the true one in nine of ten cases, or "
         "why\n"
-        "the video does not tell it; what it does not tell keeps its value. The report needs no other file: curves,\n"
-        "parameters, and frames of the reference beside the scene before and after.\n\n"
+        "the video does not tell it. What it does not tell keeps its value, unless the curves rule that out or smoke\n"
+        "may hide what would tell it: then it goes where the curves are nearest. The report needs no other file:\n"
+        "curves, parameters, and frames of the reference beside the scene before and after.\n\n"
         "Example:\n"
         "  lapfx fit samples/lagb.scene.json --reference samples/reference/operation.mp4 --window 0,6 "
         "-o fitted.json --report fit.html");

@@ -37,15 +37,18 @@ Progress::~Progress() {
 void Progress::step() {
     ++done_;
     if (interrupted != 0) {
-        throw Error(Failure::runtime,
-                    Fault{.file = "",
-                          .place = what_,
-                          .reason = "interrupted after " + std::to_string(done_) + " of " + std::to_string(steps_)});
+        throw Error(
+            Failure::runtime,
+            Fault{.file = "", .place = what_, .reason = "interrupted after " + std::to_string(percent()) + " %"});
     }
     if (terminal_) {
-        const int percent = steps_ > 0 ? 100 * done_ / steps_ : 100;
-        std::cerr << '\r' << what_ << ' ' << done_ << " of " << steps_ << " (" << percent << " %)\033[K" << std::flush;
+        std::cerr << '\r' << what_ << ' ' << done_ << " of " << steps_ << " (" << percent() << " %)\033[K"
+                  << std::flush;
     }
+}
+
+int Progress::percent() const {
+    return steps_ > 0 ? 100 * done_ / steps_ : 100;
 }
 
 void Progress::to(double share) {

@@ -23,6 +23,8 @@ class Progress {
     void to(double share);
 
   private:
+    int percent() const;
+
     std::string what_;
     int steps_;
     int done_ = 0;

@@ -11,6 +11,7 @@ namespace {
 constexpr double onset_error = 0.3, duration_error = 0.4;  // s
 constexpr double duration_share = 0.2;                     // of the reference's rise or decay: less is not worth a word
 constexpr double ratio_share = 0.005;                      // less than that is 0 %
+constexpr double plain_match = 0.25;                       // of the area: from here on a match says how far apart it is
 
 /// How an amount is spoken of, and what makes it.
 struct Words {
@@ -56,13 +57,18 @@ std::string joined(const std::vector<std::string>& parts) {
     return all;
 }
 
-/// "is 30 % too thin".
+/// "30 % too thin".
 std::string size_text(double ratio, const Words& words) {
     constexpr double several = 2.0;  // from here on times are easier to read than percent
     const std::string much(words.much);
-    if (ratio >= several) return text("is %.1f times too %s", ratio, much.c_str());
+    if (ratio >= several) return text("%.1f times too %s", ratio, much.c_str());
     const double percent = 100.0 * std::abs(ratio - 1.0);
-    return text("is %.0f %% too %s", percent, ratio < 1.0 ? std::string(words.little).c_str() : much.c_str());
+    return text("%.0f %% too %s", percent, ratio < 1.0 ? std::string(words.little).c_str() : much.c_str());
+}
+
+/// Whether the area under the curve is another though the error of measuring would explain that.
+bool matches_roughly(const AmountLikeness& amount) {
+    return amount.matches() && amount.area_ratio && std::abs(*amount.area_ratio - 1.0) > plain_match;
 }
 
 /// "rises 0.8 s too slowly"; empty where that is within the error.
@@ -80,7 +86,11 @@ class Telling {
         : a_(amount), words_(words), events_(events) {}
 
     std::vector<Clause> run() {
-        if (a_.matches())
+        if (matches_roughly(a_))
+            say("matches within the error of measuring, which is large: it is measured " +
+                    size_text(*a_.area_ratio, words_),
+                Said::match);
+        else if (a_.matches())
             say("matches within the error of measuring", Said::match);
         else if (!tell_unmeasurable() && !tell_presence())
             tell_differences();
@@ -119,7 +129,7 @@ class Telling {
             say(text("comes %.1f s too %s", std::abs(*a_.late), *a_.late > 0.0 ? "late" : "early"), Said::timing,
                 event_key(a_.preview, false));
         if (a_.peak_ratio && std::abs(*a_.peak_ratio - 1.0) >= ratio_share && a_.peak_over_error > 1.0)
-            say(size_text(*a_.peak_ratio, words_), Said::size, std::string(words_.size));
+            say("is " + size_text(*a_.peak_ratio, words_), Said::size, std::string(words_.size));
         if (std::string rises = speed_text("rises", a_.rise_difference, a_.reference.rise); !rises.empty())
             say(std::move(rises), Said::rise,
                 words_.rise.empty() ? key_of(nearest(a_.preview), "duration") : std::string(words_.rise));
@@ -180,7 +190,8 @@ std::vector<Clause> clauses(const Likeness& likeness, std::span<const ToolContac
 std::string in_words(const Likeness& likeness) {
     const std::vector<Clause> all = clauses(likeness);
     if (all.size() == 1) return all.front().sentence();
-    if (likeness.blood.matches() && likeness.veil.matches())
+    const bool roughly = matches_roughly(likeness.blood) || matches_roughly(likeness.veil);
+    if (likeness.blood.matches() && likeness.veil.matches() && !roughly)
         return "blood and veil match within the error of measuring";
     return sentence_of(all, all.front().amount) + "; " + sentence_of(all, all.back().amount);
 }

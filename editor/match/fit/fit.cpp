@@ -407,9 +407,18 @@ class Fit {
         result.veil_after = misfit(input_.target, result.after, &TargetPoint::veil);
         for (std::size_t k = 0; k < start_.size() && !certainties_.empty(); ++k) {
             const FittedParameter& p = result.parameters.emplace_back(fitted(k));
-            if (held_[k] && !early_) p.parameter.set(result.tuned, p.after);  // to the last bit
+            p.parameter.set(result.tuned, p.after);  // what has kept its value has it to the last bit
         }
         return result;
+    }
+    double found(std::size_t k) const {
+        const FreeParameter& p = input_.parameters[k];
+        if (held_[k] && !early_) return kept(p);
+        const double at = best_.coordinates[k];
+        return at == start_[k] ? p.get(input_.start) : p.value(at);
+    }
+    static bool near_bound(const FreeParameter& p, double at) {
+        return at - p.coordinate(p.minimum) < bound_near || p.coordinate(p.maximum) - at < bound_near;
     }
     FittedParameter fitted(std::size_t k) const {
         const FreeParameter& p = input_.parameters[k];
@@ -417,10 +426,11 @@ class Fit {
         const double at = best_.coordinates[k];
         FittedParameter fitted{.parameter = p,
                                .before = value_before(p),
-                               .after = p.value(at),
+                               .after = found(k),
                                .low = p.value(c.low),
                                .high = p.value(c.high),
-                               .determined = c.determined};
+                               .determined = c.determined,
+                               .at_bound = !held_[k] && near_bound(p, at)};
         if (early_) {
             fitted.determined = false;
             fitted.why = "the fit ended before that was known";
@@ -428,14 +438,10 @@ class Fit {
             fitted.why = behind_smoke_[k] ? std::string(behind_smoke)
                                           : why_undetermined(k, input_.parameters, certainties_, objective_.target(),
                                                              input_.weights);
-            if (held_[k])
-                fitted.after = kept(p);
-            else if (ruled_out_[k])
+            if (ruled_out_[k])
                 fitted.why += "; but the curves rule out the value before, so it is where they are nearest";
-            else
-                fitted.why += "; it is where the curves are nearest";
-        } else {
-            fitted.at_bound = at - p.coordinate(p.minimum) < bound_near || p.coordinate(p.maximum) - at < bound_near;
+            else if (!held_[k])
+                fitted.why += "; " + where_nearest(p, fitted.low, fitted.high, fitted.at_bound);
         }
         return fitted;
     }

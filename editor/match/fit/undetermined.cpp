@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 
 namespace lapfx::match {
 
@@ -43,6 +44,15 @@ std::string without_course(const Course& course, const std::string& amount) {
     return {};
 }
 
+/// The same of blood, which smoke may hide.
+std::string without_blood(const Course& course, std::span<const TargetPoint> target) {
+    const std::string why = without_course(course, "blood");
+    const auto hidden =
+        std::count_if(target.begin(), target.end(), [](const TargetPoint& aim) { return aim.veil && !aim.blood; });
+    if (why.empty() || hidden == 0) return why;
+    return why + "; smoke hides it in " + std::to_string(100 * hidden / std::ssize(target)) + " % of the moments";
+}
+
 }  // namespace
 
 bool shows_anything_of(const std::string& key, std::span<const TargetPoint> target) {
@@ -58,7 +68,7 @@ std::string why_undetermined(std::size_t parameter, const std::vector<FreeParame
     const Course blood = course_of(target, &TargetPoint::blood), veil = course_of(target, &TargetPoint::veil);
     if (key.starts_with("bleeding.")) {
         if (weights.blood == 0.0) return "blood does not count, its weight is 0";
-        if (const std::string why = without_course(blood, "blood"); !why.empty()) return why;
+        if (const std::string why = without_blood(blood, target); !why.empty()) return why;
         if (key == "bleeding.max_extent" && blood.last > still_grows * blood.peak)
             return "blood still spreads when the video ends; a video of its standstill would tell it";
     }
@@ -73,6 +83,14 @@ std::string why_undetermined(std::size_t parameter, const std::vector<FreeParame
         return "it does the same to the curves as " + parameters[static_cast<std::size_t>(other)].key +
                "; hold one of both";
     return "the curves hardly depend on it";
+}
+
+std::string where_nearest(const FreeParameter& parameter, double low, double high, bool at_bound) {
+    std::ostringstream text;
+    text.precision(2);
+    text << "it is where the curves are nearest" << (at_bound ? ", at its bound" : "") << "; " << low << " to " << high
+         << (parameter.row->unit.empty() ? "" : " ") << parameter.row->unit << " is possible";
+    return text.str();
 }
 
 }  // namespace lapfx::match

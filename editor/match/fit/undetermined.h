@@ -24,4 +24,8 @@ std::string why_undetermined(std::size_t parameter, const std::vector<FreeParame
                              const std::vector<Certainty>& certainties, std::span<const TargetPoint> target,
                              const Weights& weights = {});
 
+/// What is said beside that of one that does not keep its value: "it is where the curves are nearest; 2 to 14 mm/s is
+/// possible". `low` to `high`: its 90 % interval.
+std::string where_nearest(const FreeParameter& parameter, double low, double high, bool at_bound);
+
 }  // namespace lapfx::match

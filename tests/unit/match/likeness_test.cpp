@@ -263,6 +263,19 @@ TEST(Likeness, WithinTheIntervalsMatches) {
     EXPECT_EQ(in_words(likeness(0.02)), "veil is 10 % too thin; blood matches within the error of measuring");
 }
 
+TEST(Likeness, AMatchThatTheErrorAloneMakesSaysHowFarApartItIs) {
+    const auto words = [](double shown) {
+        const Taken taken{.half = 0.2};
+        return in_words(likeness_of(frames_of(tent(0.5, 4), tent(shown, 4), taken),
+                                    frames_of(tent(0.5, 4), tent(0.5, 4), taken), 0));
+    };
+    EXPECT_EQ(words(0.4), "blood and veil match within the error of measuring");
+    EXPECT_EQ(
+        words(0.25),
+        "blood matches within the error of measuring, which is large: it is measured 50 % too small; veil matches "
+        "within the error of measuring");
+}
+
 TEST(Likeness, AShortEventIsNotLostInALongVideo) {
     const Taken minutes{.to = 300};
     const Likeness found =

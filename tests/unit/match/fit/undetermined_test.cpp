@@ -1,0 +1,69 @@
+// What is said of a parameter that a reference does not tell.
+#include "match/fit/undetermined.h"
+
+#include <gtest/gtest.h>
+
+namespace lapfx::match {
+namespace {
+
+std::vector<FreeParameter> parameters(std::vector<std::string> keys) {
+    return free_parameters({}, keys);
+}
+
+/// Ten moments, one a second: blood and veil over time; what is below 0 is not measurable.
+template <typename Blood, typename Veil>
+std::vector<TargetPoint> target_with(Blood blood, Veil veil) {
+    const auto amount = [](double value) -> std::optional<Amount> {
+        if (value < 0.0) return {};
+        return Amount{value, value - 0.01, value + 0.01};
+    };
+    std::vector<TargetPoint> target;
+    for (int i = 0; i < 10; ++i)
+        target.push_back({.time = static_cast<double>(i), .blood = amount(blood(i)), .veil = amount(veil(i))});
+    return target;
+}
+
+std::string why(const std::string& key, const std::vector<TargetPoint>& target, int alike = -1) {
+    const Certainty certainty{.alike = alike};
+    return why_undetermined(0, parameters({key, "bleeding.speed=1..9"}), {certainty, certainty}, target);
+}
+
+TEST(Undetermined, BloodThatSmokeHidesIsNotCalledMissing) {
+    const auto none = [](int) { return 0.0; };
+    EXPECT_EQ(why("bleeding.max_extent", target_with(none, none)),
+              "the reference shows no blood beyond the error of measuring");
+    const auto hidden_late = [](int i) { return i < 6 ? 0.0 : -1.0; };
+    EXPECT_EQ(why("bleeding.max_extent", target_with(hidden_late, [](int i) { return 0.08 * i; })),
+              "the reference shows no blood beyond the error of measuring; smoke hides it in 40 % of the moments");
+    EXPECT_EQ(why("bleeding.max_extent", target_with([](int) { return -1.0; }, [](int) { return 0.7; })),
+              "blood of the reference is not measurable; smoke hides it in 100 % of the moments");
+    EXPECT_EQ(why("bleeding.max_extent", target_with(hidden_late, [](int) { return -1.0; })),
+              "the reference shows no blood beyond the error of measuring")
+        << "what hides the veil as well is no smoke";
+}
+
+TEST(Undetermined, VentilationNeedsFourSecondsOfClearing) {
+    const auto none = [](int) { return 0.0; };
+    const auto cleared_for = [](int seconds) {
+        return
+            [seconds](int i) { return i <= 9 - seconds ? 0.05 * i : 0.05 * (9 - seconds) - 0.05 * (i - 9 + seconds); };
+    };
+    const std::string smokes = "the video ends while it still smokes or soon after; 4 s of clearing would tell it";
+    EXPECT_EQ(why("smoke.haze.ventilation", target_with(none, cleared_for(0))), smokes);
+    EXPECT_EQ(why("smoke.haze.ventilation", target_with(none, cleared_for(3))), smokes);
+    EXPECT_EQ(why("smoke.haze.ventilation", target_with(none, cleared_for(4))), "the curves hardly depend on it");
+    EXPECT_EQ(why("smoke.haze.ventilation", target_with(none, cleared_for(4)), 1),
+              "it does the same to the curves as bleeding.speed; hold one of both");
+}
+
+TEST(Undetermined, WhereTheCurvesAreNearestTellsWhatIsPossible) {
+    const FreeParameter speed = parameters({"bleeding.speed"}).front();
+    EXPECT_EQ(where_nearest(speed, 2.04, 14.2, false), "it is where the curves are nearest; 2 to 14 mm/s is possible");
+    EXPECT_EQ(where_nearest(speed, 2.0, 20.0, true),
+              "it is where the curves are nearest, at its bound; 2 to 20 mm/s is possible");
+    const FreeParameter density = parameters({"smoke.plume.density"}).front();
+    EXPECT_EQ(where_nearest(density, 0.25, 0.5, false), "it is where the curves are nearest; 0.25 to 0.5 is possible");
+}
+
+}  // namespace
+}  // namespace lapfx::match
