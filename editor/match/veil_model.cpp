@@ -13,24 +13,31 @@ namespace lapfx::match {
 
 namespace {
 
-constexpr std::size_t inputs = veil_statistics + 1;
-constexpr std::size_t term_count = inputs + inputs * (inputs + 1) / 2;
-using Terms = std::array<double, term_count>;
+constexpr std::size_t terms_for(std::size_t inputs) {
+    return inputs + inputs * (inputs + 1) / 2;
+}
 
-constexpr double penalty = 0.4;  // of the ridge, for terms of size 1: on views left out .1 to .8 are as good
+// Of the ridges, for terms of size 1: on views left out .1 to .8 and .01 to .1 are as good.
+constexpr double penalty_with_map = 0.1, penalty_without_map = 0.03;
+constexpr double nowhere_laid = 0.5, everywhere_laid = 0.8;  // likeness
 constexpr double least_size = 1e-6;
 constexpr std::size_t least_examples = 100, folds = 5;
 
+struct Terms {
+    std::array<double, terms_for(veil_statistics + 1)> all{};
+    std::size_t count = 0;
+    void add(double term) { all[count++] = term; }
+    operator std::span<const double>() const { return {all.data(), count}; }
+};
+
 /// The inputs, then all their products and squares.
-Terms terms_of(const VeilFigures& figures) {
-    std::array<double, inputs> in{};
-    std::copy(figures.statistics.begin(), figures.statistics.end(), in.begin());
-    in.back() = figures.map;
-    Terms terms{};
-    std::copy(in.begin(), in.end(), terms.begin());
-    std::size_t next = inputs;
+Terms terms_of(const VeilFigures& figures, bool with_map) {
+    Terms terms;
+    for (const double statistic : figures.statistics) terms.add(statistic);
+    if (with_map) terms.add(figures.map);
+    const std::size_t inputs = terms.count;
     for (std::size_t i = 0; i < inputs; ++i)
-        for (std::size_t j = i; j < inputs; ++j) terms[next++] = in[i] * in[j];
+        for (std::size_t j = i; j < inputs; ++j) terms.add(terms.all[i] * terms.all[j]);
     return terms;
 }
 
@@ -55,14 +62,16 @@ VeilModelError error_of(std::span<const VeilExample> examples, const std::vector
     return e;
 }
 
-std::vector<double> numbers_of(const nlohmann::json& object, const char* key, const std::string& name) {
+std::vector<double> numbers_of(const nlohmann::json& object, const std::string& of, const char* key, std::size_t count,
+                               const std::string& name) {
     std::vector<double> all;
     const auto found = object.find(key);
-    if (found == object.end() || !found->is_array() || found->size() != term_count)
-        throw refused(name, key, "is no list of " + std::to_string(term_count) + " numbers");
+    const std::string place = of + "/" + key;
+    if (found == object.end() || !found->is_array() || found->size() != count)
+        throw refused(name, place, "is no list of " + std::to_string(count) + " numbers");
     for (const nlohmann::json& value : *found) {
         if (!value.is_number() || !std::isfinite(value.get<double>()))
-            throw refused(name, key + std::string("/") + std::to_string(all.size()), "is no number");
+            throw refused(name, place + "/" + std::to_string(all.size()), "is no number");
         all.push_back(value.get<double>());
     }
     return all;
@@ -70,27 +79,41 @@ std::vector<double> numbers_of(const nlohmann::json& object, const char* key, co
 
 }  // namespace
 
-/// What is to be added to the map. Through the origin: where nothing has changed there is no veil.
-VeilModel VeilModel::fitted(std::span<const VeilExample> examples) {
-    VeilModel model;
+double VeilModel::Ridge::of(std::span<const double> terms) const {
+    double sum = 0.0;
+    for (std::size_t t = 0; t < terms.size(); ++t) sum += weights[t] * terms[t] / size[t];
+    return sum;
+}
+
+/// Through the origin: where nothing has changed there is no veil.
+VeilModel::Ridge VeilModel::ridge(std::span<const VeilExample> examples, bool with_map, double penalty) {
+    const std::size_t count = terms_for(veil_statistics + (with_map ? 1 : 0));
     const auto n = static_cast<double>(examples.size());
-    model.size_.assign(term_count, 0.0);
+    Ridge ridge{.size = std::vector<double>(count, 0.0), .weights = {}};
     std::vector<Terms> all;
     for (const VeilExample& example : examples) {
-        all.push_back(terms_of(example.figures));
-        for (std::size_t t = 0; t < term_count; ++t) model.size_[t] += all.back()[t] * all.back()[t] / n;
+        all.push_back(terms_of(example.figures, with_map));
+        for (std::size_t t = 0; t < count; ++t) ridge.size[t] += all.back().all[t] * all.back().all[t] / n;
     }
-    for (double& size : model.size_) size = std::max(std::sqrt(size), least_size);
-    cv::Mat normal = cv::Mat::zeros(static_cast<int>(term_count), static_cast<int>(term_count), CV_64F);
-    cv::Mat right = cv::Mat::zeros(static_cast<int>(term_count), 1, CV_64F), weights, term(right.size(), CV_64F);
+    for (double& size : ridge.size) size = std::max(std::sqrt(size), least_size);
+    const auto rows = static_cast<int>(count);
+    cv::Mat normal = cv::Mat::zeros(rows, rows, CV_64F), right = cv::Mat::zeros(rows, 1, CV_64F);
+    cv::Mat weights, term(right.size(), CV_64F);
     for (std::size_t i = 0; i < all.size(); ++i) {
-        for (std::size_t t = 0; t < term_count; ++t) term.at<double>(static_cast<int>(t)) = all[i][t] / model.size_[t];
+        for (std::size_t t = 0; t < count; ++t) term.at<double>(static_cast<int>(t)) = all[i].all[t] / ridge.size[t];
         normal += term * term.t();
-        right += term * (examples[i].veil - examples[i].figures.map);
+        right += term * (examples[i].veil - (with_map ? examples[i].figures.map : 0.0));
     }
     normal += cv::Mat::eye(normal.size(), CV_64F) * (penalty * n);
     cv::solve(normal, right, weights, cv::DECOMP_CHOLESKY);
-    model.weights_.assign(weights.begin<double>(), weights.end<double>());
+    ridge.weights.assign(weights.begin<double>(), weights.end<double>());
+    return ridge;
+}
+
+VeilModel VeilModel::fitted(std::span<const VeilExample> examples) {
+    VeilModel model;
+    model.with_map_ = ridge(examples, true, penalty_with_map);
+    model.without_map_ = ridge(examples, false, penalty_without_map);
     return model;
 }
 
@@ -123,10 +146,11 @@ VeilModel VeilModel::learn(std::span<const VeilExample> examples, const std::str
 }
 
 double VeilModel::veil_of(const VeilFigures& figures) const {
-    const Terms terms = terms_of(figures);
-    double veil = figures.map;
-    for (std::size_t t = 0; t < term_count; ++t) veil += weights_[t] * terms[t] / size_[t];
-    return std::clamp(veil, 0.0, 1.0);
+    const double veil = std::clamp(figures.map + with_map_.of(terms_of(figures, true)), 0.0, 1.0);
+    const double laid = (figures.likeness - nowhere_laid) / (everywhere_laid - nowhere_laid);
+    if (laid >= 1.0) return veil;
+    const double most = std::clamp(without_map_.of(terms_of(figures, false)), 0.0, 1.0);
+    return veil + (1.0 - std::max(laid, 0.0)) * std::min(most - veil, 0.0);
 }
 
 std::string VeilModel::json() const {
@@ -136,8 +160,8 @@ std::string VeilModel::json() const {
         {"views", views_},
         {"error_on_views_left_out",
          {{"mean_absolute", error_.mean_absolute}, {"bias", error_.bias}, {"correlation", error_.correlation}}},
-        {"size", size_},
-        {"weights", weights_}};
+        {"with_map", {{"size", with_map_.size}, {"weights", with_map_.weights}}},
+        {"without_map", {{"size", without_map_.size}, {"weights", without_map_.weights}}}};
     return all.dump(1) + "\n";
 }
 
@@ -145,10 +169,18 @@ VeilModel VeilModel::read(std::string_view json, const std::string& name) {
     const nlohmann::json all = nlohmann::json::parse(json, nullptr, false);
     if (!all.is_object()) throw refused(name, "", "is no JSON object");
     VeilModel model;
-    model.size_ = numbers_of(all, "size", name);
-    model.weights_ = numbers_of(all, "weights", name);
-    for (const double size : model.size_)
-        if (size < least_size) throw refused(name, "size", std::to_string(size) + " is below the minimum 1e-6");
+    const auto ridge = [&all, &name](const char* key, std::size_t terms) {
+        const auto found = all.find(key);
+        if (found == all.end() || !found->is_object()) throw refused(name, key, "is no object");
+        Ridge read{.size = numbers_of(*found, key, "size", terms, name),
+                   .weights = numbers_of(*found, key, "weights", terms, name)};
+        for (const double size : read.size)
+            if (size < least_size)
+                throw refused(name, std::string(key) + "/size", std::to_string(size) + " is below the minimum 1e-6");
+        return read;
+    };
+    model.with_map_ = ridge("with_map", terms_for(veil_statistics + 1));
+    model.without_map_ = ridge("without_map", terms_for(veil_statistics));
     const auto number = [&name](const nlohmann::json& of, const char* key, double least, double most) {
         const auto found = of.find(key);
         if (found == of.end() || !found->is_number() ||

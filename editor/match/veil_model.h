@@ -1,9 +1,12 @@
 // The mean veil of a frame from its statistics (veil_statistics.h) and the mean of its map (veil.h): what is to be
 // added to the map's, by a ridge regression with squares and products (Hoerl and Kennard 1970). Where the baseline lies
-// over the frame and the light of smoke is known the map is nearly exact; the ridge draws to it. It was learned from
-// renders of ours, whose veil is known exactly, by `lapfx bench measure --learn`; the file that it wrote,
-// veil_model.json, is part of the library and says from how many renders of which seed, and how far it was off on those
-// that were left out.
+// over the frame and the light of smoke is known the map is nearly exact; the ridge draws to it. Where the tissue does
+// not lie so, what differs from the baseline is taken for veil: there the map is too high, and a second regression, of
+// the statistics alone, is the most that is told.
+//
+// Both were learned from renders of ours, whose veil is known exactly, by `lapfx bench measure --learn`; the file that
+// it wrote, veil_model.json, is part of the library and says from how many renders of which seed, and how far it was
+// off on those that were left out.
 //
 // Any thread; no OpenGL.
 #pragma once
@@ -19,7 +22,8 @@ namespace lapfx::match {
 
 struct VeilFigures {
     VeilStatistics statistics{};
-    double map = 0.0;  ///< mean of the veil's map over the same part, 0..1
+    double map = 0.0;       ///< mean of the veil's map over the same part, 0..1
+    double likeness = 1.0;  ///< how much of the baseline's texture is there, 0..1 (FrameAmounts)
 };
 
 /// A picture whose veil is known.
@@ -51,12 +55,18 @@ class VeilModel {
     std::string json() const;
 
   private:
+    /// Of each term, in the order of terms_of(): root mean square, and factor.
+    struct Ridge {
+        std::vector<double> size, weights;
+        double of(std::span<const double> terms) const;
+    };
+    static Ridge ridge(std::span<const VeilExample> examples, bool with_map, double penalty);
     static VeilModel fitted(std::span<const VeilExample> examples);
 
     std::string origin_;
     int examples_ = 0, views_ = 0;
     VeilModelError error_;
-    std::vector<double> size_, weights_;  // of each term, in the order of terms_of(): root mean square, and factor
+    Ridge with_map_, without_map_;  // what is to be added to the map; the veil
 };
 
 }  // namespace lapfx::match

@@ -103,7 +103,7 @@ def check_model(lapfx, work, shipped):
     assert learned["learned_from"].startswith("renders of seed 4") and learned["pictures"] >= 100, learned
     run(lapfx, "bench", "measure", "--short", "--seed", "3", "--json", path, "--model", model)
     assert json.load(open(path))["results"][0] != shipped, "another model tells the same veil"
-    for text in ("no", "{}", json.dumps({**learned, "size": [1, 2]})):
+    for text in ("no", "{}", json.dumps({**learned, "with_map": {"size": [1, 2], "weights": [1, 2]}})):
         with open(model, "w", encoding="utf-8") as file:
             file.write(text)
         done = subprocess.run([lapfx, "bench", "measure", "--short", "--model", model], capture_output=True, text=True,

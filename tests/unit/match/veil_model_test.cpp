@@ -52,6 +52,24 @@ TEST(VeilModel, LearnsWhatTheFiguresTellTogether) {
     EXPECT_GT(model.error().correlation, 0.99);
 }
 
+TEST(VeilModel, WhereTheTissueIsNotLaidTheStatisticsAreTheMost) {
+    const VeilModel model = VeilModel::learn(examples(800, 1), "drawn at random");
+    VeilFigures figures{.statistics = {}, .map = 0.5};  // what lies otherwise looks like veil to the map alone
+    for (std::size_t k = 0; k < veil_statistics; ++k)
+        figures.statistics[k] = 0.3 * (0.6 + 0.1 * static_cast<double>(k));
+    const auto told = [&](double map, double likeness) {
+        figures.map = map, figures.likeness = likeness;
+        return model.veil_of(figures);
+    };
+    const double with_map = told(0.5, 1.0);
+    EXPECT_GT(with_map, 0.4);
+    EXPECT_EQ(told(0.5, 0.8), with_map);
+    EXPECT_NEAR(told(0.5, 0.5), 0.3, 0.02);
+    EXPECT_EQ(told(0.5, 0.0), told(0.5, 0.5));
+    EXPECT_NEAR(told(0.5, 0.65), 0.5 * (with_map + told(0.5, 0.5)), 1e-9);
+    EXPECT_EQ(told(0.1, 0.0), told(0.1, 1.0)) << "a map that has less is believed";
+}
+
 TEST(VeilModel, IsTheSameAfterItsFileWasReadAgain) {
     const VeilModel model = VeilModel::learn(examples(200, 3), "seed 3");
     const VeilModel read = VeilModel::read(model.json(), "m.json");
@@ -104,7 +122,8 @@ TEST(VeilModel, RefusesTooFewPictures) {
 TEST(VeilModel, NamesWhatIsWrongInItsFile) {
     EXPECT_THAT(fault_of("no"), testing::HasSubstr("m.json"));
     nlohmann::json file = nlohmann::json::parse(VeilModel::learn(examples(200, 6), "").json());
-    for (const char* key : {"size", "weights", "pictures", "views", "learned_from", "error_on_views_left_out"}) {
+    for (const char* key :
+         {"with_map", "without_map", "pictures", "views", "learned_from", "error_on_views_left_out"}) {
         nlohmann::json without = file;
         without.erase(key);
         EXPECT_THAT(fault_of(without.dump()), testing::HasSubstr(key));
@@ -117,10 +136,16 @@ TEST(VeilModel, NamesWhatIsWrongInItsFile) {
     nlohmann::json far = file;
     far["views"] = 1e300;
     EXPECT_THAT(fault_of(far.dump()), testing::HasSubstr("views"));
-    file["size"][0] = 0;
-    EXPECT_THAT(fault_of(file.dump()), testing::HasSubstr("below the minimum"));
-    file["size"][0] = "wide";
-    EXPECT_THAT(fault_of(file.dump()), testing::HasSubstr("size/0: is no number"));
+    for (const char* ridge : {"with_map", "without_map"}) {
+        nlohmann::json other = file;
+        other[ridge].erase("weights");
+        EXPECT_THAT(fault_of(other.dump()), testing::HasSubstr(std::string(ridge) + "/weights: is no list of"));
+        other = file;
+        other[ridge]["size"][0] = 0;
+        EXPECT_THAT(fault_of(other.dump()), testing::HasSubstr("below the minimum"));
+        other[ridge]["size"][0] = "wide";
+        EXPECT_THAT(fault_of(other.dump()), testing::HasSubstr(std::string(ridge) + "/size/0: is no number"));
+    }
 }
 
 }  // namespace
