@@ -35,12 +35,11 @@ Progress::~Progress() {
 }
 
 void Progress::step() {
-    ++done_;
-    if (interrupted != 0) {
+    if (interrupted != 0)
         throw Error(
             Failure::runtime,
             Fault{.file = "", .place = what_, .reason = "interrupted after " + std::to_string(percent()) + " %"});
-    }
+    ++done_;
     if (terminal_) {
         std::cerr << '\r' << what_ << ' ' << done_ << " of " << steps_ << " (" << percent() << " %)\033[K"
                   << std::flush;

@@ -89,7 +89,7 @@ class Telling {
         if (matches_roughly(a_))
             say("matches within the error of measuring, which is large: it is measured " +
                     size_text(*a_.area_ratio, words_),
-                Said::match);
+                Said::rough_match);
         else if (a_.matches())
             say("matches within the error of measuring", Said::match);
         else if (!tell_unmeasurable() && !tell_presence())

@@ -340,8 +340,9 @@ class Fit {
         behind_smoke_.resize(held_.size());
         for (std::size_t k = 0; k < held_.size(); ++k) {
             if (held_[k]) certainties_[k] = when_held_[k];
-            certainties_[k].determined = !held_[k] && known[k].determined;
-            behind_smoke_[k] = !held_[k] && seen[k].determined && !known[k].determined;
+            const bool rare = too_rare(input_.parameters[k].key, objective_.target());
+            certainties_[k].determined = !held_[k] && known[k].determined && !rare;
+            behind_smoke_[k] = !held_[k] && seen[k].determined && !known[k].determined && !rare;
         }
     }
     double kept_coordinate(std::size_t k) const { return input_.parameters[k].coordinate(kept(input_.parameters[k])); }
@@ -439,7 +440,8 @@ class Fit {
                                           : why_undetermined(k, input_.parameters, certainties_, objective_.target(),
                                                              input_.weights);
             if (ruled_out_[k])
-                fitted.why += "; but the curves rule out the value before, so it is where they are nearest";
+                fitted.why += "; but the curves rule out the value before, so it is where they are nearest" +
+                              std::string(fitted.at_bound ? ", at its bound" : "");
             else if (!held_[k])
                 fitted.why += "; " + where_nearest(p, fitted.low, fitted.high, fitted.at_bound);
         }

@@ -182,7 +182,11 @@ Linearised linearised(const SearchSpace& space, std::span<const double> coordina
 std::vector<double> search(const SearchSpace& space, std::vector<double> start, const SearchOptions& options) {
     const std::vector<Span> spans = spans_of(space, start, options.radius);
     std::vector<Place> places = spread_places(space, start, options);
-    if (!options.also.empty()) places.push_back({options.also, 0.0});
+    if (!options.also.empty()) {
+        Place& also = places.emplace_back(Place{options.also, 0.0});
+        for (std::size_t k = 0; k < options.held.size(); ++k)
+            if (options.held[k]) also.coordinates[k] = start[k];
+    }
     std::vector<std::vector<double>> expected;
     for (const Place& place : places) expected.push_back(place.coordinates);
     space.expect(expected);

@@ -12,6 +12,8 @@ constexpr double telling_decay = 4.0;  // s of clearing that tell how fast it cl
 constexpr double clears_by = 0.15;     // of the peak, below it: clearing has begun
 constexpr double still_grows = 0.9;    // of the peak: blood at the end that is above it still grows
 
+constexpr double least_told = 0.25;  // of the moments: with blood in fewer it is not known how it spreads
+
 constexpr double beyond = 1.5;  // standard errors, of the most and of the least
 
 struct Course {
@@ -37,6 +39,10 @@ Course course_of(std::span<const TargetPoint> target, std::optional<Amount> Targ
     return course;
 }
 
+std::ptrdiff_t moments_with_blood(std::span<const TargetPoint> target) {
+    return std::count_if(target.begin(), target.end(), [](const TargetPoint& aim) { return aim.blood.has_value(); });
+}
+
 /// Whether a curve says anything, and if not, why.
 std::string without_course(const Course& course, const std::string& amount) {
     if (!course.any) return amount + " of the reference is not measurable";
@@ -44,16 +50,22 @@ std::string without_course(const Course& course, const std::string& amount) {
     return {};
 }
 
-/// The same of blood, which smoke may hide.
+/// The same of blood, which dense smoke hides.
 std::string without_blood(const Course& course, std::span<const TargetPoint> target) {
     const std::string why = without_course(course, "blood");
-    const auto hidden =
-        std::count_if(target.begin(), target.end(), [](const TargetPoint& aim) { return aim.veil && !aim.blood; });
+    const auto hidden = std::count_if(target.begin(), target.end(), [](const TargetPoint& aim) {
+        return aim.veil && aim.veil->value > dense_veil && !aim.blood;
+    });
     if (why.empty() || hidden == 0) return why;
     return why + "; smoke hides it in " + std::to_string(100 * hidden / std::ssize(target)) + " % of the moments";
 }
 
 }  // namespace
+
+bool too_rare(const std::string& key, std::span<const TargetPoint> target) {
+    return key.starts_with("bleeding.") &&
+           static_cast<double>(moments_with_blood(target)) < least_told * static_cast<double>(target.size());
+}
 
 bool shows_anything_of(const std::string& key, std::span<const TargetPoint> target) {
     if (key.starts_with("bleeding.")) return course_of(target, &TargetPoint::blood).changes;
@@ -69,6 +81,9 @@ std::string why_undetermined(std::size_t parameter, const std::vector<FreeParame
     if (key.starts_with("bleeding.")) {
         if (weights.blood == 0.0) return "blood does not count, its weight is 0";
         if (const std::string why = without_blood(blood, target); !why.empty()) return why;
+        if (too_rare(key, target))
+            return "blood of the reference is measurable in " + std::to_string(moments_with_blood(target)) + " of " +
+                   std::to_string(target.size()) + " moments only";
         if (key == "bleeding.max_extent" && blood.last > still_grows * blood.peak)
             return "blood still spreads when the video ends; a video of its standstill would tell it";
     }
@@ -87,7 +102,7 @@ std::string why_undetermined(std::size_t parameter, const std::vector<FreeParame
 
 std::string where_nearest(const FreeParameter& parameter, double low, double high, bool at_bound) {
     std::ostringstream text;
-    text.precision(2);
+    text.precision(3);
     text << "it is where the curves are nearest" << (at_bound ? ", at its bound" : "") << "; " << low << " to " << high
          << (parameter.row->unit.empty() ? "" : " ") << parameter.row->unit << " is possible";
     return text.str();

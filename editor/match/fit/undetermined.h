@@ -15,6 +15,10 @@ namespace lapfx::match {
 /// False for a parameter of blood or of smoke where the target's blood, or veil, does not change beyond its error.
 bool shows_anything_of(const std::string& key, std::span<const TargetPoint> target);
 
+/// True for a parameter of blood where blood is measurable in less than a quarter of the target's moments: what the
+/// curves tell of it then is found, but not known.
+bool too_rare(const std::string& key, std::span<const TargetPoint> target);
+
 /// Why, of what would be known if smoke hid no blood.
 inline constexpr std::string_view behind_smoke =
     "smoke may hide blood while it spreads; a video with less smoke in front of it would tell it";

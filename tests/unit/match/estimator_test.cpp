@@ -110,6 +110,11 @@ TEST(Estimator, TellsWhatCannotBeMeasured) {
     const FrameAmounts a = estimator.measure(test::image_of(test::bag()), 2);
     EXPECT_EQ(a.flags, told::cut | told::bag);
     EXPECT_FALSE(a.measurable());
+    Estimator shipped(test::image_of(clear), {});
+    shipped.measure(test::image_of(clear), 1);
+    const FrameAmounts same = shipped.measure(test::image_of(test::bag()), 2);
+    EXPECT_EQ(same.flags, a.flags);
+    EXPECT_LT(same.veil.value, a.veil.value) << "the statistics limit what a map without the tissue tells";
     EXPECT_GT(a.veil.value, dense_veil);
     EXPECT_FALSE(a.flags & told::dense) << "nobody knows what is before the tissue";
 }

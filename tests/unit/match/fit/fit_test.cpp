@@ -235,6 +235,22 @@ TEST(Fit, WhatTheReferenceDoesNotTellKeepsItsValue) {
     EXPECT_LE(found.curves, 7) << "what is not told is held at once, not searched for first";
 }
 
+TEST(Fit, WhatItShowsIsWhatItGives) {
+    // Too little smoke to tell how much; what is proposed is a little nearer all the same.
+    Camera camera;
+    const Tuned truth = hidden(4.0, 12.0, 0.004, 0.05);
+    FitInput input = input_of({.hidden = truth, .keys = {"smoke.haze.accumulation"}}, camera);
+    input.start = hidden(4.0, 12.0, 0.009, 0.05);
+    input.proposed = truth;
+    const FitResult found = fit(input);
+    EXPECT_FALSE(found.parameters.front().determined);
+    EXPECT_EQ(found.tuned.preset.smoke.haze.accumulation, 0.009);
+    ASSERT_EQ(found.after.size(), found.before.size());
+    for (std::size_t i = 0; i < found.after.size(); ++i)
+        EXPECT_EQ(found.after[i].veil.value, found.before[i].veil.value) << "it is the same scene";
+    EXPECT_EQ(found.veil_after, found.veil_before);
+}
+
 TEST(Fit, WithoutBloodSaysSo) {
     Tuned truth = scene();
     truth.scene.events.erase(truth.scene.events.begin());

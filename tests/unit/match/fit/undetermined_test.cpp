@@ -1,6 +1,7 @@
 // What is said of a parameter that a reference does not tell.
 #include "match/fit/undetermined.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace lapfx::match {
@@ -33,13 +34,27 @@ TEST(Undetermined, BloodThatSmokeHidesIsNotCalledMissing) {
     EXPECT_EQ(why("bleeding.max_extent", target_with(none, none)),
               "the reference shows no blood beyond the error of measuring");
     const auto hidden_late = [](int i) { return i < 6 ? 0.0 : -1.0; };
-    EXPECT_EQ(why("bleeding.max_extent", target_with(hidden_late, [](int i) { return 0.08 * i; })),
+    EXPECT_EQ(why("bleeding.max_extent", target_with(hidden_late, [](int i) { return 0.07 * i; })),
               "the reference shows no blood beyond the error of measuring; smoke hides it in 40 % of the moments");
     EXPECT_EQ(why("bleeding.max_extent", target_with([](int) { return -1.0; }, [](int) { return 0.7; })),
               "blood of the reference is not measurable; smoke hides it in 100 % of the moments");
     EXPECT_EQ(why("bleeding.max_extent", target_with(hidden_late, [](int) { return -1.0; })),
               "the reference shows no blood beyond the error of measuring")
         << "what hides the veil as well is no smoke";
+    EXPECT_EQ(why("bleeding.max_extent", target_with([](int) { return -1.0; }, [](int) { return 0.3; })),
+              "blood of the reference is not measurable")
+        << "nor is it dense enough: the tissue is not found";
+}
+
+TEST(Undetermined, BloodInFewMomentsIsTooRare) {
+    const auto seen_for = [](int moments) {
+        return target_with([moments](int i) { return i < moments ? 0.1 * i : -1.0; }, [](int) { return 0.0; });
+    };
+    EXPECT_TRUE(too_rare("bleeding.speed", seen_for(2)));
+    EXPECT_FALSE(too_rare("bleeding.speed", seen_for(3)));
+    EXPECT_FALSE(too_rare("smoke.haze.ventilation", seen_for(2)));
+    EXPECT_EQ(why("bleeding.max_extent", seen_for(2)), "blood of the reference is measurable in 2 of 10 moments only");
+    EXPECT_THAT(why("bleeding.max_extent", seen_for(3)), testing::StartsWith("blood still spreads"));
 }
 
 TEST(Undetermined, VentilationNeedsFourSecondsOfClearing) {
@@ -58,7 +73,11 @@ TEST(Undetermined, VentilationNeedsFourSecondsOfClearing) {
 
 TEST(Undetermined, WhereTheCurvesAreNearestTellsWhatIsPossible) {
     const FreeParameter speed = parameters({"bleeding.speed"}).front();
-    EXPECT_EQ(where_nearest(speed, 2.04, 14.2, false), "it is where the curves are nearest; 2 to 14 mm/s is possible");
+    EXPECT_EQ(where_nearest(speed, 2.04, 14.2, false),
+              "it is where the curves are nearest; 2.04 to 14.2 mm/s is possible");
+    const FreeParameter extent = parameters({"bleeding.max_extent"}).front();
+    EXPECT_EQ(where_nearest(extent, 20.0, 120.4, false),
+              "it is where the curves are nearest; 20 to 120 mm is possible");
     EXPECT_EQ(where_nearest(speed, 2.0, 20.0, true),
               "it is where the curves are nearest, at its bound; 2 to 20 mm/s is possible");
     const FreeParameter density = parameters({"smoke.plume.density"}).front();
