@@ -6,9 +6,9 @@
 // It searches over curves that are told without drawing (carried.h), draws the scene where that ended, measures it as
 // the reference was measured, learns from the difference and searches again: a few drawn curves in all, of which the
 // nearest is the result. Parameters that the reference does not tell keep their value, and it is said why; but where
-// the curves rule that value out, or tell another but for what smoke may hide, it is where they are nearest. Where a
-// proposal moved tools, the scene as it was is searched, too, over told curves: the fit goes on with the nearer of the
-// two.
+// the curves rule that value out, or tell another but for what smoke may hide or too few moments show (undetermined.h),
+// it is where they are nearest. Where a proposal moved tools, the scene as it was is searched, too, over told curves:
+// the fit goes on with the nearer of the two.
 //
 // The thread of `draw`; the same input gives the same result, unless the budget ends it.
 #pragma once
@@ -69,7 +69,7 @@ struct FittedParameter {
     double before = 0.0, after = 0.0;
     double low = 0.0, high = 0.0;  ///< 90 % interval; that what is held is right is not taken for certain
     /// Known to within a factor of about two, beside what is held. Else it has kept its value, the fit ended early, or
-    /// it is only known that its value is another than before.
+    /// it is where the curves are nearest, which does not make it known.
     bool determined = false;
     bool at_bound = false;  ///< the curves would take it farther
     std::string why = {};   ///< why it is not determined, and what would tell it; else empty
