@@ -32,12 +32,12 @@ const match::Figure& figure_of(const std::string& name) {
     throw wrong_option("--at-most", unknown_word(name, "figure", names()).faults().front().reason);
 }
 
-double value_of(const std::string& text) {
+double value_of(const std::string& name, const std::string& text) {
     double value = 0.0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-        throw wrong_option("--at-most", "\"" + text + "\" is not a number");
-    if (value < 0.0) throw wrong_option("--at-most", text + " is below the minimum 0");
+        throw wrong_option("--at-most", name + ": \"" + text + "\" is not a number");
+    if (value < 0.0) throw wrong_option("--at-most", name + ": " + text + " is below the minimum 0");
     return value;
 }
 
@@ -47,7 +47,7 @@ Limit limit_of(const std::string& text) {
         throw wrong_option("--at-most", "\"" + text + "\" is not NAME=VALUE, such as veil_rms=0.05");
     const match::Figure& figure = figure_of(text.substr(0, equals));
     const std::string number = text.substr(equals + 1);
-    const double value = value_of(number);
+    const double value = value_of(figure.name, number);
     if (figure.farness == match::Farness::ratio && value < 1.0)
         throw wrong_option("--at-most", figure.name + "=" + number + " never holds: of a ratio the larger of it and " +
                                             "1 / it is limited, which is 1 at least");

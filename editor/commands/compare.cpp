@@ -36,6 +36,7 @@ struct Options {
 struct Found {
     match::Compared compared;
     double offset = 0.0;  ///< s
+    Window window = {};   ///< s of the scene or video that is held against the reference
     bool of_scene = false;
 };
 
@@ -147,6 +148,7 @@ Found compare_scene(const Options& o) {
     return {.compared = {.amounts = match::likeness_of(frames, of_reference.found.frames, offset),
                          .colors = match::likeness_of(colors.found(), of_reference.colors)},
             .offset = offset,
+            .window = window,
             .of_scene = true};
 }
 
@@ -176,7 +178,8 @@ Found compare_video(const Options& o) {
     const match::Likeness likeness = match::likeness_of(frames, of_reference.found.frames, offset);
     if (!likeness.overlap) throw refused(o.match.reference, "has fewer than two moments in common with " + o.shown);
     return {.compared = {.amounts = likeness, .colors = match::likeness_of(of_video.colors, of_reference.colors)},
-            .offset = offset};
+            .offset = offset,
+            .window = window};
 }
 
 void print(const match::Compared& compared) {
@@ -200,8 +203,11 @@ std::string json_of(const Options& o, const Found& found, std::span<const Limit>
     json["format"] = "lapfx.comparison";
     json["version"] = format_version;
     json[found.of_scene ? "scene" : "video"] = o.shown;
+    if (!o.preset.empty()) json["preset"] = o.preset;
+    if (!o.settings.empty()) json["set"] = o.settings;
     json["reference"] = o.match.reference;
     json["offset"] = found.offset;
+    json["window"] = {found.window.from, found.window.to};
     json["words"] = in_words(found.compared.amounts);
     Json& figures = json["figures"] = Json::object();
     for (const match::Figure& figure : match::figures())

@@ -1,5 +1,6 @@
 #include "match/likeness_words.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -12,6 +13,7 @@ constexpr double onset_error = 0.3, duration_error = 0.4;  // s
 constexpr double duration_share = 0.2;                     // of the reference's rise or decay: less is not worth a word
 constexpr double ratio_share = 0.005;                      // less than that is 0 %
 constexpr double plain_match = 0.25;                       // of the area: from here on a match says how far apart it is
+constexpr double plain_peak_match = 0.03;                  // of the view, the same of the peaks of what neither shows
 
 /// How an amount is spoken of, and what makes it.
 struct Words {
@@ -66,9 +68,16 @@ std::string size_text(double ratio, const Words& words) {
     return text("%.0f %% too %s", percent, ratio < 1.0 ? std::string(words.little).c_str() : much.c_str());
 }
 
-/// Whether the area under the curve is another though the error of measuring would explain that.
-bool matches_roughly(const AmountLikeness& amount) {
-    return amount.matches() && amount.area_ratio && std::abs(*amount.area_ratio - 1.0) > plain_match;
+/// How far apart an amount is though the error of measuring would explain that; empty where it is near.
+std::string rough_match(const AmountLikeness& amount, const Words& words) {
+    if (!amount.matches()) return {};
+    if (amount.area_ratio)
+        return std::abs(*amount.area_ratio - 1.0) > plain_match
+                   ? "it is measured " + size_text(*amount.area_ratio, words)
+                   : std::string();
+    const double preview = amount.preview.peak.value_or(0.0), reference = amount.reference.peak.value_or(0.0);
+    if (std::abs(preview - reference) <= plain_peak_match) return {};
+    return text("its peak is %.0f %% of the view, in the reference %.0f %%", 100.0 * preview, 100.0 * reference);
 }
 
 /// "rises 0.8 s too slowly"; empty where that is within the error.
@@ -86,10 +95,8 @@ class Telling {
         : a_(amount), words_(words), events_(events) {}
 
     std::vector<Clause> run() {
-        if (matches_roughly(a_))
-            say("matches within the error of measuring, which is large: it is measured " +
-                    size_text(*a_.area_ratio, words_),
-                Said::rough_match);
+        if (const std::string apart = rough_match(a_, words_); !apart.empty())
+            say("matches within the error of measuring, which is large: " + apart, Said::rough_match);
         else if (a_.matches())
             say("matches within the error of measuring", Said::match);
         else if (!tell_unmeasurable() && !tell_presence())
@@ -190,8 +197,7 @@ std::vector<Clause> clauses(const Likeness& likeness, std::span<const ToolContac
 std::string in_words(const Likeness& likeness) {
     const std::vector<Clause> all = clauses(likeness);
     if (all.size() == 1) return all.front().sentence();
-    const bool roughly = matches_roughly(likeness.blood) || matches_roughly(likeness.veil);
-    if (likeness.blood.matches() && likeness.veil.matches() && !roughly)
+    if (std::ranges::all_of(all, [](const Clause& clause) { return clause.what == Said::match; }))
         return "blood and veil match within the error of measuring";
     return sentence_of(all, all.front().amount) + "; " + sentence_of(all, all.back().amount);
 }

@@ -86,34 +86,34 @@ double VeilModel::Ridge::of(std::span<const double> terms) const {
 }
 
 /// Through the origin: where nothing has changed there is no veil.
-VeilModel::Ridge VeilModel::ridge(std::span<const VeilExample> examples, bool with_map, double penalty) {
+VeilModel::Ridge VeilModel::learned(std::span<const VeilExample> examples, bool with_map, double penalty) {
     const std::size_t count = terms_for(veil_statistics + (with_map ? 1 : 0));
     const auto n = static_cast<double>(examples.size());
-    Ridge ridge{.size = std::vector<double>(count, 0.0), .weights = {}};
+    Ridge made{.size = std::vector<double>(count, 0.0), .weights = {}};
     std::vector<Terms> all;
     for (const VeilExample& example : examples) {
         all.push_back(terms_of(example.figures, with_map));
-        for (std::size_t t = 0; t < count; ++t) ridge.size[t] += all.back().all[t] * all.back().all[t] / n;
+        for (std::size_t t = 0; t < count; ++t) made.size[t] += all.back().all[t] * all.back().all[t] / n;
     }
-    for (double& size : ridge.size) size = std::max(std::sqrt(size), least_size);
+    for (double& size : made.size) size = std::max(std::sqrt(size), least_size);
     const auto rows = static_cast<int>(count);
     cv::Mat normal = cv::Mat::zeros(rows, rows, CV_64F), right = cv::Mat::zeros(rows, 1, CV_64F);
     cv::Mat weights, term(right.size(), CV_64F);
     for (std::size_t i = 0; i < all.size(); ++i) {
-        for (std::size_t t = 0; t < count; ++t) term.at<double>(static_cast<int>(t)) = all[i].all[t] / ridge.size[t];
+        for (std::size_t t = 0; t < count; ++t) term.at<double>(static_cast<int>(t)) = all[i].all[t] / made.size[t];
         normal += term * term.t();
         right += term * (examples[i].veil - (with_map ? examples[i].figures.map : 0.0));
     }
     normal += cv::Mat::eye(normal.size(), CV_64F) * (penalty * n);
     cv::solve(normal, right, weights, cv::DECOMP_CHOLESKY);
-    ridge.weights.assign(weights.begin<double>(), weights.end<double>());
-    return ridge;
+    made.weights.assign(weights.begin<double>(), weights.end<double>());
+    return made;
 }
 
 VeilModel VeilModel::fitted(std::span<const VeilExample> examples) {
     VeilModel model;
-    model.with_map_ = ridge(examples, true, penalty_with_map);
-    model.without_map_ = ridge(examples, false, penalty_without_map);
+    model.with_map_ = learned(examples, true, penalty_with_map);
+    model.without_map_ = learned(examples, false, penalty_without_map);
     return model;
 }
 
@@ -169,7 +169,7 @@ VeilModel VeilModel::read(std::string_view json, const std::string& name) {
     const nlohmann::json all = nlohmann::json::parse(json, nullptr, false);
     if (!all.is_object()) throw refused(name, "", "is no JSON object");
     VeilModel model;
-    const auto ridge = [&all, &name](const char* key, std::size_t terms) {
+    const auto ridge_of = [&all, &name](const char* key, std::size_t terms) {
         const auto found = all.find(key);
         if (found == all.end() || !found->is_object()) throw refused(name, key, "is no object");
         Ridge read{.size = numbers_of(*found, key, "size", terms, name),
@@ -179,8 +179,8 @@ VeilModel VeilModel::read(std::string_view json, const std::string& name) {
                 throw refused(name, std::string(key) + "/size", std::to_string(size) + " is below the minimum 1e-6");
         return read;
     };
-    model.with_map_ = ridge("with_map", terms_for(veil_statistics + 1));
-    model.without_map_ = ridge("without_map", terms_for(veil_statistics));
+    model.with_map_ = ridge_of("with_map", terms_for(veil_statistics + 1));
+    model.without_map_ = ridge_of("without_map", terms_for(veil_statistics));
     const auto number = [&name](const nlohmann::json& of, const char* key, double least, double most) {
         const auto found = of.find(key);
         if (found == of.end() || !found->is_number() ||

@@ -60,7 +60,7 @@ class VeilModel {
         std::vector<double> size, weights;
         double of(std::span<const double> terms) const;
     };
-    static Ridge ridge(std::span<const VeilExample> examples, bool with_map, double penalty);
+    static Ridge learned(std::span<const VeilExample> examples, bool with_map, double penalty);
     static VeilModel fitted(std::span<const VeilExample> examples);
 
     std::string origin_;

@@ -80,7 +80,9 @@ def check_alike(lapfx, scene, video, folder):
     assert words == "blood and veil match within the error of measuring", words
     with open(path, encoding="utf-8") as file:
         written = json.load(file)
-    assert list(written) == ["format", "version", "scene", "reference", "offset", "words", "figures", "at_most"], written
+    assert list(written) == ["format", "version", "scene", "reference", "offset", "window", "words", "figures",
+                             "at_most"], written
+    assert written["window"] == [0.0, 6.0], written
     assert (written["format"], written["version"], written["offset"]) == ("lapfx.comparison", 1, 0), written
     assert (written["scene"], written["reference"], written["words"]) == (scene, video, words), written
     assert list(written["figures"]) == list(figures), (written["figures"], figures)
@@ -118,8 +120,12 @@ def check_farther(lapfx, scene, video, folder):
     with open(right, "w", encoding="utf-8") as file:
         json.dump(preset, file)
     for chosen in (("--set", f"smoke.haze.accumulation={ACCUMULATION}"), ("--preset", right)):
-        code, said, told = run(lapfx, "compare", scene, video, *WINDOW, *chosen, *at_most(ALIKE))
+        code, said, told = run(lapfx, "compare", scene, video, *WINDOW, *chosen, *at_most(ALIKE), "--json", path)
         assert code == 0, (chosen, said, told)
+        with open(path, encoding="utf-8") as file:
+            written = json.load(file)
+        key, value = ("set", [chosen[1]]) if chosen[0] == "--set" else ("preset", chosen[1])
+        assert written[key] == value and ("set" in written) != ("preset" in written), (chosen, written)
 
 
 def check_videos(lapfx, video, other, folder):
@@ -168,9 +174,9 @@ def check_refused(lapfx, scene, video, other, folder):
     cases = [
         ([*of_videos, "--at-most", "veil_rsm=1"], '"veil_rsm" is not a figure; nearest is veil_rms'),
         ([*of_videos, "--at-most", "veil_rms"], "is not NAME=VALUE"),
-        ([*of_videos, "--at-most", "veil_rms=much"], '"much" is not a number'),
-        ([*of_videos, "--at-most", "veil_rms=nan"], '"nan" is not a number'),
-        ([*of_videos, "--at-most", "veil_rms=-1"], "-1 is below the minimum 0"),
+        ([*of_videos, "--at-most", "veil_rms=much"], 'veil_rms: "much" is not a number'),
+        ([*of_videos, "--at-most", "veil_rms=nan"], 'veil_rms: "nan" is not a number'),
+        ([*of_videos, "--at-most", "veil_rms=-1"], "veil_rms: -1 is below the minimum 0"),
         ([*of_videos, *at_most({"veil_rms": 1}), *at_most({"veil_rms": 2})], "veil_rms is given twice"),
         ([*of_videos, "--set", "bleeding.speed=3"], "--set: is of a scene"),
         ([*of_videos, "--preset", scene], "--preset: is of a scene"),

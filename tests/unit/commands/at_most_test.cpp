@@ -78,8 +78,9 @@ TEST(AtMost, RefusesWhatIsNoLimit) {
                 ElementsAre("--at-most: \"veil_rsm\" is not a figure; nearest is veil_rms (see lapfx help)"));
     EXPECT_THAT(refused({"veil_rms"}), ElementsAre("--at-most: \"veil_rms\" is not NAME=VALUE, such as veil_rms=0.05"));
     for (const std::string number : {"", "abc", "nan", "inf", "1e999", "1 ", "0.1x", "0,1"})
-        EXPECT_THAT(refused({"veil_rms=" + number}), ElementsAre("--at-most: \"" + number + "\" is not a number"));
-    EXPECT_THAT(refused({"veil_rms=-0.1"}), ElementsAre("--at-most: -0.1 is below the minimum 0"));
+        EXPECT_THAT(refused({"veil_rms=" + number}),
+                    ElementsAre("--at-most: veil_rms: \"" + number + "\" is not a number"));
+    EXPECT_THAT(refused({"veil_rms=-0.1"}), ElementsAre("--at-most: veil_rms: -0.1 is below the minimum 0"));
     EXPECT_THAT(refused({"veil_rms=1", "veil_rms=2"}), ElementsAre("--at-most: veil_rms is given twice"));
     EXPECT_EQ(refused({"x=1", "veil_rms=-1", "veil_late=1"}).size(), 2U) << "every fault is told";
 }

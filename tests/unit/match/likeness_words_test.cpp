@@ -114,6 +114,22 @@ TEST(LikenessWords, SeveralOfOneAmountAreOneClauseEach) {
               "dense and falls 2.0 s too slowly");
 }
 
+TEST(LikenessWords, PeaksWithinALargeErrorAreToldThough) {
+    AmountLikeness a = alike();
+    a.in_preview = a.in_reference = Presence::none;
+    a.peak_ratio.reset(), a.area_ratio.reset();
+    a.preview.peak = 0.04, a.reference.peak = 0.06;
+    expect(of_blood(a), "blood matches within the error of measuring", Said::match, "");
+    a.reference.peak = 0.1;
+    expect(of_blood(a),
+           "blood matches within the error of measuring, which is large: its peak is 4 % of the view, in the reference "
+           "10 %",
+           Said::rough_match, "");
+    EXPECT_EQ(in_words({.overlap = 10.0, .blood = a, .veil = alike()}),
+              "blood matches within the error of measuring, which is large: its peak is 4 % of the view, in the "
+              "reference 10 %; veil matches within the error of measuring");
+}
+
 TEST(LikenessWords, WhatCannotBeMendedHasNoKey) {
     const std::vector<Clause> same = told(alike(), alike());
     ASSERT_EQ(same.size(), 2U);
