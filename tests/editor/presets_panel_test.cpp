@@ -47,8 +47,8 @@ class PresetsPanel : public EditorTest {
 constexpr std::size_t shipped_presets = 8;
 
 TEST_F(PresetsPanel, TheShippedPresetsAreFoundByNameTextAndTag) {
-    const Names all{"Brisk bleed", "Cleared haze",       "Fast haze",   "Gastric banding",
-                    "Heavy haze",  "Hook cautery plume", "Short puffs", "Slow ooze"};
+    const Names all{"Brisk bleed", "Cleared haze",       "Fast haze", "Gastric banding",
+                    "Heavy haze",  "Hook cautery plume", "Slow ooze", "Sudden burst"};
     EXPECT_EQ(names(), all);
     for (const std::string& name : all) EXPECT_TRUE(ui().exists("Workspace/Presets/Presets/" + name)) << name;
     ui().click("Workspace/Presets/Filter/Search").type("VEIL");

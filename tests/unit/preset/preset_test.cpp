@@ -34,7 +34,7 @@ TEST_P(ShippedPreset, LoadsAndIsWrittenAsItIs) {
 INSTANTIATE_TEST_SUITE_P(All, ShippedPreset,
                          testing::Values("gastric_banding.json", "slow_ooze.json", "brisk_bleed.json",
                                          "hook_cautery_plume.json", "heavy_haze.json", "fast_haze.json",
-                                         "cleared_haze.json", "short_puffs.json"),
+                                         "cleared_haze.json", "sudden_burst.json"),
                          [](const auto& test) {
                              const std::string name = test.param;
                              return name.substr(0, name.find('.'));
