@@ -258,12 +258,18 @@ AmountLikeness compare(std::span<const FrameAmounts> preview, std::span<const Fr
 
 }  // namespace
 
+bool AmountLikeness::lost_in_error() const {
+    const double of_preview = preview.peak.value_or(0.0), of_reference = reference.peak.value_or(0.0);
+    return (in_preview == Presence::shown && in_reference == Presence::none && of_reference > of_preview) ||
+           (in_preview == Presence::none && in_reference == Presence::shown && of_preview > of_reference);
+}
+
 bool AmountLikeness::missing_in_preview() const {
-    return in_preview == Presence::none && in_reference == Presence::shown && peak_over_error > 1.0;
+    return in_preview == Presence::none && in_reference == Presence::shown && peak_over_error > 1.0 && !lost_in_error();
 }
 
 bool AmountLikeness::missing_in_reference() const {
-    return in_preview == Presence::shown && in_reference == Presence::none && peak_over_error > 1.0;
+    return in_preview == Presence::shown && in_reference == Presence::none && peak_over_error > 1.0 && !lost_in_error();
 }
 
 bool AmountLikeness::matches() const {

@@ -54,6 +54,8 @@ struct AmountLikeness {
     std::optional<double> rise_difference;   ///< s, +: the preview rises too slowly
     std::optional<double> decay_difference;  ///< s, +: the preview falls too slowly
 
+    /// Shown by one and not by the other, whose error is so large that it is yet measured higher: it cannot be missing.
+    bool lost_in_error() const;
     /// Shown by one, not by the other, and more than the error of measuring between.
     bool missing_in_preview() const;
     bool missing_in_reference() const;

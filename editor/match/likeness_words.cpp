@@ -120,6 +120,7 @@ class Telling {
         return !clauses_.empty();
     }
     bool tell_presence() {
+        if (a_.lost_in_error()) return false;
         const bool changes = a_.preview.peak_at.has_value(), should = a_.reference.peak_at.has_value();
         if (a_.missing_in_preview())
             say("is missing in the preview", Said::missing, event_key(a_.reference, true));

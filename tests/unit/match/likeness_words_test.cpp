@@ -100,6 +100,21 @@ TEST(LikenessWords, WhatIsInThePreviewAloneLeadsToWhatSilencesIt) {
     expect(of_blood(a), "blood is in the preview alone", Said::surplus, "events.0.strength");
 }
 
+TEST(LikenessWords, WhatIsMeasuredHigherIsNotMissingThough) {
+    AmountLikeness a = different();
+    a.in_reference = Presence::none, a.reference = {}, a.reference.peak = 0.5;
+    a.late.reset(), a.peak_ratio.reset(), a.rise_difference.reset(), a.decay_difference.reset();
+    expect(of_veil(a), "veil differs by 0.1, 3.0 times the error of measuring", Said::course,
+           "smoke.haze.accumulation");
+    a.reference.peak = 0.2;
+    expect(of_veil(a), "veil is in the preview alone", Said::surplus, "events.3.power");
+    std::swap(a.preview, a.reference), std::swap(a.in_preview, a.in_reference);
+    expect(of_veil(a), "veil is missing in the preview", Said::missing, "events.3.time");
+    a.preview.peak = 0.5;
+    expect(of_veil(a), "veil differs by 0.1, 3.0 times the error of measuring", Said::course,
+           "smoke.haze.accumulation");
+}
+
 TEST(LikenessWords, SeveralOfOneAmountAreOneClauseEach) {
     AmountLikeness a = different(), b = different();
     a.late = -1.0, a.peak_ratio = 2.5, a.decay_difference = 2.0;
