@@ -44,16 +44,18 @@ Context Context::create(Backend backend) {
     if (backend != Backend::osmesa) owner = attempt("EGL", gl::make_egl);
     if (!owner && backend != Backend::egl) owner = attempt("OSMesa", gl::make_osmesa);
     if (!owner) throw no_gl(reasons);
-    load_functions(owner->get_proc_address(), owner->name());
-    return Context(std::move(owner));
+    const GetProcAddress functions = owner->get_proc_address();
+    load_functions(functions, owner->name());
+    return {std::move(owner), functions};
 }
 
 Context Context::external(GetProcAddress get_proc_address) {
     load_functions(get_proc_address, "the host's context");
-    return Context(nullptr);
+    return {nullptr, get_proc_address};
 }
 
-Context::Context(std::unique_ptr<Owner> owner) : owner_(std::move(owner)) {}
+Context::Context(std::unique_ptr<Owner> owner, GetProcAddress functions)
+    : owner_(std::move(owner)), functions_(functions) {}
 Context::Context(Context&&) noexcept = default;
 Context& Context::operator=(Context&&) noexcept = default;
 Context::~Context() = default;
@@ -63,6 +65,10 @@ std::string Context::renderer() const {
 }
 std::string Context::version() const {
     return gl_text(GL_VERSION);
+}
+
+Context::GetProcAddress Context::get_proc_address() const noexcept {
+    return functions_;
 }
 
 bool Context::software() const {

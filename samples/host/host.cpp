@@ -3,7 +3,7 @@
 // hand. With SECONDS it writes that frame as a PPM, without a window: as `lapfx render`, without the instrument.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <glad/gl.h>  // loaded by the core; a simulator has its own loader
+#include <glad/gl.h>  // this host's loader; a simulator has its own
 #include <lapfx/effects.h>
 #include <lapfx/frame.h>
 #include <lapfx/refine.h>
@@ -198,6 +198,7 @@ int main(int argc, char** argv) {
         GLFWwindow* const window = argc == 7 ? open_window(size) : nullptr;
         const auto context = window != nullptr ? lapfx::Context::external(glfwGetProcAddress)
                                                : lapfx::Context::create(lapfx::Backend::osmesa);
+        gladLoadGL(context.get_proc_address());
         Host host(argv, size, window == nullptr);
         window != nullptr ? run(host, window) : write_picture(host, std::atof(argv[7]));
     } catch (const lapfx::Error& error) {

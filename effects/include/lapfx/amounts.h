@@ -14,6 +14,7 @@
 #include <memory>
 #include <span>
 
+#include "lapfx/api.h"
 #include "lapfx/curves.h"
 #include "lapfx/error.h"
 #include "lapfx/organ.h"
@@ -50,7 +51,7 @@ struct AmountsOptions {
     glm::dvec3 gravity{0.0, -1.0, 0.0};  ///< direction in organ space
 };
 
-class AmountsModel {
+class LAPFX_API AmountsModel {
   public:
     /// Copies what it needs from the organ. It takes as long as the constructor of Effects, without the uploads. Images
     /// without pixels, such as PreparedOrgan::organ()'s, show no vessels: give the PreparedOrgan itself. Throws Error

@@ -16,12 +16,13 @@
 #include <memory>
 #include <span>
 
+#include "lapfx/api.h"
 #include "lapfx/preset.h"
 #include "lapfx/progress.h"
 
 namespace lapfx {
 
-class ClipCache {
+class LAPFX_API ClipCache {
   public:
     ClipCache();
     ~ClipCache();
@@ -39,7 +40,7 @@ class ClipCache {
     void forget(const std::filesystem::path& file = {});
 
   private:
-    struct State;
+    struct LAPFX_HIDDEN State;
     friend struct ClipCacheAccess;  // the core's own
     std::unique_ptr<State> state_;
 };

@@ -11,6 +11,8 @@
 #include <memory>
 #include <string>
 
+#include "lapfx/api.h"
+
 namespace lapfx {
 
 enum class Backend {
@@ -19,7 +21,7 @@ enum class Backend {
     osmesa,     ///< Mesa's off-screen software renderer, opened with dlopen
 };
 
-class Context {
+class LAPFX_API Context {
   public:
     using Function = void (*)();
     using GetProcAddress = Function (*)(const char* name);
@@ -34,15 +36,17 @@ class Context {
     Context& operator=(Context&&) noexcept;
     ~Context();
 
-    std::string renderer() const;  ///< GL_RENDERER
-    std::string version() const;   ///< GL_VERSION
-    bool software() const;         ///< true for llvmpipe and softpipe
+    std::string renderer() const;                      ///< GL_RENDERER
+    std::string version() const;                       ///< GL_VERSION
+    bool software() const;                             ///< true for llvmpipe and softpipe
+    GetProcAddress get_proc_address() const noexcept;  ///< finds this context's functions, for a host's own loader
 
-    struct Owner;  ///< private: what has to be released
+    struct LAPFX_HIDDEN Owner;  ///< private: what has to be released
 
   private:
-    explicit Context(std::unique_ptr<Owner> owner);
+    LAPFX_HIDDEN Context(std::unique_ptr<Owner> owner, GetProcAddress functions);
     std::unique_ptr<Owner> owner_;
+    GetProcAddress functions_;
 };
 
 }  // namespace lapfx

@@ -12,6 +12,8 @@
 #include <span>
 #include <vector>
 
+#include "lapfx/api.h"
+
 namespace lapfx {
 
 struct CurvePoint {
@@ -35,6 +37,6 @@ struct Curves {
 };
 
 /// The factor at `time`. `points` follow the rules of Curves.
-double curve_at(std::span<const CurvePoint> points, double time) noexcept;
+LAPFX_API double curve_at(std::span<const CurvePoint> points, double time) noexcept;
 
 }  // namespace lapfx

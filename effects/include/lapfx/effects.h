@@ -38,6 +38,7 @@
 #include <vector>
 
 #include "lapfx/amounts.h"
+#include "lapfx/api.h"
 #include "lapfx/context.h"
 #include "lapfx/curves.h"
 #include "lapfx/error.h"
@@ -71,7 +72,7 @@ struct OrganHit {
     double distance = 0.0;     ///< mm from the ray's origin
 };
 
-class Effects {
+class LAPFX_API Effects {
   public:
     /// Uploads the organ and opens the preset's clips. Throws Error.
     Effects(const Organ& organ, const Preset& preset, const EffectsOptions& options = {});
@@ -200,6 +201,6 @@ class Effects {
 /// alpha) and the strength to draw with. Throws Error (runtime) when a shader folder that the editor set
 /// lacks a file. Any thread. (Paper: "Simulation of bleeding", figure 6: "the bleeding code was integrated into the
 /// existing shader".)
-std::string bleeding_shader();
+LAPFX_API std::string bleeding_shader();
 
 }  // namespace lapfx

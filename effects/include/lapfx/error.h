@@ -13,10 +13,12 @@
 #include <string>
 #include <vector>
 
+#include "lapfx/api.h"
+
 namespace lapfx {
 
 /// One thing that is wrong.
-struct Fault {
+struct LAPFX_API Fault {
     std::string file;    ///< path as the caller gave it, or empty
     std::string place;   ///< where in the file: a JSON pointer, a line, an accessor; or empty
     std::string reason;  ///< the value found and what is allowed, one line
@@ -33,7 +35,7 @@ enum class Failure {
 };
 
 /// The one exception type of lapfx. what() contains all faults, one per line.
-class Error : public std::runtime_error {
+class LAPFX_API Error : public std::runtime_error {
   public:
     Error(Failure failure, std::vector<Fault> faults);
     Error(Failure failure, Fault fault) : Error(failure, std::vector<Fault>{std::move(fault)}) {}

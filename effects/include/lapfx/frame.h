@@ -17,6 +17,8 @@
 #include <glm/glm.hpp>
 #include <memory>
 
+#include "lapfx/api.h"
+
 namespace lapfx {
 
 /// How light becomes a picture: exposure, a soft shoulder for highlights, the endoscope's view, sRGB.
@@ -25,7 +27,7 @@ struct CameraResponse {
     double vignette = 1.0;  ///< 0 = whole rectangle, 1 = the round picture of an endoscope
 };
 
-class Frame {
+class LAPFX_API Frame {
   public:
     /// Throws Error (runtime) when the driver does not compile its shader.
     Frame();

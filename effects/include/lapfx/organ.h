@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "lapfx/api.h"
+
 namespace lapfx {
 
 /// 8-bit pixels, rows from the top, RGBA. Colour images are sRGB, normal maps are not.
@@ -89,6 +91,6 @@ struct OrganOptions {
 
 /// Throws Error: bad_input (missing, not a plain file, empty, truncated, malformed, no triangles, an
 /// extension we cannot read: each named).
-Organ load_organ(const std::filesystem::path& path, const OrganOptions& options = {});
+LAPFX_API Organ load_organ(const std::filesystem::path& path, const OrganOptions& options = {});
 
 }  // namespace lapfx

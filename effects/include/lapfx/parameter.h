@@ -16,6 +16,7 @@
 #include <variant>
 #include <vector>
 
+#include "lapfx/api.h"
 #include "lapfx/error.h"
 
 namespace lapfx {
@@ -54,7 +55,7 @@ enum : unsigned {
 }
 
 /// One row: everything about one parameter.
-struct Parameter {
+struct LAPFX_API Parameter {
     std::string_view key;   ///< JSON key, snake_case
     std::string_view name;  ///< human name, as the UI shows it
     Kind kind = Kind::number;
@@ -96,7 +97,7 @@ struct OrderRule {
 };
 
 /// A struct of parameters: a JSON object, or (with `list`) an array of such objects.
-struct Table {
+struct LAPFX_API Table {
     std::string_view key;   ///< JSON key in the parent, empty for the root
     std::string_view name;  ///< human name
     std::string_view help;
@@ -135,14 +136,14 @@ struct FoundParameter {
 
 /// Follows a key; '.' and '/' both separate, a leading '/' is allowed.
 /// Throws Error (bad_input) with the nearest known key.
-FoundParameter find_parameter(const Table& root, void* document, std::string_view key);
+LAPFX_API FoundParameter find_parameter(const Table& root, void* document, std::string_view key);
 
 /// Sets one value from text, as `--set KEY=VALUE` does: "4.5", "true", "light", "#5d0f11", "1,2,3". Throws Error
 /// (bad_input), and leaves the document as it was, when the key is unknown or the value is not allowed. Rules between
 /// values are not checked, because a series of calls may break one for a moment: call check() at the end.
-void set_parameter(const Table& root, void* document, std::string_view key, std::string_view value);
+LAPFX_API void set_parameter(const Table& root, void* document, std::string_view key, std::string_view value);
 
 /// Every fault in the values of a document: ranges, and rules between values. Places are pointers.
-std::vector<Fault> check(const Table& root, const void* document);
+LAPFX_API std::vector<Fault> check(const Table& root, const void* document);
 
 }  // namespace lapfx

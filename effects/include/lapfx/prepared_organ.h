@@ -13,13 +13,14 @@
 
 #include <memory>
 
+#include "lapfx/api.h"
 #include "lapfx/organ.h"
 #include "lapfx/preset.h"
 #include "lapfx/progress.h"
 
 namespace lapfx {
 
-class PreparedOrgan {
+class LAPFX_API PreparedOrgan {
   public:
     /// The organ with its long triangles split (refine.h). Its images have names and sizes but no pixels: those are
     /// kept until they have been sent to a GPU, and decoded again when they are needed.
@@ -29,11 +30,11 @@ class PreparedOrgan {
     ~PreparedOrgan();
 
   private:
-    struct State;
+    struct LAPFX_HIDDEN State;
     friend class Effects;
     friend class AmountsModel;
     friend struct PreparedOrganAccess;  // the core's own
-    explicit PreparedOrgan(std::unique_ptr<const State> state);
+    LAPFX_HIDDEN explicit PreparedOrgan(std::unique_ptr<const State> state);
     const State& state() const { return *state_; }
 
     std::unique_ptr<const State> state_;
@@ -41,7 +42,7 @@ class PreparedOrgan {
 
 /// Prepares an organ that the host has loaded. Densities are made for `vessels` first; another preset may be set later.
 /// Null when `progress` stopped it. Any thread.
-std::shared_ptr<const PreparedOrgan> prepare_organ(Organ organ, const VesselParameters& vessels = {},
-                                                   const Progress& progress = {});
+LAPFX_API std::shared_ptr<const PreparedOrgan> prepare_organ(Organ organ, const VesselParameters& vessels = {},
+                                                             const Progress& progress = {});
 
 }  // namespace lapfx

@@ -15,6 +15,7 @@
 #include <string>
 #include <string_view>
 
+#include "lapfx/api.h"
 #include "lapfx/bleeding_parameters.h"
 #include "lapfx/cautery_parameters.h"
 #include "lapfx/parameter.h"
@@ -35,15 +36,15 @@ struct Preset {
 };
 
 /// The root table of a preset document.
-const Table& preset_table();
+LAPFX_API const Table& preset_table();
 
 /// Reads and validates. `name` names the source in faults. Throws Error (bad_input) listing every fault at
 /// once (the first 200). At most 4 MiB of text, 100000 values and 32 levels.
-Preset parse_preset(std::string_view json, const std::string& name, const std::filesystem::path& folder = {});
-Preset load_preset(const std::filesystem::path& path);
+LAPFX_API Preset parse_preset(std::string_view json, const std::string& name, const std::filesystem::path& folder = {});
+LAPFX_API Preset load_preset(const std::filesystem::path& path);
 
 /// The JSON text: every key, in table order, two-space indent, final newline.
 /// write(parse(write(p))) == write(p).
-std::string write_preset(const Preset& preset);
+LAPFX_API std::string write_preset(const Preset& preset);
 
 }  // namespace lapfx

@@ -10,6 +10,7 @@
 // Any thread.
 #pragma once
 
+#include "lapfx/api.h"
 #include "lapfx/organ.h"
 
 namespace lapfx {
@@ -24,6 +25,6 @@ struct RefinedOrgan {
 
 /// Splits edges longer than 2 mm without making cracks, also along texture seams. It adds at most 300,000 triangles;
 /// where that is not enough (a room, a wrong unit), edges that are long in the file stay longer.
-RefinedOrgan refine(Organ organ);
+LAPFX_API RefinedOrgan refine(Organ organ);
 
 }  // namespace lapfx

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "lapfx/api.h"
 #include "lapfx/curves.h"
 #include "lapfx/parameter.h"
 #include "lapfx/tool.h"
@@ -158,9 +159,9 @@ struct Scene {
 };
 
 /// These work like those of presets (preset.h).
-const Table& scene_table();
-Scene parse_scene(std::string_view json, const std::string& name, const std::filesystem::path& folder = {});
-Scene load_scene(const std::filesystem::path& path);
-std::string write_scene(const Scene& scene);
+LAPFX_API const Table& scene_table();
+LAPFX_API Scene parse_scene(std::string_view json, const std::string& name, const std::filesystem::path& folder = {});
+LAPFX_API Scene load_scene(const std::filesystem::path& path);
+LAPFX_API std::string write_scene(const Scene& scene);
 
 }  // namespace lapfx
