@@ -1,0 +1,218 @@
+// Effects of the C API: what happens to the organ, and what is known of it.
+#include <cmath>
+
+#include "c/calls.h"
+#include "c/objects.h"
+
+namespace lapfx::c {
+
+namespace {
+
+glm::dvec3 vector_of(const double* vector, const char* argument) {
+    finite(argument, std::span(given(vector, argument), 3));
+    return {vector[0], vector[1], vector[2]};
+}
+
+ToolAction action_of(const char* argument, int action) {
+    return static_cast<ToolAction>(choice(argument, action, tool_action_count, "cauterise to clip"));
+}
+
+ToolContact contact_of(const lapfx_contact& c) {
+    return {.action = static_cast<ToolAction>(c.action),
+            .time = c.time,
+            .duration = c.duration,
+            .position = {c.position[0], c.position[1], c.position[2]},
+            .to = {c.to[0], c.to[1], c.to[2]},
+            .power = c.power,
+            .strength = c.strength};
+}
+
+/// Its place in the list is told, and made only then: a list may be set in each frame.
+void check_contact(const lapfx_contact& contact, std::size_t index) {
+    constexpr int actions = tool_action_count;
+    if (contact.size == sizeof contact && contact.action >= 0 && contact.action < actions) return;
+    const std::string argument = "contacts[" + std::to_string(index) + "]";
+    action_of((argument + ".action").c_str(), sized(&contact, "lapfx_contact", argument.c_str()).action);
+}
+
+ToolSample sample_of(const lapfx_sample& s) {
+    return {.time = s.time,
+            .position = {s.position[0], s.position[1], s.position[2]},
+            .touching = s.touching != 0,
+            .action = action_of("sample.action", s.action),
+            .power = s.power,
+            .strength = s.strength};
+}
+
+/// The vertices of a shape, checked: a coordinate that is no number would be everywhere.
+std::span<const glm::vec3> vertices_of(const float* data, std::size_t count, const char* argument) {
+    finite(argument, std::span(data, 3 * count));
+    return {reinterpret_cast<const glm::vec3*>(data), count};
+}
+
+void fill(lapfx_amounts& out, const Amounts& amounts) {
+    out.blood_area = amounts.blood_area;
+    out.blood_volume = amounts.blood_volume;
+    out.burnt_area = amounts.burnt_area;
+    out.haze = amounts.haze;
+    out.emission = amounts.emission;
+    out.lost_samples = amounts.lost_samples;
+    out.wounds = amounts.wounds;
+    out.bleeding_wounds = amounts.bleeding_wounds;
+    out.left_out_wounds = amounts.left_out_wounds;
+}
+
+void fill(lapfx_wound& out, const WoundStatus& status) {
+    out.state = static_cast<int>(status.state);
+    out.bleeds = status.bleeds ? 1 : 0;
+    for (int i = 0; i < 3; ++i) out.position[i] = status.wound.position[i];
+    out.start = status.wound.start;
+    out.stop = status.wound.stop;
+    out.strength = status.wound.strength;
+    out.extent = status.extent;
+}
+
+void fill(lapfx_memory_use& out, const MemoryUse& use) {
+    out.surface = use.surface;
+    out.pixels = use.pixels;
+    out.densities = use.densities;
+    out.geometry = use.geometry;
+    out.textures = use.textures;
+    out.clips = use.clips;
+    out.targets = use.targets;
+    out.total = use.total();
+}
+
+/// Calls that change something.
+template <typename Body>
+lapfx_status change(const char* function, lapfx_effects* effects, const Body& body) noexcept {
+    return call(function, [&] {
+        const Held<EffectsObject> held(effects, "effects");
+        held->shared->require_current();
+        body(*held);
+    });
+}
+
+/// Calls that ask for something.
+template <typename Body>
+lapfx_status ask(const char* function, lapfx_effects* effects, const Body& body) noexcept {
+    return call(function, [&] {
+        const Held<EffectsObject> held(effects, "effects");
+        held->shared->require_thread();
+        body(std::as_const(held->effects));
+    });
+}
+
+}  // namespace
+}  // namespace lapfx::c
+
+using namespace lapfx::c;
+
+lapfx_status lapfx_effects_set_contacts(lapfx_effects* effects, const lapfx_contact* contacts, size_t count) {
+    return change(__func__, effects, [&](EffectsObject& object) {
+        if (count > 0) given(contacts, "contacts");
+        object.contacts.clear();
+        for (std::size_t i = 0; i < count; ++i) {
+            check_contact(contacts[i], i);
+            object.contacts.push_back(contact_of(contacts[i]));
+        }
+        object.effects.set_contacts(object.contacts);
+    });
+}
+
+lapfx_status lapfx_effects_push_sample(lapfx_effects* effects, const lapfx_sample* sample) {
+    bool room = true;
+    const lapfx_status status = call(__func__, [&] {
+        const Held<EffectsObject> held(effects, "effects");
+        room = held->effects.tool_queue().push(sample_of(LAPFX_SIZED(const lapfx_sample, sample)));
+    });
+    return room ? status : quiet(LAPFX_RUNTIME, "lapfx_effects_push_sample: the queue is full; the sample is lost");
+}
+
+lapfx_status lapfx_effects_set_curves(lapfx_effects* effects, const lapfx_scene* scene) {
+    return change(__func__, effects, [&](EffectsObject& object) {
+        object.effects.set_curves(scene == nullptr ? lapfx::Curves{} : Held<SceneObject>(scene, "scene")->scene.curves);
+    });
+}
+
+lapfx_status lapfx_effects_set_shape(lapfx_effects* effects, size_t vertex_count, const float* positions,
+                                     const float* normals) {
+    return change(__func__, effects, [&](EffectsObject& object) {
+        given(positions, "positions");
+        if (vertex_count != object.vertices)
+            refuse_value("vertex_count", std::to_string(vertex_count) + "; the organ has " +
+                                             std::to_string(object.vertices) + " vertices");
+        object.effects.set_shape(vertices_of(positions, vertex_count, "positions"),
+                                 vertices_of(normals, normals == nullptr ? 0 : vertex_count, "normals"));
+    });
+}
+
+lapfx_status lapfx_effects_set_gravity(lapfx_effects* effects, const double gravity[3]) {
+    return change(__func__, effects,
+                  [&](EffectsObject& object) { object.effects.set_gravity(vector_of(gravity, "gravity")); });
+}
+
+lapfx_status lapfx_effects_set_seed(lapfx_effects* effects, uint32_t seed) {
+    return change(__func__, effects, [&](EffectsObject& object) { object.effects.set_seed(seed); });
+}
+
+lapfx_status lapfx_effects_set_organ_color(lapfx_effects* effects, const double color[3]) {
+    return change(__func__, effects,
+                  [&](EffectsObject& object) { object.effects.set_organ_color(vector_of(color, "color")); });
+}
+
+lapfx_status lapfx_effects_seek(lapfx_effects* effects, double time) {
+    return change(__func__, effects, [&](EffectsObject& object) {
+        finite("time", time);
+        object.effects.seek(time);
+    });
+}
+
+lapfx_status lapfx_effects_get_amounts(lapfx_effects* effects, lapfx_amounts* amounts) {
+    return ask(__func__, effects,
+               [&](const lapfx::Effects& e) { fill(LAPFX_SIZED(lapfx_amounts, amounts), e.amounts()); });
+}
+
+lapfx_status lapfx_effects_get_wound_count(lapfx_effects* effects, size_t* count) {
+    return ask(__func__, effects, [&](const lapfx::Effects& e) { *given(count, "count") = e.wounds().size(); });
+}
+
+lapfx_status lapfx_effects_get_wound(lapfx_effects* effects, size_t index, lapfx_wound* wound) {
+    return ask(__func__, effects, [&](const lapfx::Effects& e) {
+        fill(LAPFX_SIZED(lapfx_wound, wound), e.wounds()[index_below(index, e.wounds().size(), "wounds")]);
+    });
+}
+
+lapfx_status lapfx_effects_get_contact_count(lapfx_effects* effects, size_t* count) {
+    return ask(__func__, effects, [&](const lapfx::Effects& e) { *given(count, "count") = e.contacts().size(); });
+}
+
+lapfx_status lapfx_effects_get_contact(lapfx_effects* effects, size_t index, lapfx_contact* contact) {
+    return ask(__func__, effects, [&](const lapfx::Effects& e) {
+        lapfx_contact& out = LAPFX_SIZED(lapfx_contact, contact);
+        fill(out, e.contacts()[index_below(index, e.contacts().size(), "contacts")]);
+    });
+}
+
+lapfx_status lapfx_effects_pick(lapfx_effects* effects, const double origin[3], const double direction[3],
+                                lapfx_hit* hit) {
+    return ask(__func__, effects, [&](const lapfx::Effects& e) {
+        lapfx_hit& out = LAPFX_SIZED(lapfx_hit, hit);
+        const glm::dvec3 from = vector_of(origin, "origin"), along = vector_of(direction, "direction");
+        if (glm::length(along) == 0.0) refuse_value("direction", "a vector of length 0 has no direction");
+        const std::optional<lapfx::OrganHit> met = e.pick(from, along);
+        const lapfx::OrganHit place = met.value_or(lapfx::OrganHit{});
+        out.found = met ? 1 : 0;
+        for (int i = 0; i < 3; ++i) out.position[i] = place.position[i];
+        out.distance = place.distance;
+    });
+}
+
+lapfx_status lapfx_effects_get_late(lapfx_effects* effects, int* late) {
+    return ask(__func__, effects, [&](const lapfx::Effects& e) { *given(late, "late") = e.late() ? 1 : 0; });
+}
+
+lapfx_status lapfx_effects_get_memory(lapfx_effects* effects, lapfx_memory_use* use) {
+    return ask(__func__, effects,
+               [&](const lapfx::Effects& e) { fill(LAPFX_SIZED(lapfx_memory_use, use), e.memory_use()); });
+}
