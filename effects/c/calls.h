@@ -58,7 +58,7 @@ T& sized(T* data, const char* type, const char* argument) {
                      "), " + std::to_string(sizeof(T)));
     return *data;
 }
-#define LAPFX_SIZED(type, argument) lapfx::c::sized<type>(argument, #type, #argument)
+#define LAPFX_SIZED(type, argument) lapfx::c::sized(argument, #type, #argument)
 
 /// Calls that make an object: `body` gives it, and `out` becomes its handle, or NULL.
 template <typename T, typename Body>

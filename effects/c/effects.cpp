@@ -11,14 +11,16 @@ namespace {
 
 lapfx::EffectsOptions options_of(const lapfx_effects_options* options) {
     if (options == nullptr) return {};
-    const lapfx_effects_options& o = LAPFX_SIZED(const lapfx_effects_options, options);
+    const lapfx_effects_options& o = LAPFX_SIZED(lapfx_effects_options, options);
     finite("options.gravity", o.gravity);
     if (o.clip_folder_count > 0) given(o.clip_folders, "options.clip_folders");
-    EffectsOptions out{
-        .seed = o.seed, .gravity = {o.gravity[0], o.gravity[1], o.gravity[2]}, .wait_for_clips = o.wait_for_clips != 0};
+    EffectsOptions out;
+    out.seed = o.seed;
+    out.gravity = {o.gravity[0], o.gravity[1], o.gravity[2]};
+    out.wait_for_clips = o.wait_for_clips != 0;
+    out.streaming.memory = o.clip_memory;
     for (std::size_t i = 0; i < o.clip_folder_count; ++i)
         out.clip_folders.emplace_back(given(o.clip_folders[i], "an element of options.clip_folders"));
-    out.streaming.memory = o.clip_memory;
     return out;
 }
 
@@ -31,7 +33,7 @@ glm::mat4 matrix_of(const float (&elements)[16], const char* argument) {
 }
 
 lapfx::View view_of(const lapfx_view* view) {
-    const lapfx_view& v = LAPFX_SIZED(const lapfx_view, view);
+    const lapfx_view& v = LAPFX_SIZED(lapfx_view, view);
     finite("view.lamp_intensity", v.lamp_intensity);
     finite("view.lamp_focus_distance", v.lamp_focus_distance);
     finite("view.lamp_beam_angle", v.lamp_beam_angle);

@@ -1,5 +1,5 @@
 // Effects of the C API: what happens to the organ, and what is known of it.
-#include <cmath>
+#include <utility>
 
 #include "c/calls.h"
 #include "c/objects.h"
@@ -124,7 +124,7 @@ lapfx_status lapfx_effects_push_sample(lapfx_effects* effects, const lapfx_sampl
     bool room = true;
     const lapfx_status status = call(__func__, [&] {
         const Held<EffectsObject> held(effects, "effects");
-        room = held->effects.tool_queue().push(sample_of(LAPFX_SIZED(const lapfx_sample, sample)));
+        room = held->effects.tool_queue().push(sample_of(LAPFX_SIZED(lapfx_sample, sample)));
     });
     return room ? status : quiet(LAPFX_RUNTIME, "lapfx_effects_push_sample: the queue is full; the sample is lost");
 }

@@ -49,7 +49,7 @@ lapfx_status lapfx_organ_load(const char* path, const lapfx_organ_options* optio
 
 lapfx_status lapfx_organ_create(const lapfx_mesh* mesh, lapfx_organ** organ) {
     return make<OrganObject>(__func__, organ, "organ", [&, function = __func__] {
-        return organ_object(function, lapfx::make_organ(mesh_of(LAPFX_SIZED(const lapfx_mesh, mesh))));
+        return organ_object(function, lapfx::make_organ(mesh_of(LAPFX_SIZED(lapfx_mesh, mesh))));
     });
 }
 
