@@ -15,12 +15,12 @@ Many pictures of one scene, with one value after another:
 
 And call by call, as a simulator does it: samples/host/host.py.
 
-Lengths mm, times s, colours as in lapfx.h. What fails raises Error: BadInput (a file or a value has to change), NoOpenGL,
-Misuse (the program has to change), or Error itself. Warnings go to the logger "lapfx". Objects are freed when they are
-collected, at the end of `with`, or by close(); contexts, effects and frames on the thread that made them.
+Lengths mm, times s, colours as in lapfx.h. What fails raises Error: BadInput (a file or a value has to change),
+NoOpenGL, Misuse (the program has to change), or Error itself. Warnings go to the logger "lapfx". Objects are freed when
+they are collected, at the end of `with`, or by close(); contexts, effects and frames on the thread that made them.
 
-The library is LAPFX_LIBRARY, else liblapfx.so.0 two folders above this file, where it is installed, else what the loader
-finds.
+The library is LAPFX_LIBRARY, else liblapfx.so.0 two folders above this file, where it is installed, else what the
+loader finds.
 """
 import ctypes
 import json
@@ -106,19 +106,18 @@ def _text(path):
 
 
 def _vector(values):
-    array = numpy.ascontiguousarray(values, numpy.float64)
-    if array.shape != (3,):
-        raise BadInput(f"a vector of the shape {array.shape}; expected 3 numbers")
-    return array.ctypes.data_as(ctypes.c_void_p), array  # the array lives as long as the pair
+    if len(values) != 3:
+        raise BadInput(f"a vector of {len(values)} numbers; expected 3")
+    return _double3(*values)
 
 
-def _floats(values, width, name):
-    """An array of vertices; None stays None."""
+def _floats(values, width, name, rows=None):
+    """An array of vertices, with so many rows; None stays None."""
     if values is None:
         return None
     array = numpy.ascontiguousarray(values, numpy.float32)
-    if array.ndim != 2 or array.shape[1] != width:
-        raise BadInput(f"{name}: an array of the shape {array.shape}; expected (vertices, {width})")
+    if array.ndim != 2 or array.shape[1] != width or rows not in (None, len(array)):
+        raise BadInput(f"{name}: an array of the shape {array.shape}; expected ({rows or 'vertices'}, {width})")
     return array
 
 
@@ -266,7 +265,15 @@ class _EffectsOptions(_Struct):
                 ("clip_memory", _size)]
 
 
-class _Object:
+class _Closing:
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+
+class _Object(_Closing):
     """What a handle leads to."""
 
     _kind = ""
@@ -281,12 +288,6 @@ class _Object:
         if self._handle is not None:
             _call(self._kind + "_destroy", self._handle)
             self._handle = None
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.close()
 
     def __del__(self):
         try:
@@ -333,15 +334,12 @@ class Organ(_Object):
     @classmethod
     def of(cls, positions, triangles, normals=None, uvs=None, colors=None):
         """From arrays: (n, 3) mm, (m, 3) indices, and what there is of (n, 3), (n, 2), (n, 4)."""
-        arrays = [_floats(positions, 3, "positions"), _floats(normals, 3, "normals"), _floats(uvs, 2, "uvs"),
-                  _floats(colors, 4, "colors")]
-        indices = numpy.ascontiguousarray(triangles, numpy.uint32)
-        for name, array in zip(("normals", "uvs", "colors"), arrays[1:]):
-            if array is not None and len(array) != len(arrays[0]):
-                raise BadInput(f"{name}: {len(array)} rows; positions has {len(arrays[0])}")
-        mesh = _Mesh(vertex_count=len(arrays[0]), positions=_pointer(arrays[0]), index_count=indices.size,
-                     indices=_pointer(indices), normals=_pointer(arrays[1]), uvs=_pointer(arrays[2]),
-                     colors=_pointer(arrays[3]))
+        positions, indices = _floats(positions, 3, "positions"), numpy.ascontiguousarray(triangles, numpy.uint32)
+        rows = len(positions)
+        normals, uvs, colors = (_floats(normals, 3, "normals", rows), _floats(uvs, 2, "uvs", rows),
+                                _floats(colors, 4, "colors", rows))
+        mesh = _Mesh(vertex_count=rows, positions=_pointer(positions), index_count=indices.size, indices=_pointer(indices),
+                     normals=_pointer(normals), uvs=_pointer(uvs), colors=_pointer(colors))
         return cls.__new__(cls)._made("organ_create", ctypes.byref(mesh))
 
     def refined(self):
@@ -455,15 +453,14 @@ class Effects(_Object):
 
     def set_shape(self, positions, normals=None):
         """Deforms the organ: a row for each vertex that it was given with."""
-        positions, normals = _floats(positions, 3, "positions"), _floats(normals, 3, "normals")
-        if normals is not None and len(normals) != len(positions):
-            raise BadInput(f"normals: {len(normals)} rows; positions has {len(positions)}")
+        positions = _floats(positions, 3, "positions")
+        normals = _floats(normals, 3, "normals", len(positions))
         _call("effects_set_shape", self._handle, _size(len(positions)), ctypes.c_void_p(_pointer(positions)),
               ctypes.c_void_p(_pointer(normals)))
 
     def set_gravity(self, gravity):
         """Blood runs this way."""
-        _call("effects_set_gravity", self._handle, _vector(gravity)[0])
+        _call("effects_set_gravity", self._handle, _vector(gravity))
 
     def set_seed(self, seed):
         """Every random choice depends on it alone."""
@@ -471,7 +468,7 @@ class Effects(_Object):
 
     def set_organ_color(self, color):
         """Multiplies the colours of the organ; sRGB."""
-        _call("effects_set_organ_color", self._handle, _vector(color)[0])
+        _call("effects_set_organ_color", self._handle, _vector(color))
 
     def seek(self, time):
         """The state at a time, s."""
@@ -513,9 +510,7 @@ class Effects(_Object):
 
     def pick(self, origin, direction):
         """Where a ray first meets the organ (Hit), or None."""
-        (start, start_array), (along, along_array) = _vector(origin), _vector(direction)
-        hit = _fill(Hit, "effects_pick", self._handle, start, along)
-        del start_array, along_array
+        hit = _fill(Hit, "effects_pick", self._handle, _vector(origin), _vector(direction))
         return hit if hit.found else None
 
     def late(self):
@@ -563,7 +558,7 @@ class Frame(_Object):
         return out
 
 
-class Player:
+class Player(_Closing):
     """A scene with a preset (a path, a Preset, or None: the scene's own), as pictures: those of `lapfx render`, without
     the instrument. What it is made of may be used: scene, preset, context, organ, effects, frame."""
 
@@ -595,12 +590,6 @@ class Player:
         """Frees what belongs to its context."""
         for one in (self.frame, self.effects, self.context):
             one.close()
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.close()
 
 
 def render(scene, preset=None, times=(0.0,), size=(640, 512), clip_folders=(), backend="automatic", alpha=False):

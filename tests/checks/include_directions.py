@@ -3,11 +3,11 @@
 
     editor, samples -> effects/include/lapfx/*.h, and what is for lapfx's own programs:
                        effects/include_authoring/lapfx/authoring/*.h
-    samples/host, as any host -> effects/include/lapfx/*.h alone
+    samples/host, as any host -> effects/include/lapfx/*.h, effects/c/include/lapfx.h alone
     editor: commands -> window, panels -> app -> document -> lapfx/*.h
     editor/app: browser -> files -> measure -> {clips, reference} -> tuning -> preview -> base
-    effects/*.{h,cpp} -> render -> {bleeding, smoke, cautery} -> organ -> {media, tool} -> {preset, gl, work}
-                      -> effects/include/lapfx/*.h
+    effects/c -> effects/*.{h,cpp} -> render -> {bleeding, smoke, cautery} -> organ -> {media, tool}
+              -> {preset, gl, work} -> effects/include/lapfx/*.h
     lapfx::simulation (all of effects/ that does not draw, by the list in effects/CMakeLists.txt) -> nothing that draws,
                       no OpenGL
 
@@ -20,11 +20,12 @@ import sys
 import source_files
 
 PUBLIC = "effects/include/lapfx/"
+IN_C = "effects/c/include/"
 AUTHORING = "effects/include_authoring/lapfx/authoring/"
 # The facade: it knows all of the core, so nothing that it is made of may include it.
 FACADE = (PUBLIC + "effects.h", PUBLIC + "frame.h", AUTHORING + "preview.h")
 LEVELS = {"preset": 0, "gl": 0, "work": 0, "media": 1, "tool": 1, "organ": 2, "bleeding": 3, "smoke": 3, "cautery": 3, "render": 4,
-          "": 5}
+          "": 5, "c": 6}
 # Public headers of what draws; what else of effects/ draws is said once, where the two libraries are made of it.
 DRAWN = (*FACADE, PUBLIC + "context.h")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
@@ -46,7 +47,7 @@ def includes_of(text):
 def part(path):
     """The folder of effects/ that a file lies in, '' at its top, None outside of it or in its public headers."""
     pieces = path.split("/")
-    if pieces[0] != "effects" or path.startswith((PUBLIC, AUTHORING)):
+    if pieces[0] != "effects" or path.startswith((PUBLIC, AUTHORING, IN_C)):
         return None
     return pieces[1] if len(pieces) > 2 else ""
 
@@ -54,7 +55,7 @@ def part(path):
 def resolve(path, name, files):
     """The project's file that an #include in `path` means; None for a system header or a generated one."""
     top = path.split("/")[0]
-    for folder in (os.path.dirname(path), top, "effects/include", "effects/include_authoring", "effects", "editor", "samples", "tests"):
+    for folder in (os.path.dirname(path), top, "effects/include", "effects/include_authoring", IN_C, "effects", "editor", "samples", "tests"):
         candidate = os.path.normpath(os.path.join(folder, name)).replace(os.sep, "/")
         if candidate in files:
             return candidate
@@ -75,13 +76,20 @@ def public_fault(path, target, name):
     return None
 
 
+def c_fault(name):
+    """The header in C is all that a host needs."""
+    return None if name in ("stddef.h", "stdint.h") else f"the header in C includes <stddef.h> and <stdint.h>, not {name}"
+
+
 def effects_fault(path, target):
     """Inside the core: downwards only."""
     here = part(path)
     if target is None:
         return None
+    if target.startswith(IN_C):
+        return None if here == "c" else f"effects/c is above effects/{here}"
     if target.startswith((PUBLIC, AUTHORING)):
-        if target in FACADE and here not in ("", "render"):
+        if target in FACADE and here not in ("", "render", "c"):
             return f"{target[target.index('lapfx/'):]} is above effects/{here}"
         return None
     there = part(target)
@@ -137,7 +145,7 @@ def app_fault(path, target):
 def outside_fault(path, target):
     """The editor and the samples see of the core what any simulator sees, and what there is for them; the sample host
     no more."""
-    seen = PUBLIC if path.startswith("samples/host/") else (PUBLIC, AUTHORING)
+    seen = (PUBLIC, IN_C) if path.startswith("samples/host/") else (PUBLIC, IN_C, AUTHORING)
     if target is None or not target.startswith("effects/") or target.startswith(seen):
         return None
     if target.startswith(AUTHORING):
@@ -165,6 +173,8 @@ def editor_fault(path, target, name):
 def fault_of(path, target, name):
     if path.startswith((PUBLIC, AUTHORING)):
         return public_fault(path, target, name)
+    if path.startswith(IN_C):
+        return c_fault(name)
     if path.startswith("effects/"):
         return effects_fault(path, target)
     if path.startswith("editor/ui/"):
@@ -268,6 +278,13 @@ EXAMPLES = [
      {"effects/smoke/a.cpp": '  #  include <lapfx/authoring/preview.h>', AUTHORING + "preview.h": ""}),
     (None, {"effects/organ/a.cpp": '#include "lapfx/authoring/file.h"', "editor/app/a.cpp": '#include "lapfx/authoring/file.h"',
             AUTHORING + "file.h": '#include "lapfx/error.h"', PUBLIC + "error.h": ""}),
+    (None, {"samples/host/a.c": "#include <lapfx.h>\n#include <stdio.h>", IN_C + "lapfx.h": "#include <stddef.h>",
+            "effects/c/a.cpp": '#include "lapfx.h"\n#include "lapfx/effects.h"\n#include "render/b.h"', "effects/render/b.h": "",
+            PUBLIC + "effects.h": ""}),
+    ("the header in C includes", {IN_C + "lapfx.h": "#include <lapfx/organ.h>", PUBLIC + "organ.h": ""}),
+    ("effects/c is above effects/render", {"effects/render/a.cpp": '#include "lapfx.h"', IN_C + "lapfx.h": ""}),
+    ("effects/c is above effects/", {"effects/render/a.cpp": '#include "c/b.h"', "effects/c/b.h": ""}),
+    ("this is an internal header", {"samples/host/a.c": '#include "c/b.h"', "effects/c/b.h": ""}),
     ("a host does not see", {PUBLIC + "organ.h": '#include "lapfx/authoring/file.h"', AUTHORING + "file.h": ""}),
     ("a host does not see", {"samples/host/a.cpp": '#include <lapfx/authoring/file.h>', AUTHORING + "file.h": ""}),
     ("may not include an internal one", {AUTHORING + "file.h": '#include "gl/b.h"', "effects/gl/b.h": ""}),

@@ -3,7 +3,7 @@ import os
 import subprocess
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
-CPP = (".cpp", ".h")
+CPP = (".cpp", ".c", ".h")
 SHADERS = (".vert", ".frag", ".glsl", ".comp")
 
 
