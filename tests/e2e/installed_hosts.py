@@ -1,5 +1,5 @@
-"""Hosts that are built of what was installed alone (install_test.py): in C++ and in C, found by CMake and by pkg-config,
-and in Python. All draw what the host of the build folder draws.
+"""Hosts that are built of what was installed alone (install_test.py): in C++ and in C, found by CMake and by
+pkg-config, and in Python. All draw what the host of the build folder draws.
 """
 import os
 import re

@@ -7,16 +7,17 @@
 #include "gl/objects.h"
 #include "lapfx/refine.h"
 #include "lapfx/scene.h"
+#include "parity/allocations.h"
 #include "parity/render/scene_fixture.h"
 #include "render/camera.h"
 #include "support/meshes.h"
 
+thread_local std::size_t lapfx::test::allocations = 0;
+
 namespace {
 
-thread_local std::size_t allocations = 0;
-
 void* counted(std::size_t bytes) {
-    ++allocations;
+    ++lapfx::test::allocations;
     if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
     throw std::bad_alloc();
 }
@@ -45,6 +46,8 @@ void operator delete[](void* memory, std::size_t) noexcept {
 
 namespace lapfx {
 namespace {
+
+using test::allocations;
 
 class EffectsTest : public test::SceneTest {
   protected:
