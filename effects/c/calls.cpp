@@ -59,8 +59,8 @@ std::string with_function(const char* function, const std::string& lines) {
 
 lapfx_status told(lapfx_status status, const char* function, const char* reason) {
     kept_text() = with_function(function, reason);
-    last_message = kept_text().c_str();
     the_log().tell(LAPFX_LOG_ERROR, kept_text());
+    last_message = kept_text().c_str();  // after the log, which may have called lapfx in vain
     return status;
 }
 

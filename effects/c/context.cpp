@@ -11,6 +11,9 @@ namespace {
 /// The context in which this thread has begun a frame and not finished it.
 thread_local const SharedContext* open_frame = nullptr;
 
+static_assert(LAPFX_BACKEND_EGL == static_cast<int>(Backend::egl) &&
+              LAPFX_BACKEND_OSMESA == static_cast<int>(Backend::osmesa));
+
 std::unique_ptr<ContextObject> context_object(Context context, bool external) {
     auto object = std::make_unique<ContextObject>();
     object->shared = std::make_shared<SharedContext>(std::move(context), external);

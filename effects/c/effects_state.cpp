@@ -8,6 +8,11 @@ namespace lapfx::c {
 
 namespace {
 
+static_assert(LAPFX_CAUTERISE == static_cast<int>(ToolAction::cauterise) &&
+              LAPFX_CLIP == static_cast<int>(ToolAction::clip) && tool_action_count == LAPFX_CLIP + 1);
+static_assert(LAPFX_WOUND_WAITING == static_cast<int>(WoundState::waiting) &&
+              LAPFX_WOUND_CLOSED == static_cast<int>(WoundState::closed));
+
 glm::dvec3 vector_of(const double* vector, const char* argument) {
     finite(argument, std::span(given(vector, argument), 3));
     return {vector[0], vector[1], vector[2]};

@@ -165,7 +165,7 @@ LAPFX_API lapfx_status lapfx_organ_destroy(lapfx_organ* organ);
 LAPFX_API lapfx_status lapfx_preset_load(const char* path, lapfx_preset** preset);
 /// `json` ends with a zero; `folder` is where its clips are looked up first, NULL: in clip_folders alone.
 LAPFX_API lapfx_status lapfx_preset_parse(const char* json, const char* folder, lapfx_preset** preset);
-/// Sets one value from text: "bleeding.speed" and "8", "bleeding.color" and "#5d0f11". Effects take it with
+/// Sets one value from text: "bleeding.speed" and "8", "bleeding.color_deep" and "#5d0f11". Effects take it with
 /// lapfx_effects_set_preset, which checks the rules between values.
 LAPFX_API lapfx_status lapfx_preset_set(lapfx_preset* preset, const char* key, const char* value);
 /// The whole preset as JSON; valid until the next call of this function for it, and until it is destroyed.

@@ -41,7 +41,7 @@ TEST_F(UseTest, ValuesOfAPresetAreLive) {
     cut();
     expect_ok(lapfx_effects_seek(effects, 3.0));
     const std::vector<std::uint8_t> red = picture();
-    expect_ok(lapfx_preset_set(preset, "bleeding.color", "#10f020"));
+    expect_ok(lapfx_preset_set(preset, "bleeding.color_thin", "#10f020"));
     const char* json = nullptr;
     expect_ok(lapfx_preset_write(preset, &json));
     EXPECT_THAT(json, testing::HasSubstr("\"plain\""));
