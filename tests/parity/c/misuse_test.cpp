@@ -179,7 +179,7 @@ TEST_F(MisuseTest, ValuesAreToldWithWhatIsAllowed) {
 }
 
 TEST_F(MisuseTest, MeshesThatAreNoneAreNotMade) {
-    const float corners[] = {0, 0, 0, 9, 0, 0, 0, 9, 0};
+    const float corners[] = {0, 0, 0, 9, 0, 0, 0, 9, 0}, broken[] = {0, 0, 1, nan, 0, 0};
     const std::uint32_t triangle[] = {0, 1, 2}, beyond[] = {0, 1, 3};
     lapfx_mesh mesh = LAPFX_MESH;
     lapfx_organ* made = nullptr;
@@ -188,13 +188,17 @@ TEST_F(MisuseTest, MeshesThatAreNoneAreNotMade) {
     mesh.vertex_count = 3;
     expect_fails(lapfx_organ_create(&mesh, &made), LAPFX_MISUSE, "mesh.indices is NULL");
     mesh.indices = triangle;
-    expect_fails(lapfx_organ_create(&mesh, &made), LAPFX_BAD_INPUT, "");
+    expect_fails(lapfx_organ_create(&mesh, &made), LAPFX_BAD_INPUT, "organ: indices: 0; three for each of 1 to ");
     mesh.index_count = 2;
-    expect_fails(lapfx_organ_create(&mesh, &made), LAPFX_BAD_INPUT, "2");
+    expect_fails(lapfx_organ_create(&mesh, &made), LAPFX_BAD_INPUT, "organ: indices: 2; three for each of 1 to ");
     mesh.index_count = 3;
     mesh.indices = beyond;
-    expect_fails(lapfx_organ_create(&mesh, &made), LAPFX_BAD_INPUT, "3");
+    expect_fails(lapfx_organ_create(&mesh, &made), LAPFX_BAD_INPUT, "organ: indices/2: 3; there are 3 positions");
     mesh.indices = triangle;
+    mesh.uvs = broken;
+    expect_fails(lapfx_organ_create(&mesh, &made), LAPFX_BAD_INPUT, "organ: uvs/1: nan is not a number");
+    EXPECT_EQ(made, nullptr);
+    mesh.uvs = nullptr;
     expect_ok(lapfx_organ_create(&mesh, &made));
     expect_ok(lapfx_organ_destroy(made));
 }
