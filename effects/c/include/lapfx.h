@@ -43,9 +43,9 @@
 // OPENGL. A context that lapfx made is made current by each call that needs it. One of yours has to be current.
 // What the calls leave as they found it, and what they expect: lapfx/effects.h; of frames: lapfx/frame.h.
 //
-// STATUSES. Every call that can fail returns one. It is not LAPFX_OK: nothing has changed, nothing was drawn, a handle
-// to be made is NULL, and lapfx_last_message() tells the value that was found and what is allowed. Enumerators are
-// passed as int, so that others can be refused. No exception leaves lapfx.
+// STATUSES. Every call that can fail returns one. When that is not LAPFX_OK, nothing has changed, nothing was drawn, a
+// handle to be made is NULL, and lapfx_last_message() tells the value that was found and what is allowed. Enumerators
+// are passed as int, so that others can be refused. No exception leaves lapfx.
 #ifndef LAPFX_H
 #define LAPFX_H
 
@@ -83,7 +83,8 @@ LAPFX_API const char* lapfx_version(void);
 LAPFX_API const char* lapfx_last_message(void);
 
 enum { LAPFX_LOG_ERROR = 0, LAPFX_LOG_WARNING = 1 };  ///< a call failed; it went on, but something is not as it should
-/// Told each line on the thread of the call, one at a time. `message` is valid during the call.
+/// Told each line on the thread of the call, one at a time. `message` is valid during the call. It calls no function of
+/// lapfx: LAPFX_MISUSE.
 typedef void (*lapfx_log)(void* user, int level, const char* message);
 /// NULL, as at first: nothing is told. Any thread. The previous one is not called any more when this returns.
 LAPFX_API void lapfx_set_log(lapfx_log log, void* user);
@@ -98,9 +99,10 @@ enum {
 typedef void (*lapfx_function)(void);
 typedef lapfx_function (*lapfx_get_proc_address)(const char* name);
 
-/// A context of its own, without a window, current on this thread.
+/// A context of its own, without a window, current on this thread. There may be several, of one backend: LAPFX_NO_GL
+/// for one whose functions are others than those of a context that is in use.
 LAPFX_API lapfx_status lapfx_context_create(int backend, lapfx_context** context);
-/// Yours, OpenGL 4.5 core or later, current on this thread. It stays yours.
+/// Yours, OpenGL 4.5 or later, current on this thread. It stays yours.
 LAPFX_API lapfx_status lapfx_context_external(lapfx_get_proc_address get_proc_address, lapfx_context** context);
 /// GL_RENDERER; valid until the context is destroyed.
 LAPFX_API lapfx_status lapfx_context_renderer(const lapfx_context* context, const char** text);
