@@ -139,6 +139,10 @@ TEST_F(MisuseTest, FramesHaveAnOrderAndASize) {
                  "response.exposure: nan is no finite number");
     expect_fails(lapfx_frame_finish(frame, 12345, nullptr), LAPFX_BAD_INPUT,
                  "framebuffer: 12345 is no complete framebuffer");
+    lapfx_get_proc_address functions = nullptr;
+    expect_ok(lapfx_context_functions(context, &functions));
+    const auto error = reinterpret_cast<unsigned (*)()>(functions("glGetError"));
+    EXPECT_EQ(error(), 0U) << "OpenGL has not been asked to do it";
     const lapfx_view view = from_above();
     expect_fails(lapfx_effects_draw_smoke(effects, &view, 0), LAPFX_BAD_INPUT, "depth: 0 is no texture of the context");
     expect_fails(lapfx_effects_draw_smoke(effects, &view, 9999), LAPFX_BAD_INPUT, "depth: 9999 is no texture");

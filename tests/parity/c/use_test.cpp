@@ -1,4 +1,7 @@
 // The C API as it is meant: the same as in C++, contexts in any order, and frames that allocate nothing.
+#include <filesystem>
+#include <fstream>
+
 #include "parity/allocations.h"
 #include "parity/c/c_fixture.h"
 
@@ -89,6 +92,49 @@ TEST_F(UseTest, ACoarseOrganIsRefined) {
     EXPECT_EQ(std::vector<float>(data.positions, data.positions + 9), std::vector<float>(corners, corners + 9));
     EXPECT_EQ(data.normals[2], 1.0f);
     expect_ok(lapfx_organ_destroy(fine));
+}
+
+TEST_F(UseTest, ScenesSayWhatAHostNeeds) {
+    const std::filesystem::path folder(testing::TempDir()), file = folder / "c_scene.json";
+    std::ofstream(file) << R"({"format": "lapfx.scene", "version": 1, "name": "two", "seed": 7, "preset": "p.json",
+        "organ": {"file": "o.obj", "scale": 2}, "camera": {"eye": [0, 0, 50], "exposure": 1.5}, "events": [
+        {"action": "cut", "time": 3, "position": [1, 2, 3], "to": [1, 2, 3]},
+        {"action": "tear", "time": 1, "position": [4, 5, 6], "to": [4, 5, 7]}]})";
+    lapfx_scene* scene = nullptr;
+    expect_ok(lapfx_scene_load(file.c_str(), &scene));
+    lapfx_scene_info info{};
+    info.size = sizeof info;
+    expect_ok(lapfx_scene_get_info(scene, &info));
+    EXPECT_STREQ(info.name, "two");
+    EXPECT_EQ(info.seed, 7U);
+    EXPECT_EQ(info.preset, folder / "p.json");
+    EXPECT_EQ(info.organ_file, folder / "o.obj");
+    EXPECT_STREQ(info.organ_texture, "");
+    EXPECT_EQ(info.organ_scale, 2.0);
+    ASSERT_EQ(info.event_count, 2U);
+    lapfx_contact contact = LAPFX_CONTACT;
+    expect_ok(lapfx_scene_get_event(scene, 0, &contact));
+    EXPECT_EQ(contact.action, LAPFX_TEAR) << "in the order of time";
+    EXPECT_EQ(contact.to[2], 7.0);
+    expect_fails(lapfx_scene_get_event(scene, 2, &contact), LAPFX_BAD_INPUT,
+                 "index: 2 is not below 2, the number of events");
+    lapfx_view view = LAPFX_VIEW;
+    expect_ok(lapfx_scene_get_view(scene, 200, 100, &view));
+    EXPECT_EQ(view.view[14], -50.0f) << "column by column";
+    EXPECT_FLOAT_EQ(view.projection[5], 2 * view.projection[0]);
+    EXPECT_EQ(view.lamp_ambient, 0.02);
+    EXPECT_EQ(view.lamp_color[2], 0.92);
+    expect_fails(lapfx_scene_get_view(scene, 200, 0, &view), LAPFX_BAD_INPUT,
+                 "size: 200x0; expected at least 1x1 pixels");
+    lapfx_response response = LAPFX_RESPONSE;
+    expect_ok(lapfx_scene_get_response(scene, &response));
+    EXPECT_EQ(response.exposure, 1.5);
+    lapfx_organ* none = nullptr;
+    expect_fails(lapfx_scene_load_organ(scene, &none), LAPFX_BAD_INPUT, (folder / "o.obj").string());
+    expect_ok(lapfx_effects_set_curves(effects, scene));
+    expect_ok(lapfx_effects_set_curves(effects, nullptr));
+    expect_ok(lapfx_scene_destroy(scene));
+    std::filesystem::remove(file);
 }
 
 TEST_F(UseTest, ContextsEndWithTheirLastObject) {
