@@ -105,10 +105,11 @@ def _text(path):
     return None if path is None else os.fsencode(path)
 
 
-def _vector(values):
-    if len(values) != 3:
-        raise BadInput(f"a vector of {len(values)} numbers; expected 3")
-    return _double3(*values)
+def _exactly(kind, name, values):
+    """An array of ctypes, which would take fewer numbers, too."""
+    if len(values) != kind._length_:
+        raise BadInput(f"{name}: {len(values)} numbers; expected {kind._length_}")
+    return kind(*values)
 
 
 def _floats(values, width, name, rows=None):
@@ -148,10 +149,11 @@ class _Struct(ctypes.Structure):
             if values["action"] not in ACTIONS:
                 raise BadInput(f"action: {values['action']} is not one of {', '.join(ACTIONS)}")
             values["action"] = ACTIONS.index(values["action"])
-        values = {**self.defaults, **values}
-        super().__init__(size=ctypes.sizeof(type(self)), **{
-            name: tuple(value) if hasattr(value, "__len__") and not isinstance(value, bytes) else value
-            for name, value in values.items()})
+        kinds, values = {field[0]: field[1] for field in self._fields_}, {**self.defaults, **values}
+        for name, value in values.items():
+            if hasattr(kinds[name], "_length_"):
+                values[name] = _exactly(kinds[name], name, value)
+        super().__init__(size=ctypes.sizeof(type(self)), **values)
 
     def __repr__(self):
         values = ((field[0], getattr(self, field[0])) for field in self._fields_[1:])
@@ -274,10 +276,7 @@ class _Closing:
 
 
 class _Object(_Closing):
-    """What a handle leads to."""
-
-    _kind = ""
-    _handle = None
+    _kind, _handle = "", None
 
     def _made(self, name, *arguments):
         self._handle = ctypes.c_void_p(_get(ctypes.c_void_p, name, *arguments))
@@ -460,7 +459,7 @@ class Effects(_Object):
 
     def set_gravity(self, gravity):
         """Blood runs this way."""
-        _call("effects_set_gravity", self._handle, _vector(gravity))
+        _call("effects_set_gravity", self._handle, _exactly(_double3, "gravity", gravity))
 
     def set_seed(self, seed):
         """Every random choice depends on it alone."""
@@ -468,7 +467,7 @@ class Effects(_Object):
 
     def set_organ_color(self, color):
         """Multiplies the colours of the organ; sRGB."""
-        _call("effects_set_organ_color", self._handle, _vector(color))
+        _call("effects_set_organ_color", self._handle, _exactly(_double3, "color", color))
 
     def seek(self, time):
         """The state at a time, s."""
@@ -510,7 +509,8 @@ class Effects(_Object):
 
     def pick(self, origin, direction):
         """Where a ray first meets the organ (Hit), or None."""
-        hit = _fill(Hit, "effects_pick", self._handle, _vector(origin), _vector(direction))
+        hit = _fill(Hit, "effects_pick", self._handle, _exactly(_double3, "origin", origin),
+                    _exactly(_double3, "direction", direction))
         return hit if hit.found else None
 
     def late(self):
@@ -554,7 +554,8 @@ class Frame(_Object):
             out = numpy.empty((self._size[1], self._size[0], 4), numpy.uint8)
         elif out.dtype != numpy.uint8 or not out.flags.c_contiguous:
             raise BadInput(f"out: an array of {out.dtype}; expected uint8 without gaps")
-        _call("frame_read", self._handle, ctypes.byref(response or Response()), ctypes.c_void_p(out.ctypes.data), _size(out.nbytes))
+        _call("frame_read", self._handle, ctypes.byref(response or Response()), ctypes.c_void_p(out.ctypes.data),
+              _size(out.nbytes))
         return out
 
 

@@ -33,6 +33,11 @@ def check_structs(lines):
         assert ctypes.sizeof(kind) == int(size), f"{name}: {ctypes.sizeof(kind)} bytes; {size} in lapfx.h"
         assert not data or bytes(kind()).hex() == data[0], f"{name}: other defaults than in lapfx.h"
     fails(lapfx.BadInput, "action: stab is not one of cauterise, cut,", lapfx.Contact, action="stab")
+    fails(lapfx.BadInput, "position: 2 numbers; expected 3", lapfx.Contact, position=(1, 2))
+    fails(lapfx.BadInput, "view: 1 numbers; expected 16", lapfx.View.of, [[1]], numpy.eye(4))
+    moved = numpy.eye(4)
+    moved[2, 3] = -50
+    assert lapfx.View.of(moved, numpy.eye(4), haze=0).view[14] == -50, "column by column"
     assert lapfx.Contact(action="tear").action == 3 and "action=3" in repr(lapfx.Contact(action="tear"))
 
 
