@@ -17,45 +17,45 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# While the first number of the version is 0, a package that is built with one version needs that version.
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY =)
 
+set(what_it_is "lapfx draws bleeding, burnt tissue and surgical smoke over the organs of a
+laparoscopic simulator, with the OpenGL context of the simulator, as a preset
+says that was tuned in its editor.")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME liblapfx)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
-# While the first number of the version is 0, what is built with one version runs with no other.
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS_POLICY =)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/triggers)  # the linker's list of libraries
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "libosmesa6, libgl1-mesa-dri")  # without a context of the host's
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "bleeding and surgical smoke for laparoscopic simulators (library)
- lapfx draws bleeding, burnt tissue and surgical smoke over the organs of a
- laparoscopic simulator, with the OpenGL context of the simulator, as a preset
- says that was tuned in its editor.
- .
- This package has the shared library.")
+${what_it_is}
+
+This package has the shared library.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME liblapfx-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "liblapfx (= ${PROJECT_VERSION}), libglm-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "bleeding and surgical smoke for laparoscopic simulators (development)
- lapfx draws bleeding, burnt tissue and surgical smoke over the organs of a
- laparoscopic simulator, with the OpenGL context of the simulator, as a preset
- says that was tuned in its editor.
- .
- This package has the headers, and the files by which CMake and pkg-config find
- the library.")
+${what_it_is}
 
-# Of what is opened while it runs dpkg-shlibdeps knows nothing: Mesa's drivers and the fonts of the editor.
+This package has the headers, and the files by which CMake and pkg-config find
+the library.")
+
+# dpkg-shlibdeps finds what is linked, but not what is opened while it runs: Mesa's drivers and the editor's fonts.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME lapfx)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri, libosmesa6, fonts-inter, fonts-dejavu-core")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libgl1-mesa-dri, libosmesa6, fonts-inter, fonts-dejavu-core")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "parallel")
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "editor for bleeding and smoke of laparoscopic simulators
- The editor of lapfx tunes bleeding and surgical smoke until they match a surgery
- video, and saves the result as a preset, which the library of lapfx draws in a
- laparoscopic simulator.
- .
- Its commands need no display: they render a scene, measure the blood and smoke
- of a video, find the preset that shows as much of both, and tell how close it
- is. Presets, organs, clips and a scene to begin with are in this package.")
+The editor of lapfx tunes bleeding and surgical smoke until they match a
+surgery video, and saves the result as a preset, which the library of lapfx
+draws in a laparoscopic simulator.
+
+Its commands need no display: they render a scene, measure the blood and smoke
+of a video, find the preset that shows as much of both, and tell how close it
+is. Presets, organs, clips and a scene to begin with are in this package.")
 
 # The first line of the changelog has the version of the packages.
 set(changelog ${CMAKE_CURRENT_LIST_DIR}/changelog)
