@@ -1,6 +1,6 @@
-# Debian packages: `cpack -G DEB -B packages` in the build folder makes liblapfx (the shared library), liblapfx-dev (what
-# a host is built with) and lapfx (the programs, with presets, samples, man pages and what a desktop shows).
-# -DCPACK_PACKAGE_CONTACT="NAME <ADDRESS>" says who made them.
+# Debian packages: `cpack -G DEB` in the build folder makes, in packages/ there, liblapfx (the shared library),
+# liblapfx-dev (what a host is built with) and lapfx (the programs, with presets, samples, man pages and what a desktop
+# shows). -DCPACK_PACKAGE_CONTACT="NAME <ADDRESS>" says who made them.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME lapfx)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})

@@ -3,8 +3,8 @@
 
     packages_test.py BUILD SOURCE
 
-`tests/run --deep` (LAPFX_DEEP=1) also installs them in a new Debian 12 of debootstrap, where the program draws, a host is
-built, and nothing is left once they are removed. That needs root and the network. 77 where lintian is missing, or of
+`tests/run --deep` (LAPFX_DEEP=1) also installs them in a new Debian 12 of debootstrap, where the program draws, a host
+is built, and nothing is left once they are removed. That needs root and the network. 77 where lintian is missing, or of
 the deep part debootstrap or root.
 """
 import glob
@@ -31,7 +31,7 @@ def packed(build):
     """{name: its .deb}, made anew."""
     folder = os.path.join(build, "packages")
     shutil.rmtree(folder, ignore_errors=True)
-    run("cpack", "-G", "DEB", "-B", folder, cwd=build)
+    run("cpack", "-G", "DEB", cwd=build)
     found = {os.path.basename(path).split("_")[0]: path for path in glob.glob(os.path.join(folder, "*.deb"))}
     assert sorted(found) == list(PACKAGES), found
     return found
@@ -152,6 +152,7 @@ def check_in_new_debian(packages, source):
 
     try:
         run("debootstrap", "--variant=minbase", "bookworm", root, mirror())
+        run("mount", "-t", "proc", "proc", os.path.join(root, "proc"))  # by it a program knows where it lies
         for file in (*packages.values(), os.path.join(source, "samples", "host", "scores.cpp")):
             shutil.copy(file, os.path.join(root, "srv"))
         debs = [f"/srv/{os.path.basename(package)}" for package in packages.values()]
