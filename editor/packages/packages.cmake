@@ -4,7 +4,7 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME lapfx)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_CONTACT "lapfx <lapfx@users.noreply.github.com>" CACHE STRING "Name and address of who makes the packages")
+set(CPACK_PACKAGE_CONTACT "lapfx <nobody@lapfx.invalid>" CACHE STRING "Name and address of who makes the packages")
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL library development program)
