@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "body.h"
+#include "gl/context_hold.h"
 #include "gl/shader_source.h"
 #include "gl/srgb.h"
 #include "gl/state_guard.h"
@@ -33,7 +34,9 @@ struct Effects::State {
           simulation(foundation, direction_of(wanted.gravity)),
           body(std::make_unique<Body>(organ, foundation, simulation.down(), wanted.seed)),
           smoke(wanted.seed, wanted.streaming, wanted.clip_cache) {}
+    ~State() { context.enter(); }
 
+    gl::ContextHold context;
     EffectsOptions options;
     ToolQueue queue;
     Simulation simulation;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "foundation.h"
+#include "gl/read_back.h"
 #include "gl/shader_source.h"
 #include "gl/state_guard.h"
 #include "render/camera.h"
@@ -139,18 +140,14 @@ Image Preview::image(double time, glm::ivec2 size) {
     const gl::Texture target({.size = size, .format = GL_RGBA8});
     const gl::Framebuffer framebuffer(target, nullptr);
     draw(time, size, framebuffer.name());
-    const std::size_t row = static_cast<std::size_t>(size.x) * 4;
-    std::vector<std::uint8_t> upward(row * static_cast<std::size_t>(size.y));
-    glGetTextureImage(target.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(upward.size()), upward.data());
+    Image image{.width = size.x, .height = size.y, .pixels = {}, .name = ""};
+    image.pixels.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 4);
+    gl::read_rgba(target.name(), size, image.pixels);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
         throw Error(Failure::runtime, Fault{.file = "",
                                             .place = "",
                                             .reason = "OpenGL error " + std::to_string(error) + " in the frame at " +
                                                       std::to_string(time) + " s"});
-    Image image{.width = size.x, .height = size.y, .pixels = std::vector<std::uint8_t>(upward.size()), .name = ""};
-    for (std::size_t y = 0; y < static_cast<std::size_t>(size.y); ++y)
-        std::copy_n(upward.end() - static_cast<std::ptrdiff_t>((y + 1) * row), row,
-                    image.pixels.begin() + static_cast<std::ptrdiff_t>(y * row));
     return image;
 }
 

@@ -102,11 +102,11 @@ void add_check(CLI::App& app) {
     auto options = std::make_shared<Options>();
     CLI::App* verb = app.add_subcommand(
         "check", "Validate presets and scenes and open the files that they name; every fault is printed");
-    verb->add_option("FILE", options->files, "Presets and scenes (.json)");
-    verb->add_option("--schema", options->schema, "Print the JSON Schema of presets or scenes instead: preset or scene")
-        ->option_text("KIND")
+    verb->add_option("FILE.json", options->files, "Presets and scenes");
+    verb->add_option("--schema", options->schema, "Print the JSON Schema of presets or scenes instead")
+        ->option_text("preset|scene")
         ->check(CLI::IsMember({"preset", "scene"}))
-        ->excludes("FILE");
+        ->excludes("FILE.json");
     verb->footer(
         "Examples:\n"
         "  lapfx check presets/gastric_banding.json samples/lagb.scene.json\n"

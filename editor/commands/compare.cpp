@@ -268,7 +268,7 @@ void add_compare(CLI::App& app) {
         ->option_text("NAME=VALUE")
         ->allow_extra_args(false);
     verb->add_option("--preset", o->preset, "Of a scene: this preset instead of the one that it names")
-        ->option_text("FILE");
+        ->option_text("FILE.json");
     verb->add_option("--set", o->settings,
                      "Of a scene: change one parameter, such as bleeding.speed=8; may be repeated")
         ->option_text("KEY=VALUE")

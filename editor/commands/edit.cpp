@@ -227,10 +227,9 @@ void add_edit(CLI::App& app) {
                      "Size in pixels, of a window at scale 1; default: the size at which the window was last closed, "
                      "for files 1440x900")
         ->option_text("WxH");
-    verb->add_option("--layout", o->layout,
-                     "How panels are arranged: Tune, Key, Compare, Stage, or a layout of your own")
-        ->option_text("NAME");
-    verb->add_option("--theme", o->theme, "dark or light")->option_text("NAME");
+    verb->add_option("--layout", o->layout, "How panels are arranged; NAME is a layout of your own")
+        ->option_text("Tune|Key|Compare|Stage|NAME");
+    verb->add_option("--theme", o->theme, "Colours of the user interface")->option_text("dark|light");
     verb->add_option("--at", o->at, "The time that is shown")
         ->option_text("SECONDS")
         ->check(finite_number())
@@ -239,8 +238,8 @@ void add_edit(CLI::App& app) {
         ->option_text("NUMBER")
         ->check(finite_number())
         ->check(CLI::Range(0.75, 3.0));
-    verb->add_option("--backend", o->backend, "For --screenshot: egl, osmesa or auto (EGL, else OSMesa)")
-        ->option_text("NAME")
+    verb->add_option("--backend", o->backend, "For --screenshot: the OpenGL that draws; auto is EGL, else OSMesa")
+        ->option_text("egl|osmesa|auto")
         ->capture_default_str();
     verb->add_option("--dump", o->dump,
                      "Write all widgets with names, values and places instead of opening a window: .json, or one line "

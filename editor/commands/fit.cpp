@@ -66,7 +66,7 @@ void add_fit(CLI::App& app) {
     verb->add_option("--report", o->files.report,
                      "Write the result with curves, intervals and pictures as one file for a browser (.html)")
         ->option_text("FILE");
-    verb->add_option("-o,--output", o->files.output, "The fitted preset (.json)")->option_text("FILE")->required();
+    verb->add_option("-o,--output", o->files.output, "The fitted preset")->option_text("FILE.json")->required();
     verb->footer(
         "The reference is measured (see lapfx measure), the scene is drawn off-screen and measured by the same\n"
         "estimator, and the parameters are changed until blood and veil over time are nearest. For each parameter it\n"

@@ -148,7 +148,7 @@ std::string usual_parameters() {
 
 void add_fit_options(CLI::App& verb, FitOptions& options, const std::string& of) {
     verb.add_option("--preset", options.files.preset, "Start from this preset instead of the one that " + of + " names")
-        ->option_text("FILE");
+        ->option_text("FILE.json");
     verb.add_option("--parameters", options.parameters,
                     "What may change, separated by commas; each may have bounds of its own, KEY=LOW..HIGH")
         ->option_text("KEY,...")

@@ -27,13 +27,17 @@ struct Options {
     bool bare = false, reduced_motion = false, statistics = false;
 };
 
+std::string page_names(const std::string& separator) {
+    std::string names;
+    for (const gallery::Page& page : gallery::pages())
+        names += (names.empty() ? "" : separator) + std::string(page.name);
+    return names;
+}
+
 void set_up(gallery::State& state, const Options& o) {
     state.page = gallery::page_named(o.page);
     if (state.page < 0) {
-        std::string names;
-        for (const gallery::Page& page : gallery::pages())
-            names += (names.empty() ? "" : ", ") + std::string(page.name);
-        throw wrong_option("--page", "\"" + o.page + "\" is not one of " + names);
+        throw wrong_option("--page", "\"" + o.page + "\" is not one of " + page_names(", "));
     }
     if (o.theme != "dark" && o.theme != "light")
         throw wrong_option("--theme", "\"" + o.theme + "\" is neither dark nor light");
@@ -137,8 +141,10 @@ void run(const Options& o) {
 void add_gallery(CLI::App& app) {
     auto o = std::make_shared<Options>();
     CLI::App* verb = app.add_subcommand("gallery", "Show the widgets of the user interface, each in all its states");
-    verb->add_option("--page", o->page, "The page to show")->option_text("NAME")->capture_default_str();
-    verb->add_option("--theme", o->theme, "dark or light")->option_text("NAME")->capture_default_str();
+    verb->add_option("--page", o->page, "The page to show")->option_text(page_names("|"))->capture_default_str();
+    verb->add_option("--theme", o->theme, "Colours of the user interface")
+        ->option_text("dark|light")
+        ->capture_default_str();
     verb->add_option("--scale", o->scale,
                      "Scale of the user interface, 0.75 to 3; default: that of the screen, for files 1")
         ->option_text("NUMBER")
@@ -156,8 +162,8 @@ void add_gallery(CLI::App& app) {
         ->option_text("FILE");
     verb->add_option("--focus", o->focus, "In these files the widget with this path has the keyboard")
         ->option_text("PATH");
-    verb->add_option("--backend", o->backend, "For --screenshot: egl, osmesa or auto (EGL, else OSMesa)")
-        ->option_text("NAME")
+    verb->add_option("--backend", o->backend, "For --screenshot: the OpenGL that draws; auto is EGL, else OSMesa")
+        ->option_text("egl|osmesa|auto")
         ->capture_default_str();
     verb->add_option("--dump-on-close", o->dump_on_close, "Like --dump, but when the window is closed")
         ->option_text("FILE");

@@ -1,10 +1,14 @@
 // lapfx help: what the commands do, what the tables of the program say, and both as the reference page.
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 
 #include "commands/command.h"
+#include "commands/completion.h"
 #include "commands/help_topics.h"
+#include "commands/man_pages.h"
 #include "commands/verb.h"
+#include "lapfx/authoring/file.h"
 #include "lapfx/error.h"
 
 namespace lapfx::commands {
@@ -13,8 +17,16 @@ namespace {
 
 struct Options {
     std::vector<std::string> words;
+    std::string man, completion;
     bool page = false;
 };
+
+/// What the help of the program says below its lists.
+constexpr std::string_view about =
+    "lapfx FILE... alone opens the editor on a scene, a preset, an organ, a smoke clip or a surgery video.\n\n"
+    "Exit codes: 0 done, 1 failed while running, 2 wrong usage or bad input, 77 no usable OpenGL.\n"
+    "Data goes to stdout, messages to stderr, one line for each fault:\n"
+    "  lapfx: FILE: /bleeding/speed: -3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)";
 
 std::string overview_footer() {
     std::string text = "Topics of `lapfx help TOPIC`:\n";
@@ -23,11 +35,7 @@ std::string overview_footer() {
         const CLI::App line{std::string(topic.help), std::string(topic.name)};
         text += formatter.make_subcommand(&line);
     }
-    return text +
-           "\nlapfx FILE... alone opens the editor on a scene, a preset, an organ, a smoke clip or a surgery video.\n\n"
-           "Exit codes: 0 done, 1 failed while running, 2 wrong usage or bad input, 77 no usable OpenGL.\n"
-           "Data goes to stdout, messages to stderr, one line for each fault:\n"
-           "  lapfx: FILE: /bleeding/speed: -3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)";
+    return text + '\n' + std::string(about);
 }
 
 std::vector<std::string> known_words(const CLI::App& app) {
@@ -95,7 +103,25 @@ std::string page(const CLI::App& app) {
     return text.substr(0, text.find_last_not_of('\n') + 1) + '\n';
 }
 
+void write_man_pages(const CLI::App& app, const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw Error(
+            Failure::runtime,
+            Fault{.file = folder.string(), .place = "", .reason = "this folder cannot be made: " + error.message()});
+    for (const ManPage& page : man_pages(app, about)) write_file(folder / page.name, page.text);
+}
+
 void print(const CLI::App& app, const Options& o) {
+    if (!o.man.empty()) {
+        write_man_pages(app, o.man);
+        return;
+    }
+    if (!o.completion.empty()) {
+        std::cout << bash_completion(app);
+        return;
+    }
     if (o.page) {
         std::cout << page(app);
         return;
@@ -120,8 +146,24 @@ void add_help(CLI::App& app) {
     auto o = std::make_shared<Options>();
     CLI::App* verb = app.add_subcommand("help", "Explain a command, the keys of presets and scenes, or the files");
     verb->add_option("WORD", o->words, "A command (render, bench streaming) or a topic; none: the list of both");
-    verb->add_flag("--page", o->page, "Print everything as one Markdown page: presets/REFERENCE.md")->excludes("WORD");
-    verb->footer("Examples:\n  lapfx help render\n  lapfx help preset");
+    auto* page = verb->add_flag("--page", o->page, "Print everything as one Markdown page: presets/REFERENCE.md")
+                     ->excludes("WORD");
+    auto* man = verb->add_option("--man", o->man, "Write a man page of each command and topic into this folder")
+                    ->option_text("DIR")
+                    ->excludes("WORD")
+                    ->excludes(page);
+    verb->add_option("--completion", o->completion, "Print what completes commands, options and files in this shell")
+        ->option_text("bash")
+        ->check(CLI::IsMember({"bash"}))
+        ->excludes("WORD")
+        ->excludes(page)
+        ->excludes(man);
+    verb->footer(
+        "Examples:\n"
+        "  lapfx help render\n"
+        "  lapfx help preset\n"
+        "  lapfx help --man man\n"
+        "  lapfx help --completion bash");
     verb->callback([o, &app] { print(app, *o); });
     app.footer(overview_footer());
 }

@@ -78,6 +78,12 @@ std::string markdown(const HelpSection& section) {
     return out + '\n';
 }
 
+std::string meaning_of(const CLI::Option& option) {
+    if (option.get_single_name() == "help") return "Print this help";
+    const std::string standard = option.get_default_str();
+    return option.get_description() + (standard.empty() ? "" : "; default: " + standard);
+}
+
 std::string CommandFormatter::make_usage(const CLI::App* app, std::string name) const {
     std::string out = "\nUsage: " + (name.empty() ? app->get_name() : name);
     for (const CLI::Option* option : app->get_options())
@@ -91,11 +97,8 @@ std::string CommandFormatter::make_usage(const CLI::App* app, std::string name) 
 
 std::string CommandFormatter::make_option(const CLI::Option* option, bool is_positional) const {
     std::string name = make_option_name(option, is_positional);
-    if (name == "-h,--help") return listed(name, "Print this help");
     if (!is_positional && option->get_type_size() != 0) name += ' ' + option->get_option_text();
-    std::string meaning = option->get_description();
-    if (!option->get_default_str().empty()) meaning += "; default: " + option->get_default_str();
-    return listed(name, meaning);
+    return listed(name, meaning_of(*option));
 }
 
 std::string CommandFormatter::make_subcommand(const CLI::App* command) const {

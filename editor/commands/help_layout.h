@@ -29,8 +29,12 @@ std::string markdown(const HelpSection& section);
 /// `text` in lines of at most 100 columns, each behind `indent` blanks, with a newline at the end of each.
 std::string wrapped(std::string_view text, std::size_t indent);
 
+/// What the help of an option says: what it does, and its default.
+std::string meaning_of(const CLI::Option& option);
+
 /// Formats the help of commands. The option_text of an option ("WxH") says what it takes; its default follows its
-/// description.
+/// description. Where it takes one of several words or kinds of files, '|' is between them ("dark|light"), and one of
+/// files is FILE with their ending ("FILE.json"): bash is told so, too (completion.h).
 class CommandFormatter : public CLI::Formatter {
   public:
     std::string make_usage(const CLI::App* app, std::string name) const override;

@@ -30,7 +30,7 @@ void add_migrate(CLI::App& app) {
     auto files = std::make_shared<std::vector<std::string>>();
     CLI::App* verb =
         app.add_subcommand("migrate", "Update presets and scenes to the current version, with every key written out");
-    verb->add_option("FILE", *files, "Presets and scenes (.json); rewritten in place")->required();
+    verb->add_option("FILE.json", *files, "Presets and scenes; rewritten in place")->required();
     verb->footer("Example:\n  lapfx migrate presets/slow_ooze.json");
     verb->callback([files] {
         for (const std::string& file : *files) check_document(file);  // all or none

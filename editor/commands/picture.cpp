@@ -88,8 +88,8 @@ void add_picture(CLI::App& app) {
     verb->add_option("--size", o->size, "Size in pixels; a video or an image keeps its shape and fits into that")
         ->option_text("WxH")
         ->capture_default_str();
-    verb->add_option("--backend", o->backend, "egl, osmesa or auto (EGL, else OSMesa)")
-        ->option_text("NAME")
+    verb->add_option("--backend", o->backend, "The OpenGL that draws; auto is EGL, else OSMesa")
+        ->option_text("egl|osmesa|auto")
         ->capture_default_str();
     verb->add_option("-o,--output", o->output, "The picture: out.png")->option_text("FILE")->required();
     verb->footer("Example:\n  lapfx picture samples/lagb.glb -o organ.png");

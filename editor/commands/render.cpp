@@ -19,6 +19,13 @@ struct Options {
     bool has_at = false, has_span = false;
 };
 
+/// "none|vessels|..."
+std::string overlay_names(const std::string& separator) {
+    std::string names;
+    for (const OverlayRow& row : overlays) names += (names.empty() ? "" : separator) + std::string(row.key);
+    return names;
+}
+
 /// "False colour over the tissue: none; vessels: density of vessels, blue; ..."
 std::string overlay_help() {
     std::string text = "False colour over the tissue";
@@ -28,12 +35,9 @@ std::string overlay_help() {
 }
 
 Overlay parse_overlay(const std::string& text) {
-    std::string all;
-    for (const OverlayRow& row : overlays) {
+    for (const OverlayRow& row : overlays)
         if (text == row.key) return row.overlay;
-        all += (all.empty() ? "" : ", ") + std::string(row.key);
-    }
-    throw wrong_option("--overlay", "\"" + text + "\" is not one of " + all);
+    throw wrong_option("--overlay", "\"" + text + "\" is not one of " + overlay_names(", "));
 }
 
 output::RenderOptions render_options(const Options& o) {
@@ -91,7 +95,8 @@ void add_render(CLI::App& app) {
     CLI::App* verb =
         app.add_subcommand("render", "Render a scene to a PNG, a PNG sequence or a video, without a display");
     verb->add_option("SCENE", o->scene, "The scene (.scene.json)")->required();
-    verb->add_option("--preset", o->preset, "This preset instead of the one that the scene names")->option_text("FILE");
+    verb->add_option("--preset", o->preset, "This preset instead of the one that the scene names")
+        ->option_text("FILE.json");
     verb->add_option("--set", o->settings, "Change one parameter, such as bleeding.speed=8; may be repeated")
         ->option_text("KEY=VALUE")
         ->allow_extra_args(false);
@@ -114,10 +119,10 @@ void add_render(CLI::App& app) {
                    ->check(finite)
                    ->check(CLI::Range(0.0, 86400.0));
     at->excludes(from)->excludes(to);
-    verb->add_option("--backend", o->backend, "egl, osmesa or auto (EGL, else OSMesa)")
-        ->option_text("NAME")
+    verb->add_option("--backend", o->backend, "The OpenGL that draws; auto is EGL, else OSMesa")
+        ->option_text("egl|osmesa|auto")
         ->capture_default_str();
-    verb->add_option("--overlay", o->overlay, overlay_help())->option_text("NAME")->capture_default_str();
+    verb->add_option("--overlay", o->overlay, overlay_help())->option_text(overlay_names("|"))->capture_default_str();
     verb->add_option("--amounts", o->amounts,
                      "Write the amounts of each frame (blood mm2 and mm3, wounds, haze, burnt mm2, emission) as CSV")
         ->option_text("FILE.csv");

@@ -141,7 +141,7 @@ void add_sheet(CLI::App& app) {
     verb->add_option("SCENE", o->scene, "The scene (.scene.json)")->required();
     verb->add_option("--preset", o->presets,
                      "A row with this preset; may be repeated. Default: the preset of the scene")
-        ->option_text("FILE")
+        ->option_text("FILE.json")
         ->allow_extra_args(false);
     verb->add_option("--at", o->times, "Times of the columns in seconds: 1,3,6,10")
         ->option_text("TIMES")
@@ -154,8 +154,8 @@ void add_sheet(CLI::App& app) {
         ->option_text("KEY=VALUE")
         ->allow_extra_args(false);
     verb->add_option("--size", o->size, "Size of each picture in pixels")->option_text("WxH")->capture_default_str();
-    verb->add_option("--backend", o->backend, "egl, osmesa or auto (EGL, else OSMesa)")
-        ->option_text("NAME")
+    verb->add_option("--backend", o->backend, "The OpenGL that draws; auto is EGL, else OSMesa")
+        ->option_text("egl|osmesa|auto")
         ->capture_default_str();
     verb->add_option("-o,--output", o->output, "The sheet: sheet.png")->option_text("FILE")->required();
     verb->footer(

@@ -1,6 +1,9 @@
 #include "lapfx/context.h"
 
-#include "gl/context_owner.h"
+#include <cstdio>
+#include <mutex>
+
+#include "gl/context_hold.h"
 #include "gl/gl.h"
 #include "gl/state_guard.h"
 #include "lapfx/authoring/command_line.h"
@@ -14,15 +17,27 @@ Error no_gl(const std::string& reason) {
     return {Failure::no_gl, Fault{.file = "", .place = "", .reason = "no usable OpenGL: " + reason}};
 }
 
+/// Throws Error (no_gl) unless the current context is one that can be drawn with.
+void require_version(Context::GetProcAddress get_proc_address, const std::string& backend) {
+    const auto get_string = reinterpret_cast<PFNGLGETSTRINGPROC>(get_proc_address("glGetString"));
+    if (get_string == nullptr) throw no_gl(backend + ": its functions cannot be found: there is no glGetString");
+    const auto* const version = reinterpret_cast<const char*>(get_string(GL_VERSION));
+    if (version == nullptr) throw no_gl(backend + " is not current on this thread");
+    int major = 0, minor = 0;  // OpenGL ES, whose version begins with its name, gives 0
+    if (std::sscanf(version, "%d.%d", &major, &minor) != 2 || std::pair(major, minor) < std::pair(4, 5))
+        throw no_gl(backend + " gives version " + version + "; OpenGL 4.5 is needed");
+}
+
+/// They are the same for all contexts (gl::require_same_functions).
 void load_functions(Context::GetProcAddress get_proc_address, const std::string& backend) {
-    const int version = gladLoadGL(get_proc_address);
-    if (version < GLAD_MAKE_VERSION(4, 5)) {
-        const std::string found = version == 0 ? std::string("OpenGL functions are missing")
-                                               : "OpenGL " + std::to_string(GLAD_VERSION_MAJOR(version)) + "." +
-                                                     std::to_string(GLAD_VERSION_MINOR(version));
-        throw no_gl(backend + " gives " + found + "; 4.5 core is needed");
-    }
+    static std::mutex mutex;
+    static Context::GetProcAddress loaded_with = nullptr;
+    require_version(get_proc_address, backend);
+    const std::lock_guard lock(mutex);
+    if (loaded_with == get_proc_address) return;
+    if (gladLoadGL(get_proc_address) == 0) throw no_gl(backend + ": OpenGL functions are missing");
     gl::load_polygon_offset_clamp(get_proc_address);
+    loaded_with = get_proc_address;
 }
 
 std::string gl_text(GLenum name) {
@@ -44,21 +59,33 @@ Context Context::create(Backend backend) {
     if (backend != Backend::osmesa) owner = attempt("EGL", gl::make_egl);
     if (!owner && backend != Backend::egl) owner = attempt("OSMesa", gl::make_osmesa);
     if (!owner) throw no_gl(reasons);
-    const GetProcAddress functions = owner->get_proc_address();
-    load_functions(functions, owner->name());
-    return {std::move(owner), functions};
+    std::shared_ptr<Owner> kept = gl::keep(std::move(owner));
+    const GetProcAddress functions = kept->get_proc_address();
+    load_functions(functions, kept->name());
+    return {std::move(kept), functions};
 }
 
 Context Context::external(GetProcAddress get_proc_address) {
-    load_functions(get_proc_address, "the host's context");
+    constexpr const char* backend = "the host's context";
+    if (get_proc_address == nullptr) throw no_gl("get_proc_address is null");
+    gl::require_same_functions(get_proc_address, backend);
+    load_functions(get_proc_address, backend);
     return {nullptr, get_proc_address};
 }
 
-Context::Context(std::unique_ptr<Owner> owner, GetProcAddress functions)
+Context::Context(std::shared_ptr<Owner> owner, GetProcAddress functions)
     : owner_(std::move(owner)), functions_(functions) {}
 Context::Context(Context&&) noexcept = default;
 Context& Context::operator=(Context&&) noexcept = default;
 Context::~Context() = default;
+
+void Context::make_current() const {
+    if (owner_ != nullptr && !owner_->is_current() && !owner_->make_current())
+        throw Error(Failure::runtime,
+                    Fault{.file = "",
+                          .place = "",
+                          .reason = owner_->name() + "'s context cannot be made current: another thread may have it"});
+}
 
 std::string Context::renderer() const {
     return gl_text(GL_RENDERER);

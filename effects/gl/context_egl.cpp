@@ -8,15 +8,39 @@ namespace lapfx::gl {
 
 namespace {
 
+void release(EGLDisplay display) noexcept {
+    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+}
+
+struct EglCurrent : Context::Owner::Current {
+    EGLDisplay display = eglGetCurrentDisplay();
+    EGLSurface to = eglGetCurrentSurface(EGL_DRAW), from = eglGetCurrentSurface(EGL_READ);
+    EGLContext context = eglGetCurrentContext();
+
+    void make_current() const noexcept override { eglMakeCurrent(display, to, from, context); }
+};
+
 struct EglOwner : Context::Owner {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLContext context = EGL_NO_CONTEXT;
 
+    // The display is not terminated: the process has only one of its kind, and other contexts on it, also the host's,
+    // would end with it.
     ~EglOwner() override {
-        if (display == EGL_NO_DISPLAY) return;
-        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
-        eglTerminate(display);
+        if (context == EGL_NO_CONTEXT) return;
+        if (is_current()) release(display);
+        eglDestroyContext(display, context);
+    }
+    bool is_current() const noexcept override { return eglGetCurrentContext() == context; }
+    bool make_current() const noexcept override {
+        if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE) return true;
+        release(display);
+        return false;
+    }
+    std::unique_ptr<Current> current() const override {
+        auto now = std::make_unique<EglCurrent>();
+        if (now->context == EGL_NO_CONTEXT) now->display = display;
+        return now;
     }
     Context::GetProcAddress get_proc_address() const override { return eglGetProcAddress; }
     std::string name() const override { return "EGL"; }
@@ -43,10 +67,11 @@ bool open(EglOwner& owner, EGLDisplay display, std::string& reason) {
     const EGLint attributes[] = {
         EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    const EGLenum before = eglQueryAPI();
     eglBindAPI(EGL_OPENGL_API);
     owner.context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-    if (owner.context == EGL_NO_CONTEXT ||
-        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, owner.context) != EGL_TRUE) {
+    eglBindAPI(before);
+    if (owner.context == EGL_NO_CONTEXT || !owner.make_current()) {
         reason = "the driver offers no OpenGL 4.5 core context";
         return false;
     }

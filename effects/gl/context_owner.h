@@ -12,6 +12,14 @@ struct Context::Owner {
     virtual ~Owner() = default;
     virtual GetProcAddress get_proc_address() const = 0;
     virtual std::string name() const = 0;
+    virtual bool is_current() const noexcept = 0;    ///< on this thread, as the driver says
+    virtual bool make_current() const noexcept = 0;  ///< false: the driver refuses; nothing is then current
+    /// What is current on this thread now, also a context of the host's if it is of this backend.
+    struct Current {
+        virtual ~Current() = default;
+        virtual void make_current() const noexcept = 0;
+    };
+    virtual std::unique_ptr<Current> current() const = 0;
 };
 
 namespace gl {

@@ -37,11 +37,23 @@ void give_texture(Organ& organ, const std::filesystem::path& path, std::vector<o
 
 }  // namespace
 
+void organ::require_usable(const OrganOptions& options, const std::string& file) {
+    if (!std::isfinite(options.scale) || options.scale < 0.0)
+        organ::refuse(file, "", "scale " + std::to_string(options.scale) + " is not above 0");
+    for (int k = 0; k < 3; ++k)
+        if (!std::isfinite(options.rotation[k]))
+            organ::refuse(file, "", "rotation " + std::to_string(options.rotation[k]) + " is not a number of degrees");
+}
+
+void organ::place(Organ& organ, const OrganOptions& options, std::vector<Encoded>* encoded) {
+    organ::transform(organ, to_millimetres(organ.scale, options.rotation));
+    if (!options.texture.empty()) give_texture(organ, options.texture, encoded);
+}
+
 Organ organ::load(const std::filesystem::path& path, const OrganOptions& options, const work::Stages& stages,
                   std::vector<Encoded>* encoded) {
     const std::string file = path.string();
-    if (!std::isfinite(options.scale) || options.scale < 0.0)
-        organ::refuse(file, "", "scale " + std::to_string(options.scale) + " is not above 0");
+    organ::require_usable(options, file);
     organ::RawOrgan raw;
     double unit = 1.0;
     stages.reach(0.0);
@@ -58,13 +70,12 @@ Organ organ::load(const std::filesystem::path& path, const OrganOptions& options
     std::vector<std::filesystem::path> files = std::move(raw.files), unread = std::move(raw.unread_files);
     if (encoded != nullptr) *encoded = std::move(raw.encoded);
     Organ organ = organ::mend(std::move(raw), file, scale, missing);
-    organ::transform(organ, to_millimetres(scale, options.rotation));
     organ.name = path.stem().string();
     organ.scale = scale;
     organ.files = std::move(files);
     organ.files.insert(organ.files.begin(), path);
     organ.unread_files = std::move(unread);
-    if (!options.texture.empty()) give_texture(organ, options.texture, encoded);
+    organ::place(organ, options, encoded);
     stages.reach(0.85);
     organ::complete(organ, missing);
     stages.reach(1.0);

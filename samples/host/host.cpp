@@ -101,7 +101,10 @@ struct Host {
         glVertexArrayElementBuffer(vertices, buffer_of(organ.indices));
     }
 
-    void draw(double time, GLuint framebuffer) {
+    lapfx::CameraResponse response() const { return {scene.camera.exposure, scene.camera.vignette}; }
+
+    /// All of the frame but its finish.
+    void draw(double time) {
         const lapfx::SceneCamera& c = scene.camera;
         const lapfx::SceneLight& l = scene.light;
         const double field = glm::radians(c.field_of_view), aspect = static_cast<double>(size.x) / size.y;
@@ -113,7 +116,6 @@ struct Host {
         own ? draw_organ(view) : effects.draw_organ(view);
         frame.begin_smoke();
         effects.draw_smoke(view, frame.depth());
-        frame.finish(framebuffer, {.exposure = c.exposure, .vignette = c.vignette});
     }
 
     void draw_organ(const lapfx::View& view) {
@@ -159,7 +161,8 @@ void run(Host& host, GLFWwindow* window) {
         }
     });
     for (; glfwGetTime() < host.scene.duration && glfwWindowShouldClose(window) == 0; ++frames, glfwPollEvents()) {
-        host.draw(glfwGetTime(), 0);
+        host.draw(glfwGetTime());
+        host.frame.finish(0, host.response());
         glfwSwapBuffers(window);
     }
     if (glfwWindowShouldClose(window) == 0) hand.join();  // on a busy computer it may be behind
@@ -171,22 +174,15 @@ void run(Host& host, GLFWwindow* window) {
 }
 
 void write_picture(Host& host, double time) {
-    GLuint color = 0, framebuffer = 0;
-    glCreateRenderbuffers(1, &color);
-    glNamedRenderbufferStorage(color, GL_RGBA8, host.size.x, host.size.y);
-    glCreateFramebuffers(1, &framebuffer);
-    glNamedFramebufferRenderbuffer(framebuffer, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
     std::vector<lapfx::ToolContact> events = host.scene.events;
     std::ranges::stable_sort(events, {}, &lapfx::ToolContact::time);
     for (std::size_t i = 0; i < events.size() && events[i].time <= time; host.effects.seek(events[i++].time))
         host.effects.set_contacts(std::span(events).first(i + 1));  // as the hand continues
-    host.draw(time, framebuffer);
-    const std::size_t row = 3 * static_cast<std::size_t>(host.size.x);
-    std::vector<unsigned char> pixels(row * static_cast<std::size_t>(host.size.y));
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, host.size.x, host.size.y, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+    host.draw(time);
+    std::vector<std::uint8_t> pixels(4 * static_cast<std::size_t>(host.size.x) * static_cast<std::size_t>(host.size.y));
+    host.frame.read(pixels, host.response());
     std::printf("P6\n%d %d\n255\n", host.size.x, host.size.y);
-    for (auto end = pixels.end(); end != pixels.begin(); end -= row) std::fwrite(&*(end - row), 1, row, stdout);
+    for (std::size_t i = 0; i < pixels.size(); i += 4) std::fwrite(&pixels[i], 1, 3, stdout);
 }
 
 }  // namespace

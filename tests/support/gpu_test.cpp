@@ -6,10 +6,13 @@
 
 namespace lapfx::test {
 
-std::string missing_context() {
-    static std::string reason;
+namespace {
+
+std::string reason;
+
+const Context* context_of_tests() {
     // Never destroyed: other static objects may hold GL names until the process ends.
-    static const Context* context = [&]() -> const Context* {
+    static const Context* context = []() -> const Context* {
         try {
             return new Context(Context::create(Backend::automatic));
         } catch (const Error& error) {
@@ -17,17 +20,25 @@ std::string missing_context() {
             return nullptr;
         }
     }();
-    return context != nullptr ? "" : reason;
+    return context;
+}
+
+}  // namespace
+
+std::string missing_context() {
+    return context_of_tests() != nullptr ? "" : reason;
 }
 
 void GpuTest::SetUp() {
     if (const std::string reason = missing_context(); !reason.empty()) GTEST_SKIP() << reason;
+    context_of_tests()->make_current();  // a test may have made others
     while (glGetError() != GL_NO_ERROR) {
     }
 }
 
 void GpuTest::TearDown() {
     if (missing_context().empty()) {
+        context_of_tests()->make_current();
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
     }
 }

@@ -7,7 +7,7 @@
 
 namespace lapfx::test {
 
-/// Empty when there is a context, which is then current; otherwise why there is none.
+/// Empty when there is a context; otherwise why there is none.
 std::string missing_context();
 
 class GpuTest : public testing::Test {

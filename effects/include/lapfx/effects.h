@@ -58,9 +58,9 @@ class ClipCache;
 class PreparedOrgan;
 
 struct EffectsOptions {
-    std::uint32_t seed = 1;                           ///< every random choice depends on it alone
-    glm::dvec3 gravity{0.0, -1.0, 0.0};               ///< direction in organ space; blood runs down, smoke rises
-    std::vector<std::filesystem::path> clip_folders;  ///< where bare clip names are looked up
+    std::uint32_t seed = 1;                                ///< every random choice depends on it alone
+    glm::dvec3 gravity{0.0, -1.0, 0.0};                    ///< direction in organ space; blood runs down, smoke rises
+    std::vector<std::filesystem::path> clip_folders = {};  ///< where bare clip names are looked up
     bool wait_for_clips = false;  ///< true: exact frames, for offline rendering; false: never wait, repeat the last
     StreamingOptions streaming = {};
     std::shared_ptr<ClipCache> clip_cache = nullptr;  ///< what was read of clips before (clip_cache.h); may be null

@@ -14,8 +14,10 @@
 // and GL_FRAMEBUFFER_SRGB off and multisampling on, and leaves all that so.
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <span>
 
 #include "lapfx/api.h"
 
@@ -45,6 +47,10 @@ class LAPFX_API Frame {
     unsigned depth() const noexcept;
     /// Writes the picture into `framebuffer` (0 = the window's), lower left corner first, sRGB-encoded.
     void finish(unsigned framebuffer, const CameraResponse& response = {}) noexcept;
+    /// The same into main memory, for a host without a window: RGBA, four bytes a pixel, rows from the top. Waits for
+    /// the GPU, and leaves the host's settings for packing pixels as they were. Throws Error (bad_input) before begin()
+    /// and for another size than 4 bytes for each pixel.
+    void read(std::span<std::uint8_t> rgba, const CameraResponse& response = {});
 
   private:
     struct State;

@@ -12,7 +12,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lapfx/api.h"
@@ -92,5 +94,22 @@ struct OrganOptions {
 /// Throws Error: bad_input (missing, not a plain file, empty, truncated, malformed, no triangles, an
 /// extension we cannot read: each named).
 LAPFX_API Organ load_organ(const std::filesystem::path& path, const OrganOptions& options = {});
+
+/// A surface of the host's own. What is empty is made; the rest has one element for each position.
+struct Mesh {
+    std::span<const glm::vec3> positions;     ///< of OrganOptions::scale mm, 1 where that is 0
+    std::span<const std::uint32_t> indices;   ///< three per triangle, counter-clockwise from outside
+    std::span<const glm::vec3> normals = {};  ///< of any length; zero = missing
+    std::span<const glm::vec2> uvs = {};      ///< origin top left
+    std::span<const glm::vec4> colors = {};   ///< linear RGBA
+    std::string_view name = "organ";
+    Material material = {};
+    std::span<const Image> images = {};  ///< of the material
+};
+
+/// The organ with that surface. Its vertices are those of the mesh, in their order, so that Effects::bleed_buffer() and
+/// set_shape() fit the host's; triangles without area are left out, with a warning. Throws Error (bad_input) for what
+/// does not fit together, values that are not numbers or are beyond 1e9 mm, no triangles, and more than 20,000,000.
+LAPFX_API Organ make_organ(const Mesh& mesh, const OrganOptions& options = {});
 
 }  // namespace lapfx

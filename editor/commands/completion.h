@@ -1,0 +1,24 @@
+// What completes the command line of lapfx in bash, made from the options of its commands.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lapfx::commands {
+
+/// A script for bash that completes commands, their parts and options, and values: words where an option takes one of
+/// some, and files of the kinds that are taken.
+std::string bash_completion(const CLI::App& app);
+
+/// What a value may be.
+struct Values {
+    std::vector<std::string> words;
+    std::vector<std::string> endings;  ///< of names of files; "" is that of all files, "/" are folders alone
+};
+
+/// By what an option or an argument says that it takes: "dark|light", "FILE.json", "VIDEO", "KEY=VALUE" (nothing).
+Values values_of(std::string_view takes);
+
+}  // namespace lapfx::commands
