@@ -1,13 +1,13 @@
 # Debian packages: `cpack -G DEB` in the build folder makes, in packages/ there, liblapfx (the shared library),
-# liblapfx-dev (what a host is built with) and lapfx (the programs, with presets, samples, man pages and what a desktop
-# shows). -DCPACK_PACKAGE_CONTACT="NAME <ADDRESS>" says who made them.
+# liblapfx-dev (what a host is built with), python3-lapfx (its module) and lapfx (the programs, with presets, samples,
+# man pages and what a desktop shows). -DCPACK_PACKAGE_CONTACT="NAME <ADDRESS>" says who made them.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME lapfx)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_CONTACT "lapfx <nobody@lapfx.invalid>" CACHE STRING "Name and address of who makes the packages")
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_COMPONENTS_ALL library development program)
+set(CPACK_COMPONENTS_ALL library development python program)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_STRIP_FILES ON)
 # Whatever umask they are made with.
@@ -40,8 +40,21 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "liblapfx (= ${PROJECT_VERSION}), l
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "bleeding and surgical smoke for laparoscopic simulators (development)
 ${what_it_is}
 
-This package has the headers, and the files by which CMake and pkg-config find
-the library.")
+This package has the headers for C++ and C, and the files by which CMake and
+pkg-config find the library.")
+
+# Compiled when it is installed, so that nothing is left when it is removed.
+set(python ${CMAKE_CURRENT_LIST_DIR}/python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-lapfx)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${python}/postinst ${python}/prerm)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "liblapfx (= ${PROJECT_VERSION}), python3, python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "libosmesa6, libgl1-mesa-dri")  # it makes its own contexts
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "bleeding and surgical smoke for laparoscopic simulators (Python 3)
+${what_it_is}
+
+This package has the module for Python, which gives pictures as numpy arrays.")
 
 # dpkg-shlibdeps finds what is linked, but not what is opened while it runs: Mesa's drivers and the editor's fonts.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME lapfx)

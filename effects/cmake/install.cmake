@@ -23,7 +23,7 @@ install(TARGETS lapfx_shared lapfx_in_cpp EXPORT lapfx
 install(DIRECTORY include/lapfx DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 install(FILES c/include/lapfx.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 # It looks for the library two folders above.
-install(FILES c/lapfx.py DESTINATION ${CMAKE_INSTALL_LIBDIR}/python3/dist-packages COMPONENT library)
+install(FILES c/lapfx.py DESTINATION ${CMAKE_INSTALL_LIBDIR}/python3/dist-packages COMPONENT python)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lapfx)
 install(EXPORT lapfx NAMESPACE lapfx:: FILE lapfxTargets.cmake DESTINATION ${package_dir} COMPONENT development)

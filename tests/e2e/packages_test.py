@@ -20,7 +20,7 @@ import help_test
 import install_test
 from install_test import run
 
-PACKAGES = ("lapfx", "liblapfx", "liblapfx-dev")
+PACKAGES = ("lapfx", "liblapfx", "liblapfx-dev", "python3-lapfx")
 LOADED_LATER = ("fonts-inter", "fonts-dejavu-core", "libgl1-mesa-dri", "libosmesa6")
 SAMPLES = ("lagb.scene.json", "lagb.glb", "hook_cautery.glb", "liver_lobe.glb", "reference/operation.mp4")
 DESKTOP = ("applications/lapfx.desktop", "mime/packages/lapfx.xml", "icons/hicolor/scalable/apps/lapfx.svg",
@@ -69,10 +69,12 @@ def expected_names(source, program, libraries):
                   *names_below(f"{source}/presets", f"{data}/presets"),
                   *names_below(f"{source}/shaders", f"{data}/shaders")],
         "liblapfx": [f"{libraries}/liblapfx.so.0", f"{libraries}/liblapfx.so.0.1.0"],
-        "liblapfx-dev": [f"{libraries}/liblapfx.so", f"{libraries}/pkgconfig/lapfx.pc",
+        "liblapfx-dev": [f"{libraries}/liblapfx.so", f"{libraries}/pkgconfig/lapfx.pc", f"{libraries}/pkgconfig/lapfx-c.pc",
+                         "include/lapfx.h",
                          *names_below(f"{source}/effects/include/lapfx", "include/lapfx"),
                          *(f"{libraries}/cmake/lapfx/lapfx{name}.cmake"
                            for name in ("Config", "ConfigVersion", "Targets", "Targets-release"))],
+        "python3-lapfx": [f"{libraries}/python3/dist-packages/lapfx.py"],
     }
     for package, of in names.items():
         of += [f"share/doc/{package}/copyright", f"share/doc/{package}/changelog.gz"]
@@ -94,6 +96,7 @@ def check_control(packages):
     depends = field("lapfx", "Depends").split(", ")
     assert set(LOADED_LATER) <= set(depends) and any(one.startswith("libegl1") for one in depends), depends
     assert field("liblapfx-dev", "Depends") == f"liblapfx (= {version}), libglm-dev"
+    assert field("python3-lapfx", "Depends") == f"liblapfx (= {version}), python3, python3-numpy"
     assert run("dpkg-deb", "-I", packages["liblapfx"], "shlibs").strip() == f"liblapfx 0 liblapfx (= {version})"
     for name in PACKAGES:
         summary, extended = field(name, "Description").split("\n", 1)
@@ -167,6 +170,8 @@ def check_in_new_debian(packages, source):
         inside("apt-get", "-q", "install", "-y", "--no-install-recommends", "g++", "pkg-config")
         inside("sh", "-c", "c++ -std=c++20 /srv/scores.cpp $(pkg-config --cflags --libs lapfx) -o /srv/scores")
         assert "mm2" in inside("/srv/scores", scene, preset)
+        drawn = f"import lapfx; print(lapfx.render('{scene}', '{preset}', [4], (160, 128), ['{os.path.dirname(scene)}/clips']).std())"
+        assert float(inside("python3", "-c", drawn)) > 10
         inside("apt-get", "-q", "purge", "-y", *PACKAGES)
         left = inside("find", "/usr", "/etc", "/var/lib", "-name", "*lapfx*").split()
         assert not left, f"left behind: {left}"
