@@ -14,8 +14,9 @@ import xml.etree.ElementTree
 TIMEOUT_S = 3600  # ten times what the slowest group takes alone, and more
 
 
-def cases(program):
-    """(suite, file) of every case."""
+def cases(program, tests):
+    """(suite, file) of every case. A compiler tells files as from the project's folder, or from where it ran."""
+    folders = os.path.dirname(tests), os.path.dirname(program)
     with tempfile.TemporaryDirectory() as folder:
         listed = os.path.join(folder, "list.xml")
         done = subprocess.run([program, "--gtest_list_tests", "--gtest_output=xml:" + listed], capture_output=True, text=True,
@@ -24,11 +25,15 @@ def cases(program):
             sys.exit(f"{program} --gtest_list_tests: {done.returncode}\n{done.stdout}{done.stderr}")
         for suite in xml.etree.ElementTree.parse(listed).getroot():
             for case in suite:
-                yield suite.get("name"), os.path.join(os.path.dirname(program), case.get("file"))
+                paths = [os.path.realpath(os.path.join(folder, case.get("file"))) for folder in folders]
+                found = [path for path in paths if path.startswith(tests + os.sep) and os.path.exists(path)]
+                if not found:
+                    sys.exit(f"{program}: {case.get('file')} is no file below {tests}")
+                yield suite.get("name"), found[0]
 
 
 def group_of(file, tests, by_file):
-    parts = os.path.relpath(os.path.realpath(file), tests).split(os.sep)
+    parts = os.path.relpath(file, tests).split(os.sep)
     if by_file:
         return parts[0] + "." + parts[-1].removesuffix("_test.cpp")
     return ".".join(parts[:2]) if len(parts) > 2 else parts[0] + ".top"
@@ -44,9 +49,10 @@ def quoted(text):
 
 
 def main(program, tests, out, label, by_file=""):
+    tests = os.path.realpath(tests)
     group = {}  # of each suite; one that several files share is of the first
-    for suite, file in cases(program):
-        group.setdefault(suite, group_of(file, os.path.realpath(tests), by_file))
+    for suite, file in cases(program, tests):
+        group.setdefault(suite, group_of(file, tests, by_file))
     groups = collections.defaultdict(list)
     for suite, name in group.items():
         groups[name].append(suite)

@@ -131,9 +131,9 @@ def check_names_no_folder(root, *folders):
 
 
 def mirror():
-    """Where apt of this machine has Debian 12 from."""
+    """Where apt of this machine has Debian 12 from, or None."""
     sites = run("apt-get", "indextargets", "--format", "$(SITE)", "Created-By: Packages", "Codename: bookworm").split()
-    return sites[0] if sites else "http://deb.debian.org/debian"
+    return sites[0] if sites else None
 
 
 def remove_root(root):
@@ -145,7 +145,7 @@ def remove_root(root):
     shutil.rmtree(root)
 
 
-def check_in_new_debian(packages, source):
+def check_in_new_debian(packages, source, site):
     root = tempfile.mkdtemp(prefix="lapfx-debian-")
     clean = {"PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "LC_ALL": "C", "DEBIAN_FRONTEND": "noninteractive",
              **{name: value for name, value in os.environ.items() if name.endswith("_proxy")}}
@@ -154,7 +154,7 @@ def check_in_new_debian(packages, source):
         return run("chroot", root, *command, env=clean)
 
     try:
-        run("debootstrap", "--variant=minbase", "bookworm", root, mirror())
+        run("debootstrap", "--variant=minbase", "bookworm", root, site)
         run("mount", "-t", "proc", "proc", os.path.join(root, "proc"))  # by it a program knows where it lies
         for file in (*packages.values(), os.path.join(source, "samples", "host", "scores.cpp")):
             shutil.copy(file, os.path.join(root, "srv"))
@@ -196,10 +196,12 @@ def main(build, source):
     else:
         skipped.append("lintian is not installed, so it was not asked about the packages")
     if os.environ.get("LAPFX_DEEP"):
-        if os.geteuid() != 0 or not shutil.which("debootstrap"):
-            skipped.append("they were not installed in a new Debian: that needs root, and debootstrap")
+        site = mirror()
+        if os.geteuid() != 0 or not shutil.which("debootstrap") or site is None:
+            skipped.append("they were not installed in a new Debian: that needs root, debootstrap, and an apt that knows "
+                           "where bookworm is")
         else:
-            check_in_new_debian(packages, source)
+            check_in_new_debian(packages, source, site)
     print("\n".join(skipped))
     sys.exit(77 if skipped else 0)
 
