@@ -52,6 +52,12 @@ void Frame::read(std::span<std::uint8_t> rgba, const CameraResponse& response) {
     if (s.picture.size() != s.size) {
         s.picture = gl::Texture({.size = s.size, .format = GL_RGBA8});
         s.into_picture = gl::Framebuffer(s.picture, nullptr);
+        if (glCheckNamedFramebufferStatus(s.into_picture.name(), GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+            s.picture = {};
+            throw Error(
+                Failure::runtime,
+                Fault{.file = "", .place = "", .reason = "the driver cannot make a picture of the frame's size"});
+        }
     }
     finish(s.into_picture.name(), response);
     gl::read_rgba(s.picture.name(), s.size, rgba);

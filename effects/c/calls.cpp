@@ -23,11 +23,15 @@ struct Log {
     lapfx_log log = nullptr;
     void* user = nullptr;
 
-    void tell(int level, const std::string& lines) {
+    /// What the host's log throws ends there: the call has its own fault to tell.
+    void tell(int level, const std::string& lines) noexcept {
         const std::lock_guard lock(mutex);
         inside_log = true;
-        std::istringstream text(lines);
-        for (std::string line; log != nullptr && std::getline(text, line);) log(user, level, line.c_str());
+        try {
+            std::istringstream text(lines);
+            for (std::string line; log != nullptr && std::getline(text, line);) log(user, level, line.c_str());
+        } catch (...) {
+        }
         inside_log = false;
     }
 };
@@ -57,26 +61,28 @@ std::string with_function(const char* function, const std::string& lines) {
     return out;
 }
 
-lapfx_status told(lapfx_status status, const char* function, const char* reason) {
+lapfx_status told(Told how, lapfx_status status, const char* function, const char* reason) {
     kept_text() = with_function(function, reason);
+    last_message = kept_text().c_str();  // the log may ask for it
+    if (how == Told::kept) return status;
     the_log().tell(LAPFX_LOG_ERROR, kept_text());
-    last_message = kept_text().c_str();  // after the log, which may have called lapfx in vain
+    last_message = kept_text().c_str();  // again: the log may have called lapfx in vain
     return status;
 }
 
-lapfx_status sorted(const char* function) {
+lapfx_status sorted(Told how, const char* function) {
     try {
         throw;
     } catch (const Misuse& misuse) {
-        return told(LAPFX_MISUSE, function, misuse.what());
+        return told(how, LAPFX_MISUSE, function, misuse.what());
     } catch (const Error& error) {
-        return told(status_of(error.failure()), function, error.what());
+        return told(how, status_of(error.failure()), function, error.what());
     } catch (const std::bad_alloc&) {
-        return told(LAPFX_RUNTIME, function, "out of memory");
+        return told(how, LAPFX_RUNTIME, function, "out of memory");
     } catch (const std::exception& failure) {
-        return told(LAPFX_RUNTIME, function, failure.what());
+        return told(how, LAPFX_RUNTIME, function, failure.what());
     } catch (...) {
-        return told(LAPFX_RUNTIME, function, "a failure without a message");
+        return told(how, LAPFX_RUNTIME, function, "a failure without a message");
     }
 }
 
@@ -99,9 +105,9 @@ lapfx_status quiet(lapfx_status status, const char* message) noexcept {
     return status;
 }
 
-lapfx_status status_of_exception(const char* function) noexcept {
+lapfx_status status_of_exception(const char* function, Told how) noexcept {
     try {
-        return sorted(function);
+        return sorted(how, function);
     } catch (...) {
         return quiet(LAPFX_RUNTIME, "out of memory");
     }
@@ -130,6 +136,10 @@ int choice(const char* argument, int value, int count, const char* what) {
     if (value >= 0 && value < count) return value;
     refuse_value(argument,
                  std::to_string(value) + " is not one of 0 to " + std::to_string(count - 1) + " (" + what + ")");
+}
+
+void at_most(const char* argument, std::size_t count, std::size_t most) {
+    if (count > most) refuse_value(argument, std::to_string(count) + " is above " + std::to_string(most));
 }
 
 std::size_t index_below(std::size_t index, std::size_t count, const char* what) {

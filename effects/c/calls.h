@@ -22,20 +22,21 @@ namespace lapfx::c {
 
 /// Whether this thread is inside the host's log: it may not call lapfx from there.
 bool logging() noexcept;
+enum class Told { logged, kept };
 /// The status of the exception that is being handled; keeps its message, and logs it.
-lapfx_status status_of_exception(const char* function) noexcept;
+lapfx_status status_of_exception(const char* function, Told how = Told::logged) noexcept;
 /// The status, with a message that is a literal; allocates nothing and is not logged.
 lapfx_status quiet(lapfx_status status, const char* message) noexcept;
 void warn(const char* function, const std::string& text);
 
 template <typename Body>
-lapfx_status call(const char* function, const Body& body) noexcept {
+lapfx_status call(const char* function, const Body& body, Told how = Told::logged) noexcept {
     if (logging()) return quiet(LAPFX_MISUSE, "lapfx was called from the log");
     try {
         body();
         return LAPFX_OK;
     } catch (...) {
-        return status_of_exception(function);
+        return status_of_exception(function, how);
     }
 }
 
@@ -91,6 +92,8 @@ void finite(const char* argument, std::span<const float> values);
 void positive_size(int width, int height);
 /// "expected one of 0 to COUNT - 1 (WHAT)"
 int choice(const char* argument, int value, int count, const char* what);
+/// Numbers of elements that would lead beyond any array are mistakes, such as -1.
+void at_most(const char* argument, std::size_t count, std::size_t most);
 std::size_t index_below(std::size_t index, std::size_t count, const char* what);
 
 }  // namespace lapfx::c

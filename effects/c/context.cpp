@@ -2,6 +2,7 @@
 
 #include "c/calls.h"
 #include "c/objects.h"
+#include "gl/context_hold.h"
 #include "gl/gl.h"
 
 namespace lapfx::c {
@@ -40,6 +41,8 @@ void SharedContext::require_current() const {
         context.make_current();
     else if (glGetString(GL_VERSION) == nullptr)
         throw Misuse("no OpenGL context is current on this thread: make the host's own current before");
+    else if (gl::current_owner() != current_at_first.lock())
+        throw Misuse("a context that lapfx made is current: make the host's own current before");
 }
 
 void SharedContext::require_drawing() const {

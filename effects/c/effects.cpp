@@ -13,6 +13,7 @@ lapfx::EffectsOptions options_of(const lapfx_effects_options* options) {
     if (options == nullptr) return {};
     const lapfx_effects_options& o = LAPFX_SIZED(lapfx_effects_options, options);
     finite("options.gravity", o.gravity);
+    at_most("options.clip_folder_count", o.clip_folder_count, 1024);
     if (o.clip_folder_count > 0) given(o.clip_folders, "options.clip_folders");
     EffectsOptions out;
     out.seed = o.seed;

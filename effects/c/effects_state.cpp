@@ -51,7 +51,11 @@ ToolSample sample_of(const lapfx_sample& s) {
 
 /// The vertices of a shape, checked: a coordinate that is no number would be everywhere.
 std::span<const glm::vec3> vertices_of(const float* data, std::size_t count, const char* argument) {
-    finite(argument, std::span(data, 3 * count));
+    constexpr float farthest = 1e9F;  // mm, as of a mesh
+    for (std::size_t i = 0; i < 3 * count; ++i)
+        if (!(std::abs(data[i]) <= farthest))
+            refuse_value(argument, "element " + std::to_string(i) + " is " + std::to_string(data[i]) +
+                                       "; expected numbers from -1e9 to 1e9");
     return {reinterpret_cast<const glm::vec3*>(data), count};
 }
 
@@ -115,6 +119,7 @@ using namespace lapfx::c;
 
 lapfx_status lapfx_effects_set_contacts(lapfx_effects* effects, const lapfx_contact* contacts, size_t count) {
     return change(__func__, effects, [&](EffectsObject& object) {
+        at_most("count", count, 1U << 24);
         if (count > 0) given(contacts, "contacts");
         object.contacts.clear();
         for (std::size_t i = 0; i < count; ++i) {
@@ -127,10 +132,11 @@ lapfx_status lapfx_effects_set_contacts(lapfx_effects* effects, const lapfx_cont
 
 lapfx_status lapfx_effects_push_sample(lapfx_effects* effects, const lapfx_sample* sample) {
     bool room = true;
-    const lapfx_status status = call(__func__, [&] {
+    const auto push = [&] {
         const Held<EffectsObject> held(effects, "effects");
         room = held->effects.tool_queue().push(sample_of(LAPFX_SIZED(lapfx_sample, sample)));
-    });
+    };
+    const lapfx_status status = call(__func__, push, Told::kept);  // another thread may be in the host's log
     return room ? status : quiet(LAPFX_RUNTIME, "lapfx_effects_push_sample: the queue is full; the sample is lost");
 }
 

@@ -60,8 +60,14 @@ lapfx_status lapfx_frame_begin(lapfx_frame* frame, int width, int height) {
         const Held<FrameObject> held(frame, "frame");
         positive_size(width, height);
         held->shared->require_drawing();
-        held->stage = Stage::none;
-        held->frame.begin({width, height});
+        try {
+            held->frame.begin({width, height});
+        } catch (const lapfx::Error& error) {
+            if (error.failure() == lapfx::Failure::bad_input) throw;  // the frame is as it was
+            held->stage = Stage::none;
+            close(*held);
+            throw;
+        }
         held->size = {width, height};
         held->stage = Stage::scene;
         set_open_frame(held->shared.get());

@@ -7,22 +7,21 @@
 
 Many pictures of one scene, with one value after another:
 
-    with lapfx.Player("lagb.scene.json", "tuned.json", size=(640, 512), clip_folders=["clips"]) as player:
-        for speed in (2, 4, 8):
-            player.preset["bleeding.speed"] = speed
-            player.effects.set_preset(player.preset)
-            save(player.picture(6.0), player.effects.amounts().blood_area)
+    with lapfx.Player("lagb.scene.json", "tuned.json", clip_folders=["clips"]) as player:
+        player.preset["bleeding.speed"] = 8
+        player.effects.set_preset(player.preset)
+        picture, area = player.picture(6.0), player.effects.amounts().blood_area
 
-And call by call, as a simulator does it: samples/host/host.py.
+Call by call: samples/host/host.py. Lengths mm, times s, colours as in lapfx.h. What fails raises Error: BadInput (a
+file or a value has to change), NoOpenGL, Misuse (the program has to change), or Error itself. Warnings go to the logger
+"lapfx". Objects are freed when they are collected, at the end of `with`, or by close(); contexts, effects and frames on
+the thread that made them.
 
-Lengths mm, times s, colours as in lapfx.h. What fails raises Error: BadInput (a file or a value has to change),
-NoOpenGL, Misuse (the program has to change), or Error itself. Warnings go to the logger "lapfx". Objects are freed when
-they are collected, at the end of `with`, or by close(); contexts, effects and frames on the thread that made them.
-
-The library is LAPFX_LIBRARY, else liblapfx.so.0 two folders above this file, where it is installed, else what the
-loader finds.
+The library is LAPFX_LIBRARY, else that which was installed with this file, else what the loader finds.
 """
+import atexit
 import ctypes
+import glob
 import json
 import logging
 import os
@@ -57,13 +56,18 @@ _ERRORS = {1: Error, 2: BadInput, 3: NoOpenGL, 4: Misuse}
 
 
 def _open():
-    beside = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "liblapfx.so.0")
-    path = os.environ.get("LAPFX_LIBRARY") or (beside if os.path.exists(beside) else "liblapfx.so.0")
+    name = "liblapfx.so.0.1"  # of another version structs may differ
+    above = glob.escape(os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", ".."))
+    beside = glob.glob(os.path.join(above, name)) + glob.glob(os.path.join(above, "*", name))
+    path = os.environ.get("LAPFX_LIBRARY") or (beside[0] if beside else name)
     try:
         library = ctypes.CDLL(path)
     except OSError as error:
         raise ImportError(f"lapfx: {error}; LAPFX_LIBRARY may name the library") from error
     library.lapfx_version.restype = library.lapfx_last_message.restype = ctypes.c_char_p
+    found = library.lapfx_version().decode()
+    if not found.startswith("0.1."):
+        raise ImportError(f"lapfx: {path} is version {found}; this file is of 0.1")
     return library
 
 
@@ -79,6 +83,7 @@ def _log(_user, level, message):
 
 
 _library.lapfx_set_log(_log, None)
+atexit.register(_library.lapfx_set_log, None, None)  # what is collected later has no logger
 
 
 def _call(name, *arguments):
@@ -87,18 +92,15 @@ def _call(name, *arguments):
         raise _ERRORS[status](_library.lapfx_last_message().decode(errors="replace"))
 
 
-def _get(kind, name, *arguments):
-    """Calls that give a value by their last argument."""
-    out = kind()
-    _call(name, *arguments, ctypes.byref(out))
-    return out.value
-
-
 def _fill(kind, name, *arguments):
-    """Calls that fill a struct."""
+    """Calls that fill what their last argument leads to."""
     out = kind()
     _call(name, *arguments, ctypes.byref(out))
     return out
+
+
+def _get(kind, name, *arguments):
+    return _fill(kind, name, *arguments).value
 
 
 def _text(path):
@@ -110,6 +112,12 @@ def _exactly(kind, name, values):
     if len(values) != kind._length_:
         raise BadInput(f"{name}: {len(values)} numbers; expected {kind._length_}")
     return kind(*values)
+
+
+def _index(name, value, words):
+    if value not in words:
+        raise BadInput(f"{name}: {value} is not one of {', '.join(words)}")
+    return words.index(value)
 
 
 def _floats(values, width, name, rows=None):
@@ -142,15 +150,12 @@ class _Struct(ctypes.Structure):
     defaults = {}
 
     def __init__(self, **values):
-        for name in values:
-            if name not in {field[0] for field in self._fields_}:
-                raise TypeError(f"{type(self).__name__} has no {name}; it has: {', '.join(f[0] for f in self._fields_[1:])}")
-        if isinstance(values.get("action"), str):
-            if values["action"] not in ACTIONS:
-                raise BadInput(f"action: {values['action']} is not one of {', '.join(ACTIONS)}")
-            values["action"] = ACTIONS.index(values["action"])
         kinds, values = {field[0]: field[1] for field in self._fields_}, {**self.defaults, **values}
+        if isinstance(values.get("action"), str):
+            values["action"] = _index("action", values["action"], ACTIONS)
         for name, value in values.items():
+            if name not in kinds:
+                raise TypeError(f"{type(self).__name__} has no {name}; it has: {', '.join(kinds)}")
             if hasattr(kinds[name], "_length_"):
                 values[name] = _exactly(kinds[name], name, value)
         super().__init__(size=ctypes.sizeof(type(self)), **values)
@@ -161,8 +166,8 @@ class _Struct(ctypes.Structure):
         return f"{type(self).__name__}({', '.join(shown)})"
 
 
-_double, _double3, _size, _int, _float16 = (ctypes.c_double, ctypes.c_double * 3, ctypes.c_size_t, ctypes.c_int,
-                                            ctypes.c_float * 16)
+_double, _size, _int, _chars, _address = ctypes.c_double, ctypes.c_size_t, ctypes.c_int, ctypes.c_char_p, ctypes.c_void_p
+_double3, _float16 = ctypes.c_double * 3, ctypes.c_float * 16
 _IDENTITY = tuple(numpy.eye(4).ravel())
 
 
@@ -235,9 +240,9 @@ class MemoryUse(_Struct):
 class SceneInfo(_Struct):
     """What a scene says of itself; texts are bytes."""
 
-    _fields_ = [("size", _size), ("name", ctypes.c_char_p), ("preset", ctypes.c_char_p), ("duration", _double),
-                ("seed", ctypes.c_uint32), ("gravity", _double3), ("organ_file", ctypes.c_char_p), ("organ_scale", _double),
-                ("organ_rotation", _double3), ("organ_texture", ctypes.c_char_p), ("organ_color", _double3),
+    _fields_ = [("size", _size), ("name", _chars), ("preset", _chars), ("duration", _double),
+                ("seed", ctypes.c_uint32), ("gravity", _double3), ("organ_file", _chars), ("organ_scale", _double),
+                ("organ_rotation", _double3), ("organ_texture", _chars), ("organ_color", _double3),
                 ("eye", _double3), ("target", _double3), ("up", _double3), ("field_of_view", _double),
                 ("exposure", _double), ("vignette", _double), ("lamp_intensity", _double),
                 ("lamp_focus_distance", _double), ("lamp_beam_angle", _double), ("lamp_color", _double3),
@@ -245,48 +250,44 @@ class SceneInfo(_Struct):
 
 
 class _OrganOptions(_Struct):
-    _fields_ = [("size", _size), ("scale", _double), ("rotation", _double3), ("texture", ctypes.c_char_p)]
+    _fields_ = [("size", _size), ("scale", _double), ("rotation", _double3), ("texture", _chars)]
 
 
 class _Mesh(_Struct):
-    _fields_ = [("size", _size), ("vertex_count", _size), ("positions", ctypes.c_void_p), ("index_count", _size),
-                ("indices", ctypes.c_void_p), ("normals", ctypes.c_void_p), ("uvs", ctypes.c_void_p),
-                ("colors", ctypes.c_void_p)]
+    _fields_ = [("size", _size), ("vertex_count", _size), ("positions", _address), ("index_count", _size),
+                ("indices", _address), ("normals", _address), ("uvs", _address), ("colors", _address)]
 
 
 class _OrganData(_Struct):
     _fields_ = [("size", _size), ("vertex_count", _size), ("index_count", _size),
-                ("positions", ctypes.POINTER(ctypes.c_float)), ("normals", ctypes.POINTER(ctypes.c_float)),
-                ("uvs", ctypes.POINTER(ctypes.c_float)), ("colors", ctypes.POINTER(ctypes.c_float)),
+                *((name, ctypes.POINTER(ctypes.c_float)) for name in ("positions", "normals", "uvs", "colors")),
                 ("indices", ctypes.POINTER(ctypes.c_uint32))]
 
 
 class _EffectsOptions(_Struct):
     _fields_ = [("size", _size), ("seed", ctypes.c_uint32), ("gravity", _double3),
-                ("clip_folders", ctypes.POINTER(ctypes.c_char_p)), ("clip_folder_count", _size), ("wait_for_clips", _int),
+                ("clip_folders", ctypes.POINTER(_chars)), ("clip_folder_count", _size), ("wait_for_clips", _int),
                 ("clip_memory", _size)]
 
 
-class _Closing:
+class _Object:
+    _kind, _handle = "", ctypes.c_void_p(1)  # once closed: no handle of lapfx's, where None may mean that there is none
+
+    def _made(self, name, *arguments):
+        self._handle = ctypes.c_void_p(_get(ctypes.c_void_p, name, *arguments))
+        return self
+
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
         self.close()
 
-
-class _Object(_Closing):
-    _kind, _handle = "", None
-
-    def _made(self, name, *arguments):
-        self._handle = ctypes.c_void_p(_get(ctypes.c_void_p, name, *arguments))
-        return self
-
     def close(self):
         """Frees it; later calls raise Misuse. Closing again does nothing."""
-        if self._handle is not None:
+        if "_handle" in vars(self):
             _call(self._kind + "_destroy", self._handle)
-            self._handle = None
+            del self._handle
 
     def __del__(self):
         try:
@@ -301,9 +302,7 @@ class Context(_Object):
     _kind = "context"
 
     def __init__(self, backend="automatic"):
-        if backend not in BACKENDS:
-            raise BadInput(f"backend: {backend} is not one of {', '.join(BACKENDS)}")
-        self._made("context_create", BACKENDS.index(backend))
+        self._made("context_create", _index("backend", backend, BACKENDS))
 
     @classmethod
     def external(cls, get_proc_address):
@@ -335,8 +334,8 @@ class Organ(_Object):
         """From arrays: (n, 3) mm, (m, 3) indices, and what there is of (n, 3), (n, 2), (n, 4)."""
         positions, indices = _floats(positions, 3, "positions"), numpy.ascontiguousarray(triangles, numpy.uint32)
         rows = len(positions)
-        normals, uvs, colors = (_floats(normals, 3, "normals", rows), _floats(uvs, 2, "uvs", rows),
-                                _floats(colors, 4, "colors", rows))
+        normals, uvs = _floats(normals, 3, "normals", rows), _floats(uvs, 2, "uvs", rows)
+        colors = _floats(colors, 4, "colors", rows)
         mesh = _Mesh(vertex_count=rows, positions=_pointer(positions), index_count=indices.size, indices=_pointer(indices),
                      normals=_pointer(normals), uvs=_pointer(uvs), colors=_pointer(colors))
         return cls.__new__(cls)._made("organ_create", ctypes.byref(mesh))
@@ -347,7 +346,7 @@ class Organ(_Object):
 
     def prepare(self, preset=None):
         """Does now, on any thread, what makes Effects(...) take long."""
-        _call("organ_prepare", self._handle, preset._handle if preset is not None else None)
+        _call("organ_prepare", self._handle, preset and preset._handle)
 
     def _array(self, name, width):
         data = _fill(_OrganData, "organ_get_data", self._handle)
@@ -402,7 +401,9 @@ class Scene(_Object):
 
     def info(self):
         """Its values (SceneInfo)."""
-        return _fill(SceneInfo, "scene_get_info", self._handle)
+        info = _fill(SceneInfo, "scene_get_info", self._handle)
+        info._scene = self  # its texts are the scene's
+        return info
 
     def events(self):
         """What the tool does, in the order of time: a list of Contact."""
@@ -428,10 +429,9 @@ class Effects(_Object):
 
     def __init__(self, context, organ, preset, seed=1, gravity=(0.0, -1.0, 0.0), clip_folders=(), wait_for_clips=False,
                  clip_memory=1 << 30):
-        folders = (ctypes.c_char_p * len(clip_folders))(*map(_text, clip_folders))
-        options = _EffectsOptions(seed=seed, gravity=gravity, clip_folder_count=len(folders),
+        folders = (_chars * len(clip_folders))(*map(_text, clip_folders))
+        options = _EffectsOptions(seed=seed, gravity=gravity, clip_folders=folders, clip_folder_count=len(folders),
                                   wait_for_clips=wait_for_clips, clip_memory=clip_memory)
-        options.clip_folders = folders
         self._made("effects_create", context._handle, organ._handle, preset._handle, ctypes.byref(options))
 
     def set_preset(self, preset):
@@ -448,7 +448,7 @@ class Effects(_Object):
 
     def set_curves(self, scene):
         """The factors over time of a scene; None: none."""
-        _call("effects_set_curves", self._handle, scene._handle if scene is not None else None)
+        _call("effects_set_curves", self._handle, scene and scene._handle)
 
     def set_shape(self, positions, normals=None):
         """Deforms the organ: a row for each vertex that it was given with."""
@@ -552,14 +552,14 @@ class Frame(_Object):
         """The picture: (height, width, 4) uint8, rows from the top; into `out` where it is given."""
         if out is None:
             out = numpy.empty((self._size[1], self._size[0], 4), numpy.uint8)
-        elif out.dtype != numpy.uint8 or not out.flags.c_contiguous:
-            raise BadInput(f"out: an array of {out.dtype}; expected uint8 without gaps")
+        elif out.dtype != numpy.uint8 or not out.flags.c_contiguous or not out.flags.writeable:
+            raise BadInput(f"out: an array of {out.dtype}; expected one of uint8, without gaps, that may be written")
         _call("frame_read", self._handle, ctypes.byref(response or Response()), ctypes.c_void_p(out.ctypes.data),
               _size(out.nbytes))
         return out
 
 
-class Player(_Closing):
+class Player(_Object):
     """A scene with a preset (a path, a Preset, or None: the scene's own), as pictures: those of `lapfx render`, without
     the instrument. What it is made of may be used: scene, preset, context, organ, effects, frame."""
 
@@ -588,7 +588,7 @@ class Player(_Closing):
         return self.frame.read(self.scene.response())
 
     def close(self):
-        """Frees what belongs to its context."""
+        """Frees what belongs to its context; again does nothing."""
         for one in (self.frame, self.effects, self.context):
             one.close()
 

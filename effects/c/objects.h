@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "c/handles.h"
+#include "gl/context_hold.h"
 #include "lapfx.h"
 #include "lapfx/context.h"
 #include "lapfx/effects.h"
@@ -25,6 +26,7 @@ struct SharedContext {
     bool external;
     std::thread::id thread = std::this_thread::get_id();
     std::string renderer = context.renderer();
+    std::weak_ptr<Context::Owner> current_at_first = gl::current_owner();  ///< null: none of lapfx's own
 
     /// Throws Misuse on another thread.
     void require_thread() const;

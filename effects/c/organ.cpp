@@ -70,7 +70,8 @@ lapfx_status lapfx_organ_prepare(lapfx_organ* organ, const lapfx_preset* preset)
 
 lapfx_status lapfx_organ_get_data(const lapfx_organ* organ, lapfx_organ_data* data) {
     return call(__func__, [&] {
-        const lapfx::Organ& from = Held<OrganObject>(organ, "organ")->organ;
+        const Held<OrganObject> held(organ, "organ");
+        const lapfx::Organ& from = held->organ;
         lapfx_organ_data& out = LAPFX_SIZED(lapfx_organ_data, data);
         out.vertex_count = from.positions.size();
         out.index_count = from.indices.size();

@@ -119,6 +119,9 @@ lapfx_status lapfx_scene_get_response(const lapfx_scene* scene, lapfx_response* 
 lapfx_status lapfx_scene_load_organ(const lapfx_scene* scene, lapfx_organ** organ) {
     return make<OrganObject>(__func__, organ, "organ", [&, function = __func__] {
         const Held<SceneObject> held(scene, "scene");
+        if (held->scene.plate.use)
+            refuse_value("scene",
+                         "shows a plate, a frame of its reference, instead of an organ: only lapfx itself can");
         const lapfx::SceneOrgan& from = held->scene.organ;
         return organ_object(function,
                             lapfx::load_organ(held->organ_file, {from.scale, from.rotation, held->organ_texture}));

@@ -3,11 +3,17 @@
 # of this machine: the folder that was installed into can be moved.
 include(CMakePackageConfigHelpers)
 
+# While the first number of the version is 0, the first two tell what fits.
+set(fits ${PROJECT_VERSION_MAJOR})
+if(fits EQUAL 0)
+    set(fits ${fits}.${PROJECT_VERSION_MINOR})
+endif()
+
 # One library: lapfx::c is what a host in C needs of it, lapfx::effects adds what its headers in C++ need.
 add_library(lapfx_shared SHARED $<TARGET_OBJECTS:lapfx_simulation> $<TARGET_OBJECTS:lapfx_effects>
     $<TARGET_OBJECTS:lapfx_shaders> $<TARGET_OBJECTS:lapfx_c>)
 set_target_properties(lapfx_shared PROPERTIES OUTPUT_NAME lapfx EXPORT_NAME c LINKER_LANGUAGE CXX
-    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR} LINK_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/lapfx.map)
+    VERSION ${PROJECT_VERSION} SOVERSION ${fits} LINK_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/lapfx.map)
 # For the libraries that these link; their own objects are those above.
 target_link_libraries(lapfx_shared PRIVATE lapfx_effects)
 # Also hidden is what comes from libraries that are linked statically and from templates of the standard library.
@@ -20,15 +26,15 @@ target_compile_features(lapfx_in_cpp INTERFACE cxx_std_20)
 install(TARGETS lapfx_shared lapfx_in_cpp EXPORT lapfx
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development
     INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY include/lapfx DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+install(DIRECTORY include/lapfx DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
+    FILES_MATCHING PATTERN "*.h")
 install(FILES c/include/lapfx.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
-# It looks for the library two folders above.
-install(FILES c/lapfx.py DESTINATION ${CMAKE_INSTALL_LIBDIR}/python3/dist-packages COMPONENT python)
+# Debian's Python looks there below /usr; elsewhere PYTHONPATH has to name it.
+install(FILES c/lapfx.py DESTINATION lib/python3/dist-packages COMPONENT python)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lapfx)
 install(EXPORT lapfx NAMESPACE lapfx:: FILE lapfxTargets.cmake DESTINATION ${package_dir} COMPONENT development)
 configure_package_config_file(cmake/lapfxConfig.cmake.in lapfxConfig.cmake INSTALL_DESTINATION ${package_dir})
-# While the first number of the version is 0, the second one tells what fits.
 write_basic_package_version_file(lapfxConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/lapfxConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/lapfxConfigVersion.cmake
     DESTINATION ${package_dir} COMPONENT development)

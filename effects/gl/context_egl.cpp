@@ -71,11 +71,13 @@ bool open(EglOwner& owner, EGLDisplay display, std::string& reason) {
     eglBindAPI(EGL_OPENGL_API);
     owner.context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
     eglBindAPI(before);
-    if (owner.context == EGL_NO_CONTEXT || !owner.make_current()) {
+    if (owner.context == EGL_NO_CONTEXT) {
         reason = "the driver offers no OpenGL 4.5 core context";
         return false;
     }
-    return true;
+    if (owner.make_current()) return true;
+    reason = "its context cannot be made current: this thread may have a window's";
+    return false;
 }
 
 }  // namespace

@@ -8,8 +8,8 @@ namespace lapfx::gl {
 /// The first member of an object that owns names of OpenGL: it is destroyed last. Any thread may have contexts.
 class ContextHold {
   public:
-    /// Holds the context of Context::create() that is current, so that it lives as long as this object. A context of
-    /// the host's cannot be held: the host makes it current.
+    /// Holds the context of Context::create() that is current, so that it lives as long as this object. If none is, the
+    /// context is the host's, who makes it current; then only its functions stay in use.
     ContextHold();
     ContextHold(const ContextHold&) = delete;
     ContextHold& operator=(const ContextHold&) = delete;
@@ -24,10 +24,10 @@ class ContextHold {
     std::unique_ptr<Context::Owner::Current> before_;
 };
 
-/// Makes a context known to ContextHold for as long as it lives. Throws Error (no_gl) as require_same_functions().
+/// Makes a context known to ContextHold for as long as it lives. Throws Error (no_gl) while a context is in use whose
+/// functions its own would replace: they are loaded once for the process.
 std::shared_ptr<Context::Owner> keep(std::unique_ptr<Context::Owner> owner);
-/// Throws Error (no_gl) while a context lives whose functions those of `name` would replace: they are loaded once for
-/// the process.
-void require_same_functions(Context::GetProcAddress get_proc_address, const std::string& name);
+/// The context of Context::create() that is current on this thread, or null.
+std::shared_ptr<Context::Owner> current_owner();
 
 }  // namespace lapfx::gl

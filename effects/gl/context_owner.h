@@ -10,6 +10,7 @@ namespace lapfx {
 
 struct Context::Owner {
     virtual ~Owner() = default;
+    virtual bool of_host() const noexcept { return false; }
     virtual GetProcAddress get_proc_address() const = 0;
     virtual std::string name() const = 0;
     virtual bool is_current() const noexcept = 0;    ///< on this thread, as the driver says
@@ -20,6 +21,8 @@ struct Context::Owner {
         virtual void make_current() const noexcept = 0;
     };
     virtual std::unique_ptr<Current> current() const = 0;
+    /// Tells functions of one backend from those of another (gl::keep); a host's own way to find them may be gone.
+    void* any_function = nullptr;
 };
 
 namespace gl {

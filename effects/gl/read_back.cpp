@@ -28,7 +28,14 @@ void read_rgba(GLuint texture, glm::ivec2 size, std::span<std::uint8_t> rgba) no
     const std::size_t row = static_cast<std::size_t>(size.x) * 4;
     assert(rgba.size() == row * static_cast<std::size_t>(size.y));
     const PackGuard guard;
-    glGetTextureImage(texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(rgba.size()), rgba.data());
+    const std::size_t most = std::size_t{1} << 30;  // a call counts bytes in 32 bits
+    const int band = static_cast<int>(std::max<std::size_t>(1, most / row));
+    for (int y = 0; y < size.y; y += band) {
+        const int rows = std::min(band, size.y - y);
+        glGetTextureSubImage(texture, 0, 0, y, 0, size.x, rows, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                             static_cast<GLsizei>(row * static_cast<std::size_t>(rows)),
+                             rgba.data() + row * static_cast<std::size_t>(y));
+    }
     // It comes with its rows from the bottom.
     for (std::size_t low = 0, high = rgba.size() - row; low < high; low += row, high -= row)
         std::swap_ranges(rgba.data() + low, rgba.data() + low + row, rgba.data() + high);

@@ -6,7 +6,8 @@ namespace lapfx {
 
 namespace {
 
-constexpr float farthest = 1e9F;  // mm
+constexpr double farthest = 1e9;     // mm, as of a file
+constexpr double farthest_uv = 1e6;  // likewise
 
 class Check {
   public:
@@ -16,15 +17,20 @@ class Check {
         organ::refuse(name_, place, reason);
     }
     template <typename T>
-    void values(std::span<const T> all, const char* place, std::size_t count, float most) const {
+    void values(std::span<const T> all, const char* place, std::size_t count, double most, double least) const {
         if (!all.empty() && all.size() != count)
             refuse(place, std::to_string(all.size()) + "; there are " + std::to_string(count) + " positions");
         for (std::size_t i = 0; i < all.size(); ++i)
             for (int k = 0; k < T::length(); ++k)
-                if (!(std::abs(all[i][k]) <= most))
+                if (!std::isfinite(all[i][k]) || all[i][k] > most || all[i][k] < least)
                     refuse(std::string(place) + "/" + std::to_string(i),
-                           std::to_string(all[i][k]) + " is not a number from " + std::to_string(-most) + " to " +
+                           std::to_string(all[i][k]) + " is not a number from " + std::to_string(least) + " to " +
                                std::to_string(most));
+    }
+    void count(std::size_t positions) const {
+        constexpr std::size_t most = 3 * organ::maximum_triangles;
+        if (positions == 0 || positions > most)
+            refuse("positions", std::to_string(positions) + "; expected 1 to " + std::to_string(most));
     }
     void triangles(std::span<const std::uint32_t> indices, std::size_t vertices) const {
         if (indices.empty() || indices.size() % 3 != 0 || indices.size() / 3 > organ::maximum_triangles)
@@ -38,6 +44,14 @@ class Check {
     void image(int index, const char* place, std::size_t images) const {
         if (index < -1 || index >= static_cast<int>(images))
             refuse(place, std::to_string(index) + "; there are " + std::to_string(images) + " images, and -1 is none");
+    }
+    void material(const Material& m) const {
+        const float values[] = {m.base_color.r, m.base_color.g, m.base_color.b, m.base_color.a, m.roughness};
+        for (const float value : values)
+            if (!(value >= 0.0F && value <= 1.0F))
+                refuse("material", std::to_string(value) + " of colour or roughness is not a number from 0 to 1");
+        if (!std::isfinite(m.normal_scale))
+            refuse("material", "a normal scale of " + std::to_string(m.normal_scale) + " is no number");
     }
     void pixels(std::span<const Image> images) const {
         for (std::size_t i = 0; i < images.size(); ++i) {
@@ -59,11 +73,13 @@ void check(const Mesh& mesh, const OrganOptions& options) {
     organ::require_usable(options, std::string(mesh.name));
     const double scale = options.scale > 0.0 ? options.scale : 1.0;
     const std::size_t count = mesh.positions.size();
+    check.count(count);
     check.triangles(mesh.indices, count);
-    check.values(mesh.positions, "positions", count, static_cast<float>(farthest / scale));
-    check.values(mesh.normals, "normals", count, 1e9F);
-    check.values(mesh.uvs, "uvs", count, 1e9F);
-    check.values(mesh.colors, "colors", count, 1e9F);
+    check.values(mesh.positions, "positions", count, farthest / scale, -farthest / scale);
+    check.values(mesh.normals, "normals", count, farthest, -farthest);
+    check.values(mesh.uvs, "uvs", count, farthest_uv, -farthest_uv);
+    check.values(mesh.colors, "colors", count, 1.0, 0.0);
+    check.material(mesh.material);
     check.image(mesh.material.base_color_image, "material/base_color_image", mesh.images.size());
     check.image(mesh.material.normal_image, "material/normal_image", mesh.images.size());
     check.pixels(mesh.images);

@@ -154,7 +154,7 @@ def check_other_languages(source, prefix, libraries, folder, build, scene, prese
     for alone in (STRICT_C, ("c++", "-std=c++11", *STRICT_C[2:])):
         run(*alone, "-fsyntax-only", "-include", header, "-x", "c++" if alone[0] == "c++" else "c", os.devnull)
 
-    python, module = with_numpy(), os.path.join(libraries, "python3", "dist-packages")
+    python, module = with_numpy(), os.path.join(prefix, "lib", "python3", "dist-packages")
     environment = {name: value for name, value in os.environ.items() if name != "LAPFX_LIBRARY"}
     environment.update(PYTHONPATH=module, PYTHONDONTWRITEBYTECODE="1")
     pictures_of((python, os.path.join(source, "samples", "host", "host.py"), *shown), wanted, size, env=environment)

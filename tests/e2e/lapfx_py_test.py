@@ -63,7 +63,7 @@ def check_pictures(scene, preset, clips):
         assert (into == slower).all()
         fails(lapfx.BadInput, "bytes: 4; a picture of 160x128 pixels has 81920", player.frame.read,
               out=numpy.zeros(4, numpy.uint8))
-    fails(lapfx.Misuse, "effects is NULL", player.effects.seek, 0.0)
+    fails(lapfx.Misuse, "effects is no lapfx_effects that lives", player.effects.seek, 0.0)
 
 
 def square(count=41, side=60.0):
@@ -131,7 +131,7 @@ def check_files(scene, preset):
     assert sorted(event.time for event in opened.events()) == [event.time for event in opened.events()]
     opened.close()
     opened.close()
-    fails(lapfx.Misuse, "scene is NULL", opened.info)
+    fails(lapfx.Misuse, "scene is no lapfx_scene that lives", opened.info)
 
 
 def check_warnings():

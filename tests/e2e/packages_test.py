@@ -29,9 +29,9 @@ DESKTOP = ("applications/lapfx.desktop", "mime/packages/lapfx.xml", "icons/hicol
 
 def packed(build):
     """{name: its .deb}, made anew."""
-    folder = os.path.join(build, "packages")
+    folder = os.path.join(build, "packages_of_test")
     shutil.rmtree(folder, ignore_errors=True)
-    run("cpack", "-G", "DEB", cwd=build)
+    run("cpack", "-G", "DEB", "-B", folder, cwd=build)
     found = {os.path.basename(path).split("_")[0]: path for path in glob.glob(os.path.join(folder, "*.deb"))}
     assert sorted(found) == list(PACKAGES), found
     return found
@@ -66,15 +66,15 @@ def expected_names(source, program, libraries):
         "lapfx": ["bin/lapfx", *(f"share/man/{page}.gz" for page in pages), *(f"share/{name}" for name in DESKTOP),
                   *(f"{data}/samples/{name}" for name in SAMPLES),
                   *names_below(f"{source}/samples/clips", f"{data}/samples/clips", r"\.mp4$"),
-                  *names_below(f"{source}/presets", f"{data}/presets"),
-                  *names_below(f"{source}/shaders", f"{data}/shaders")],
-        "liblapfx": [f"{libraries}/liblapfx.so.0", f"{libraries}/liblapfx.so.0.1.0"],
+                  *names_below(f"{source}/presets", f"{data}/presets", r"\.(json|md)$"),
+                  *names_below(f"{source}/shaders", f"{data}/shaders", r"\.(glsl|vert|frag)$")],
+        "liblapfx": [f"{libraries}/liblapfx.so.0.1", f"{libraries}/liblapfx.so.0.1.0"],
         "liblapfx-dev": [f"{libraries}/liblapfx.so", f"{libraries}/pkgconfig/lapfx.pc", f"{libraries}/pkgconfig/lapfx-c.pc",
                          "include/lapfx.h",
-                         *names_below(f"{source}/effects/include/lapfx", "include/lapfx"),
+                         *names_below(f"{source}/effects/include/lapfx", "include/lapfx", r"\.h$"),
                          *(f"{libraries}/cmake/lapfx/lapfx{name}.cmake"
                            for name in ("Config", "ConfigVersion", "Targets", "Targets-release"))],
-        "python3-lapfx": [f"{libraries}/python3/dist-packages/lapfx.py"],
+        "python3-lapfx": ["lib/python3/dist-packages/lapfx.py"],
     }
     for package, of in names.items():
         of += [f"share/doc/{package}/copyright", f"share/doc/{package}/changelog.gz"]
@@ -82,7 +82,7 @@ def expected_names(source, program, libraries):
 
 
 def check_names(names, source, program):
-    library = next(name for name in names["liblapfx"] if name.endswith("/liblapfx.so.0"))
+    library = next(name for name in names["liblapfx"] if name.endswith("/liblapfx.so.0.1"))
     for package, expected in expected_names(source, program, os.path.dirname(library)).items():
         more, less = sorted(set(names[package]) - set(expected)), sorted(set(expected) - set(names[package]))
         assert not more and not less, f"{package} also has {more}, and lacks {less}"
@@ -97,7 +97,7 @@ def check_control(packages):
     assert set(LOADED_LATER) <= set(depends) and any(one.startswith("libegl1") for one in depends), depends
     assert field("liblapfx-dev", "Depends") == f"liblapfx (= {version}), libglm-dev"
     assert field("python3-lapfx", "Depends") == f"liblapfx (= {version}), python3, python3-numpy"
-    assert run("dpkg-deb", "-I", packages["liblapfx"], "shlibs").strip() == f"liblapfx 0 liblapfx (= {version})"
+    assert run("dpkg-deb", "-I", packages["liblapfx"], "shlibs").strip() == f"liblapfx 0.1 liblapfx (= {version})"
     for name in PACKAGES:
         summary, extended = field(name, "Description").split("\n", 1)
         assert len(summary) <= 80 and len(extended.split("\n")) > 2, (summary, extended)

@@ -183,8 +183,14 @@ TEST_F(ContextsTest, AHostsContextThatWillNotDoIsRefused) {
     EXPECT_EQ(refusal(old_driver),
               "no usable OpenGL: the host's context gives version 3.3 (Core Profile) of a test; OpenGL 4.5 is needed");
     EXPECT_EQ(refusal(no_driver),
-              "the host's context has other OpenGL functions than EGL, whose context is in use; one "
+              "the host's context has other OpenGL functions than EGL, which is in use; one "
               "backend per process");
+    try {
+        Context::create(Backend::osmesa);
+        ADD_FAILURE() << "OSMesa's functions replaced EGL's";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("OSMesa has other OpenGL functions than EGL, which is in use"));
+    }
 }
 
 /// A context that a host makes by itself, of the API and profile of the attributes.

@@ -23,12 +23,15 @@
 //
 // samples/host/host.c is a whole program.
 //
-// UNITS. Lengths mm, times s, angles degrees, in organ space: that of the organ's positions. Colours of a lamp and of
-// an organ are sRGB 0..1; frames are drawn in linear light. A vector is an array of 3. A matrix is an array of 16,
-// column by column (as OpenGL takes it: the translation is in 12, 13 and 14).
+// UNITS. Lengths mm, times s, angles degrees, in organ space: that of the organ's positions, right-handed. Colours of a
+// lamp and of an organ are sRGB 0..1; frames are drawn in linear light. A vector is an array of 3. A matrix is an array
+// of 16, column by column (as OpenGL takes it: the translation is in 12, 13 and 14). An engine that is left-handed or
+// counts in metres converts what it passes: positions, contacts, and the view, which leads from organ space (so the
+// organ's own placement is in it) to that of a camera that looks along -z, without scaling.
 //
-// STRUCTS begin with their size, so that they can grow: set it to sizeof. Those that you fill have an initialiser with
-// all defaults, LAPFX_VIEW for lapfx_view; of those that lapfx fills set the size alone.
+// STRUCTS begin with their size: set it to sizeof. A library of this version takes no other size; a later one will take
+// that of this version, too. Those that you fill have an initialiser with all defaults, LAPFX_VIEW for lapfx_view
+// (whose matrices show nothing yet); of those that lapfx fills set the size alone.
 //
 // OWNERSHIP. What a ..._create or ..._load gives is yours until you destroy it. lapfx copies what it is given: arrays,
 // texts and other objects may go when the call returns. Any order of destroying is fine, the context first, too: the
@@ -37,22 +40,33 @@
 // it is valid.
 //
 // THREADS. What is made in a context (effects, frames) belongs to the thread on which the context was made, and so does
-// the context. lapfx_effects_push_sample alone may be called on one other thread; it never waits. Organs, presets and
-// scenes need no context: any thread, one at a time for each object.
+// the context: all its calls are on that thread, asking for amounts and destroying, too. In an engine that is its
+// render thread (in Unity: the callback of GL.IssuePluginEvent). Destroy before that thread ends.
+// lapfx_effects_push_sample alone may be called on one other thread; it never waits. Organs, presets and scenes need no
+// context: any thread, one at a time for each object.
 //
-// OPENGL. A context that lapfx made is made current by each call that needs it. One of yours has to be current.
-// What the calls leave as they found it, and what they expect: lapfx/effects.h; of frames: lapfx/frame.h.
+// OPENGL alone: an engine has to run with it, not with Vulkan or Direct3D. A context that lapfx made is made current by
+// each call that needs it, and stays so: make yours current again. One of yours has to be current before each call.
+// seek and the draw calls leave its state as they found it. They expect the initial front face, colour mask, stencil,
+// polygon mode and clip control (z from -1 to 1, not reversed), no sampler objects on units 0 to 13, and a float or an
+// sRGB framebuffer with GL_FRAMEBUFFER_SRGB, because they draw linear light (the whole list: lapfx/effects.h). The
+// calls of a frame bind its own framebuffer, set the viewport, and leave both so (lapfx/frame.h).
 //
 // STATUSES. Every call that can fail returns one. When that is not LAPFX_OK, nothing has changed, nothing was drawn, a
 // handle to be made is NULL, and lapfx_last_message() tells the value that was found and what is allowed. Enumerators
-// are passed as int, so that others can be refused. No exception leaves lapfx.
+// are passed as int, so that others can be refused. No exception leaves lapfx. Only when memory ends in the middle of
+// seek or of drawing, the process ends, too.
 #ifndef LAPFX_H
 #define LAPFX_H
 
 #include <stddef.h>
 #include <stdint.h>
 
+#ifdef __GNUC__
 #define LAPFX_API __attribute__((visibility("default")))
+#else
+#define LAPFX_API  // lapfx is for Linux; others may read this header
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -83,8 +97,9 @@ LAPFX_API const char* lapfx_version(void);
 LAPFX_API const char* lapfx_last_message(void);
 
 enum { LAPFX_LOG_ERROR = 0, LAPFX_LOG_WARNING = 1 };  ///< a call failed; it went on, but something is not as it should
-/// Told each line on the thread of the call, one at a time. `message` is valid during the call. It calls no function of
-/// lapfx: LAPFX_MISUSE.
+/// Told each line on the thread of the call, one at a time: other threads that have something to tell wait, so it does
+/// not wait for them. `message` is valid during the call. It calls no function of lapfx but lapfx_last_message:
+/// LAPFX_MISUSE.
 typedef void (*lapfx_log)(void* user, int level, const char* message);
 /// NULL, as at first: nothing is told. Any thread. The previous one is not called any more when this returns.
 LAPFX_API void lapfx_set_log(lapfx_log log, void* user);
@@ -132,7 +147,7 @@ typedef struct lapfx_mesh {
     const uint32_t* indices;  ///< counter-clockwise from outside
     const float* normals;     ///< 3 per vertex; NULL: computed, smooth
     const float* uvs;         ///< 2 per vertex, origin top left; NULL: made
-    const float* colors;      ///< 4 per vertex, linear RGBA; NULL: white
+    const float* colors;      ///< 4 per vertex, linear RGBA, 0..1; NULL: white
 } lapfx_mesh;
 #define LAPFX_MESH \
     { sizeof(lapfx_mesh), 0, NULL, 0, NULL, NULL, NULL, NULL }
@@ -187,7 +202,8 @@ enum {
 };
 
 /// The tool touches the organ from `time` for `duration`, its tip moving straight from `position` to `to`. With values
-/// that are absurd (a path over 1000 mm, a coordinate beyond 1e5 mm, a negative duration) it does nothing.
+/// that are absurd (a path over 1000 mm, a coordinate beyond 1e5 mm, a time beyond 1e7 s, a negative duration) it does
+/// nothing, and nothing is told: count seconds from the start of the exercise.
 typedef struct lapfx_contact {
     size_t size;
     int action;
@@ -201,7 +217,8 @@ typedef struct lapfx_contact {
 #define LAPFX_CONTACT \
     { sizeof(lapfx_contact), LAPFX_CAUTERISE, 0.0, 1.0, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1.0, 1.0 }
 
-/// Where the tip is at one moment, and what it does there.
+/// Where the tip is at one moment, and what it does there. Samples come later and later; those that touch make one
+/// contact while they are at most 0.1 s apart.
 typedef struct lapfx_sample {
     size_t size;
     double time;
@@ -275,7 +292,8 @@ LAPFX_API lapfx_status lapfx_scene_get_event(const lapfx_scene* scene, size_t in
 /// The scene's camera and lamp for a frame of so many pixels.
 LAPFX_API lapfx_status lapfx_scene_get_view(const lapfx_scene* scene, int width, int height, lapfx_view* view);
 LAPFX_API lapfx_status lapfx_scene_get_response(const lapfx_scene* scene, lapfx_response* response);
-/// Loads the scene's organ, with its scale, rotation and texture.
+/// Loads the scene's organ, with its scale, rotation and texture. LAPFX_BAD_INPUT for a scene that shows a plate (a
+/// frame of its reference) instead: only lapfx itself draws that.
 LAPFX_API lapfx_status lapfx_scene_load_organ(const lapfx_scene* scene, lapfx_organ** organ);
 LAPFX_API lapfx_status lapfx_scene_destroy(lapfx_scene* scene);
 
@@ -354,7 +372,8 @@ LAPFX_API lapfx_status lapfx_effects_set_contacts(lapfx_effects* effects, const 
 LAPFX_API lapfx_status lapfx_effects_push_sample(lapfx_effects* effects, const lapfx_sample* sample);
 /// The curves of a scene: factors over time. NULL: none, as at first.
 LAPFX_API lapfx_status lapfx_effects_set_curves(lapfx_effects* effects, const lapfx_scene* scene);
-/// Deforms the organ: 3 floats per vertex that it was given with. `normals` may be NULL: computed.
+/// Deforms the organ: 3 floats for each vertex of the organ that the effects were made of (lapfx_organ_get_data), mm,
+/// at most 1e9. `normals` may be NULL: computed.
 LAPFX_API lapfx_status lapfx_effects_set_shape(lapfx_effects* effects, size_t vertex_count, const float* positions,
                                                const float* normals);
 LAPFX_API lapfx_status lapfx_effects_set_gravity(lapfx_effects* effects, const double gravity[3]);
@@ -407,7 +426,8 @@ LAPFX_API lapfx_status lapfx_frame_begin(lapfx_frame* frame, int width, int heig
 LAPFX_API lapfx_status lapfx_frame_begin_smoke(lapfx_frame* frame);
 /// The depth texture for lapfx_effects_draw_smoke; valid until a frame of another size begins.
 LAPFX_API lapfx_status lapfx_frame_get_depth(lapfx_frame* frame, unsigned* depth);
-/// Writes the picture into `framebuffer` (0 = the window's). `response` may be NULL: its defaults.
+/// Writes the picture into `framebuffer` (0 = the window's), after begin_smoke even where there is no smoke; it can be
+/// written and read again until the next frame begins. `response` may be NULL: its defaults.
 LAPFX_API lapfx_status lapfx_frame_finish(lapfx_frame* frame, unsigned framebuffer, const lapfx_response* response);
 /// The same into memory: RGBA, a byte each, rows from the top; `bytes` = width * height * 4.
 LAPFX_API lapfx_status lapfx_frame_read(lapfx_frame* frame, const lapfx_response* response, uint8_t* rgba,

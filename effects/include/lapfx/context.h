@@ -33,7 +33,7 @@ class LAPFX_API Context {
     static Context create(Backend backend);
     /// A context that the host made and has current; it stays the host's. A compatibility context will do: alpha test
     /// off, as it is at first. Throws Error (no_gl) below OpenGL 4.5, for OpenGL ES, if no context is current, and if
-    /// get_proc_address finds other functions than those of a context that create() made and that is in use.
+    /// get_proc_address lacks functions or finds other ones than those of a context that is in use.
     static Context external(GetProcAddress get_proc_address);
 
     Context(Context&&) noexcept;

@@ -49,7 +49,7 @@ class LAPFX_API Frame {
     void finish(unsigned framebuffer, const CameraResponse& response = {}) noexcept;
     /// The same into main memory, for a host without a window: RGBA, four bytes a pixel, rows from the top. Waits for
     /// the GPU, and leaves the host's settings for packing pixels as they were. Throws Error (bad_input) before begin()
-    /// and for another size than 4 bytes for each pixel.
+    /// and for another size than 4 bytes for each pixel; runtime when the driver has no memory for it.
     void read(std::span<std::uint8_t> rgba, const CameraResponse& response = {});
 
   private:

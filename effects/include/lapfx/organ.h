@@ -101,7 +101,7 @@ struct Mesh {
     std::span<const std::uint32_t> indices;   ///< three per triangle, counter-clockwise from outside
     std::span<const glm::vec3> normals = {};  ///< of any length; zero = missing
     std::span<const glm::vec2> uvs = {};      ///< origin top left
-    std::span<const glm::vec4> colors = {};   ///< linear RGBA
+    std::span<const glm::vec4> colors = {};   ///< linear RGBA, 0..1
     std::string_view name = "organ";
     Material material = {};
     std::span<const Image> images = {};  ///< of the material

@@ -1,6 +1,8 @@
 // What a program may do wrong with the C API: it is told, nothing is drawn, nothing crashes.
 #include <cmath>
+#include <fstream>
 #include <limits>
+#include <stdexcept>
 #include <thread>
 
 #include "parity/c/c_fixture.h"
@@ -130,6 +132,8 @@ TEST_F(MisuseTest, FramesHaveAnOrderAndASize) {
     expect_fails(lapfx_frame_read(frame, nullptr, rgba.data(), rgba.size()), LAPFX_MISUSE, "the smoke was not begun");
     expect_ok(lapfx_frame_begin_smoke(frame));
     expect_fails(lapfx_frame_begin_smoke(frame), LAPFX_MISUSE, "the smoke was begun already");
+    expect_fails(lapfx_frame_begin(frame, 1 << 30, 1), LAPFX_BAD_INPUT, "is outside 1x1 to ");
+    expect_fails(lapfx_frame_begin_smoke(frame), LAPFX_MISUSE, "the smoke was begun already");  // nothing has changed
     expect_fails(lapfx_frame_read(frame, nullptr, rgba.data(), rgba.size() - 1), LAPFX_BAD_INPUT,
                  "bytes: 6143; a picture of 48x32 pixels has 6144");
     expect_fails(lapfx_frame_read(frame, nullptr, nullptr, rgba.size()), LAPFX_MISUSE, "rgba is NULL");
@@ -151,7 +155,8 @@ TEST_F(MisuseTest, FramesHaveAnOrderAndASize) {
 }
 
 TEST_F(MisuseTest, ValuesAreToldWithWhatIsAllowed) {
-    expect_fails(lapfx_context_create(7, &context), LAPFX_BAD_INPUT, "backend: 7 is not one of 0 to 2");
+    lapfx_context* none = nullptr;
+    expect_fails(lapfx_context_create(7, &none), LAPFX_BAD_INPUT, "backend: 7 is not one of 0 to 2");
     lapfx_contact contact = LAPFX_CONTACT;
     contact.action = -1;
     expect_fails(lapfx_effects_set_contacts(effects, &contact, 1), LAPFX_BAD_INPUT,
@@ -176,6 +181,18 @@ TEST_F(MisuseTest, ValuesAreToldWithWhatIsAllowed) {
                  "vertex_count: 5; the organ has 1681 vertices");
     expect_fails(lapfx_effects_set_shape(effects, 1681, positions.data(), nullptr), LAPFX_BAD_INPUT,
                  "positions: element 10 is nan");
+    positions[10] = -1e30f;
+    expect_fails(lapfx_effects_set_shape(effects, 1681, positions.data(), nullptr), LAPFX_BAD_INPUT,
+                 "expected numbers from -1e9 to 1e9");
+    expect_fails(lapfx_effects_set_contacts(effects, &contact, static_cast<std::size_t>(-1)), LAPFX_BAD_INPUT,
+                 "count: 18446744073709551615 is above 16777216");
+    lapfx_effects_options options = LAPFX_EFFECTS_OPTIONS;
+    const char* folder = "clips";
+    options.clip_folders = &folder;
+    options.clip_folder_count = static_cast<std::size_t>(-1);
+    lapfx_effects* made = nullptr;
+    expect_fails(lapfx_effects_create(context, organ, preset, &options, &made), LAPFX_BAD_INPUT,
+                 "options.clip_folder_count: 18446744073709551615 is above 1024");
     expect_fails(lapfx_preset_set(preset, "bleeding.speed", "-3"), LAPFX_BAD_INPUT, "-3 is below the minimum 0 mm/s");
     expect_fails(lapfx_organ_load("none.glb", nullptr, &organ), LAPFX_BAD_INPUT, "lapfx_organ_load: none.glb: ");
     lapfx_scene* scene = nullptr;
@@ -203,6 +220,10 @@ TEST_F(MisuseTest, MeshesThatAreNoneAreNotMade) {
     expect_fails(lapfx_organ_create(&mesh, &made), LAPFX_BAD_INPUT, "organ: uvs/1: nan is not a number");
     EXPECT_EQ(made, nullptr);
     mesh.uvs = nullptr;
+    mesh.vertex_count = static_cast<std::size_t>(-1);
+    expect_fails(lapfx_organ_create(&mesh, &made), LAPFX_BAD_INPUT,
+                 "organ: positions: 18446744073709551615; expected 1 to 60000000");
+    mesh.vertex_count = 3;
     expect_ok(lapfx_organ_create(&mesh, &made));
     expect_ok(lapfx_organ_destroy(made));
 }
@@ -263,6 +284,38 @@ TEST_F(MisuseTest, TheLogIsToldEachFaultAndCallsNothing) {
     EXPECT_THAT(told.lines, testing::Contains(testing::StartsWith("lapfx_preset_parse: json: /bleeding/speed: -1")));
     EXPECT_THAT(told.lines, testing::Contains(testing::HasSubstr("fog")));
     EXPECT_EQ(told.inside, LAPFX_MISUSE);
+}
+
+TEST_F(MisuseTest, ALogMayThrowAndAskForTheMessage) {
+    struct Told {
+        std::string message;
+    } told;
+    lapfx_set_log(
+        [](void* user, int, const char*) {
+            static_cast<Told*>(user)->message = lapfx_last_message();
+            throw std::runtime_error("of the log");
+        },
+        &told);
+    for (int i = 0; i < 2; ++i)
+        expect_fails(lapfx_effects_seek(nullptr, 0.0), LAPFX_MISUSE, "lapfx_effects_seek: effects is NULL");
+    EXPECT_EQ(told.message, "lapfx_effects_seek: effects is NULL; expected a lapfx_effects");
+    told.message.clear();
+    expect_fails(lapfx_effects_push_sample(nullptr, nullptr), LAPFX_MISUSE, "effects is NULL");
+    EXPECT_EQ(told.message, "") << "the haptic thread does not wait for the log";
+    lapfx_set_log(nullptr, nullptr);
+    expect_ok(lapfx_effects_seek(effects, 1.0));
+}
+
+TEST_F(MisuseTest, APlateIsNotDrawn) {
+    lapfx_scene* scene = nullptr;
+    lapfx_organ* made = nullptr;
+    const std::string path = testing::TempDir() + "plate.scene.json";
+    std::ofstream(path)
+        << R"({"format": "lapfx.scene", "version": 1, "organ": {"file": "stomach.glb"}, "plate": {"use": true}})";
+    expect_ok(lapfx_scene_load(path.c_str(), &scene));
+    expect_fails(lapfx_scene_load_organ(scene, &made), LAPFX_BAD_INPUT,
+                 "scene: shows a plate, a frame of its reference");
+    expect_ok(lapfx_scene_destroy(scene));
 }
 
 }  // namespace

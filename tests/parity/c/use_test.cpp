@@ -190,8 +190,10 @@ TEST_F(UseTest, AHostsContextHasToBeCurrent) {
     lapfx_context* gone = nullptr;
     expect_ok(lapfx_context_create(LAPFX_BACKEND_AUTOMATIC, &gone));
     expect_ok(lapfx_context_make_current(gone));
-    expect_ok(lapfx_context_destroy(gone));
     const lapfx_view view = from_above();
+    for (const lapfx_status status : {lapfx_effects_draw_organ(other, &view), lapfx_effects_destroy(other)})
+        expect_fails(status, LAPFX_MISUSE, "a context that lapfx made is current: make the host's own current before");
+    expect_ok(lapfx_context_destroy(gone));
     const std::string none = "no OpenGL context is current on this thread";
     expect_fails(lapfx_effects_draw_organ(other, &view), LAPFX_MISUSE, none);
     expect_fails(lapfx_effects_seek(other, 1.0), LAPFX_MISUSE, none);
@@ -213,6 +215,7 @@ TEST_F(UseTest, FramesAllocateNothing) {
     const auto draw = [&](double time) {
         sample.time = time;
         lapfx_effects_push_sample(effects, &sample);
+        lapfx_effects_set_contacts(effects, &contact, 1);
         lapfx_effects_seek(effects, time);
         lapfx_frame_begin(frame, width, height);
         lapfx_effects_draw_organ(effects, &view);
