@@ -1,9 +1,11 @@
 // A host simulator as a stranger would write it: lapfx's public headers, its own window and loop, a thread that reads
-// the tool 1000 times a second, and its own organ shader ("own"; "lapfx": the core draws). A scene's events are the
-// hand. With SECONDS it writes that frame as a PPM, without a window: as `lapfx render`, without the instrument.
+// the tool 1000 times a second, its own organ shader ("own"; "lapfx": the core draws), and a preset that may be written
+// anew meanwhile. A scene's events are the hand. With SECONDS it writes that frame as a PPM, without a window: as
+// `lapfx render`, without the instrument.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <glad/gl.h>  // this host's loader; a simulator has its own
+#include <lapfx/clip_cache.h>
 #include <lapfx/effects.h>
 #include <lapfx/frame.h>
 #include <lapfx/refine.h>
@@ -12,7 +14,9 @@
 #include <cstdio>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <mutex>
 #include <thread>
+#include <utility>
 
 namespace {
 
@@ -72,7 +76,54 @@ std::filesystem::path texture_of(const lapfx::Scene& scene) {
     return scene.organ.texture.empty() ? std::filesystem::path() : scene.folder / scene.organ.texture;
 }
 
+void tell(const lapfx::Error& error) {
+    std::fprintf(stderr, "lapfx_host: %s\n", error.what());
+}
+
+/// A preset's file, read again whenever it is written: on a thread of its own, and its clips too, so that no frame
+/// waits.
+class PresetFile {
+  public:
+    PresetFile(std::filesystem::path file, std::filesystem::path clip_folder, std::shared_ptr<lapfx::ClipCache> clips)
+        : file_(std::move(file)), folders_{std::move(clip_folder)}, clips_(std::move(clips)), written_(written()) {
+        std::fprintf(stderr, "lapfx_host: %s may be written anew\n", file_.c_str());
+        thread_ = std::jthread([this](const std::stop_token& stop) {
+            for (; !stop.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds(100)))
+                if (const auto now = written(); now != written_) written_ = now, read();
+        });
+    }
+    /// What has been read and not been taken yet.
+    std::optional<lapfx::Preset> take() {
+        const std::unique_lock lock(mutex_, std::try_to_lock);
+        return lock ? std::exchange(next_, std::nullopt) : std::nullopt;
+    }
+
+  private:
+    std::filesystem::file_time_type written() const {
+        std::error_code gone;  // for a moment, as some programs write
+        return std::filesystem::last_write_time(file_, gone);
+    }
+    void read() {
+        try {
+            lapfx::Preset preset = lapfx::load_preset(file_);
+            clips_->look_through(preset, folders_);
+            const std::lock_guard lock(mutex_);
+            next_ = std::move(preset);
+        } catch (const lapfx::Error& error) {  // the loop keeps what it has
+            tell(error);
+        }
+    }
+    std::filesystem::path file_;
+    std::vector<std::filesystem::path> folders_;
+    std::shared_ptr<lapfx::ClipCache> clips_;
+    std::filesystem::file_time_type written_;
+    std::mutex mutex_;
+    std::optional<lapfx::Preset> next_;
+    std::jthread thread_;
+};
+
 struct Host {
+    std::shared_ptr<lapfx::ClipCache> clips = std::make_shared<lapfx::ClipCache>();
     lapfx::Scene scene;
     glm::ivec2 size;
     bool own;
@@ -89,7 +140,7 @@ struct Host {
           organ(lapfx::load_organ(scene.folder / scene.organ.file,
                                   {scene.organ.scale, scene.organ.rotation, texture_of(scene)})),
           effects(own ? organ = lapfx::refine(organ).organ : organ, lapfx::load_preset(arguments[2]),
-                  {static_cast<std::uint32_t>(scene.seed), scene.gravity, {arguments[3]}, wait}) {
+                  {static_cast<std::uint32_t>(scene.seed), scene.gravity, {arguments[3]}, wait, {}, clips}) {
         effects.set_curves(scene.curves);
         glCreateVertexArrays(1, &vertices);
         const GLuint buffers[] = {buffer_of(organ.positions), buffer_of(organ.normals), effects.bleed_buffer()};
@@ -116,6 +167,15 @@ struct Host {
         own ? draw_organ(view) : effects.draw_organ(view);
         frame.begin_smoke();
         effects.draw_smoke(view, frame.depth());
+    }
+
+    void show(const lapfx::Preset& preset) {
+        try {
+            effects.set_preset(preset);
+            std::fprintf(stderr, "lapfx_host: now with \"%s\"\n", preset.name.c_str());
+        } catch (const lapfx::Error& error) {  // a clip that cannot be played; it keeps the previous preset
+            tell(error);
+        }
     }
 
     void draw_organ(const lapfx::View& view) {
@@ -150,7 +210,7 @@ lapfx::ToolSample sample_at(const lapfx::Scene& scene, double time) {
     return {.time = time};
 }
 
-void run(Host& host, GLFWwindow* window) {
+void run(Host& host, PresetFile& file, GLFWwindow* window) {
     int samples = 0, frames = 0;
     glfwSetTime(0.0);
     std::jthread hand([&](const std::stop_token& stop) {  // 1 kHz, independent of frames, on the device's own clock
@@ -161,6 +221,7 @@ void run(Host& host, GLFWwindow* window) {
         }
     });
     for (; glfwGetTime() < host.scene.duration && glfwWindowShouldClose(window) == 0; ++frames, glfwPollEvents()) {
+        if (const auto preset = file.take()) host.show(*preset);
         host.draw(glfwGetTime());
         host.frame.finish(0, host.response());
         glfwSwapBuffers(window);
@@ -196,9 +257,14 @@ int main(int argc, char** argv) {
                                                : lapfx::Context::create(lapfx::Backend::osmesa);
         gladLoadGL(context.get_proc_address());
         Host host(argv, size, window == nullptr);
-        window != nullptr ? run(host, window) : write_picture(host, std::atof(argv[7]));
+        if (window == nullptr) {
+            write_picture(host, std::atof(argv[7]));
+        } else {
+            PresetFile file(argv[2], argv[3], host.clips);
+            run(host, file, window);
+        }
     } catch (const lapfx::Error& error) {
-        std::fprintf(stderr, "lapfx_host: %s\n", error.what());
+        tell(error);
         return error.failure() == lapfx::Failure::no_gl ? 77 : error.failure() == lapfx::Failure::bad_input ? 2 : 1;
     }
 }
