@@ -184,6 +184,7 @@ void Effects::set_overlay(Overlay overlay) {
 
 void Effects::seek(double time) noexcept {
     state_->drain_queue();
+    state_->smoke.update();
     if (!std::isfinite(time)) return;
     state_->simulation.seek(time);
     state_->uploaded = state_->body->send(state_->simulation);

@@ -142,9 +142,18 @@ ClipFrame ClipPlayer::resident_frame(Head& head, int index, Policy policy, Strea
         head.stream->aim(index);
     }
     if (shown >= 0) head.shown = shown;
+    return shown_of(head);
+}
+
+ClipFrame ClipPlayer::shown(int head) const noexcept {
+    return shown_of(heads_[static_cast<std::size_t>(head)]);
+}
+
+ClipFrame ClipPlayer::shown_of(const Head& head) const noexcept {
+    if (scheme_ != Scheme::resident) return head.sent.frame(file_->info.color);
     // The frame that was shown last may have been freed since.
-    if (head.shown < 0 || !store.has(head.shown)) return {};
-    return store.frame(head.shown, file_->info.color);
+    if (head.shown < 0 || !file_->store.has(head.shown)) return {};
+    return file_->store.frame(head.shown, file_->info.color);
 }
 
 void ClipPlayer::keep(const ClipStream::Shown& decoded, StreamingTimes& times) noexcept {
@@ -176,7 +185,7 @@ ClipFrame ClipPlayer::streamed_frame(Head& head, int index, Policy policy, Strea
         head.late = head.sent.shown() != index;
     }
     if (head.sent.shown() != index) ++misses_;
-    return head.sent.frame(file_->info.color);
+    return shown_of(head);
 }
 
 /// With buffering the GPU reads the driver's memory that the frame was decoded to, and fresh memory replaces it. The

@@ -45,6 +45,8 @@ class ClipPlayer {
 
     /// As ClipSet's.
     ClipFrame frame(int head, int index, Policy policy, StreamingTimes& times) noexcept;
+    ClipFrame shown(int head) const noexcept;
+    int asked(int head) const noexcept { return heads_[static_cast<std::size_t>(head)].asked; }
     /// `cycle` grows by one in each cycle. Buffering sends the frames of even heads in even cycles and those of odd
     /// heads in odd cycles; ClipSet numbers the heads so that those of all clips are spread evenly.
     void end_cycle(std::uint64_t cycle, StreamingTimes& times) noexcept;
@@ -78,6 +80,7 @@ class ClipPlayer {
 
     ClipFrame resident_frame(Head& head, int index, Policy policy, StreamingTimes& times) noexcept;
     ClipFrame streamed_frame(Head& head, int index, Policy policy, StreamingTimes& times) noexcept;
+    ClipFrame shown_of(const Head& head) const noexcept;
     void give_memory(Head& head, int buffers) noexcept;
     void send(Head& head, const ClipStream::Shown& decoded, std::span<const int> needed,
               StreamingTimes& times) noexcept;

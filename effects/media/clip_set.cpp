@@ -304,6 +304,14 @@ ClipFrame ClipSet::frame(std::size_t clip, int head, int index, Policy policy) n
     return found;
 }
 
+ClipFrame ClipSet::shown(std::size_t clip, int head) const noexcept {
+    return state_->clips[clip].player->shown(head);
+}
+
+int ClipSet::asked(std::size_t clip, int head) const noexcept {
+    return state_->clips[clip].player->asked(head);
+}
+
 void ClipSet::end_cycle() noexcept {
     std::uint64_t count = state_->cycle++;
     state_->late = std::exchange(state_->missed, false);

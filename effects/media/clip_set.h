@@ -38,6 +38,9 @@ class ClipSet {
     /// when the frame is late, the last one that this head showed (black at first). Call it once per clip and head in a
     /// cycle.
     ClipFrame frame(std::size_t clip, int head, int index, Policy policy) noexcept;
+    /// What frame() gave last, and for which `index` (-1: none yet): for another view of the same cycle.
+    ClipFrame shown(std::size_t clip, int head) const noexcept;
+    int asked(std::size_t clip, int head) const noexcept;
     /// Call this at the end of each cycle, after drawing: the paper's FrameCoalescing, and the signal to continue
     /// decoding.
     void end_cycle() noexcept;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lapfx/preset.h"
 #include "media/playhead.h"
@@ -116,10 +117,16 @@ void Smoke::prepare(const SmokeParameters& wanted, const std::function<std::opti
     }
 }
 
+/// Two eyes see one frame, also of a clip that is late, and what it costs is paid once.
+media::ClipFrame Smoke::clip_frame(std::size_t clip, int head, int index, media::Policy policy) noexcept {
+    if (!updated_ && clips_.asked(clip, head) == index) return clips_.shown(clip, head);
+    return clips_.frame(clip, head, index, policy);
+}
+
 Smoke::Shown Smoke::show(std::size_t clip, double time, media::Policy policy) noexcept {
     const media::Playhead head = playhead(clips_.info(clip), parameters_.clips[clip], chance(seed_, clip), time);
-    Shown shown{.frame = clips_.frame(clip, 0, head.frame, policy), .fading = std::nullopt, .fade = head.fade};
-    if (head.fading >= 0) shown.fading = clips_.frame(clip, 1, head.fading, policy);
+    Shown shown{.frame = clip_frame(clip, 0, head.frame, policy), .fading = std::nullopt, .fade = head.fade};
+    if (head.fading >= 0) shown.fading = clip_frame(clip, 1, head.fading, policy);
     return shown;
 }
 
@@ -141,7 +148,7 @@ void Smoke::draw(const View& view, const SmokeScene& scene, GLuint scene_depth, 
     gpu_.even_haze(clips_show_haze ? even : density);
     draw_particles(scene, scene_depth);  // smoke lies over them
     gpu_.draw(scene_depth);
-    clips_.end_cycle();
+    if (std::exchange(updated_, false)) clips_.end_cycle();
 }
 
 Layer Smoke::layer(std::size_t clip, double time) const noexcept {

@@ -45,6 +45,8 @@ class Smoke {
     /// out points and cross-fades. Throws Error (runtime) for a shader, and then keeps the previous state.
     void set_parameters(const SmokeParameters& wanted);
     void set_seed(std::uint32_t seed) { seed_ = seed; }
+    /// The next draw() begins a cycle of the clips; until this is called again, each shows the same frames.
+    void update() noexcept { updated_ = true; }
     /// Into the bound framebuffer and viewport.
     void draw(const View& view, const SmokeScene& scene, GLuint scene_depth, media::Policy policy) noexcept;
 
@@ -70,6 +72,7 @@ class Smoke {
     };
     void prepare(const SmokeParameters& wanted, const std::function<std::optional<bool>(std::size_t)>& alpha);
     void take_wanted();
+    media::ClipFrame clip_frame(std::size_t clip, int head, int index, media::Policy policy) noexcept;
     Shown show(std::size_t clip, double time, media::Policy policy) noexcept;
     Layer layer(std::size_t clip, double time) const noexcept;
     void add_plumes(std::size_t clip, double share, const View& view, const SmokeScene& scene,
@@ -84,6 +87,7 @@ class Smoke {
     SmokeParameters wanted_;
     std::vector<bool> used_;  // for each clip that is set: one that plays has taken its values
     media::ClipSet clips_;    // parallel to parameters_.clips
+    bool updated_ = true;     // nothing has been drawn since
     std::array<Particle, most_particles> particles_;
     SmokeGpu gpu_;
     ParticlesGpu particles_gpu_;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The sample host in its window: its thread pushes the tool at 1 kHz in real time while its loop draws; what has
-happened at the end is what the same events do at once.
+happened at the end is what the same events do at once. A preset that is written anew meanwhile is taken.
 
     host_window_test.py LAPFX_HOST LAPFX ROOT
 
@@ -18,6 +18,7 @@ import tempfile
 import real_window
 
 DURATION = 4.0  # s
+PRESET = {"format": "lapfx.preset", "version": 1, "name": "blood only"}
 FPS = 5
 
 
@@ -39,11 +40,13 @@ def amounts_at_once(lapfx, folder):
     return float(last["blood_area_mm2"])
 
 
+def on(display):
+    return {**{name: value for name, value in os.environ.items() if name != "WAYLAND_DISPLAY"}, "DISPLAY": display.name}
+
+
 def live(host, folder, shader, display):
-    environment = {**os.environ, "DISPLAY": display.name}
-    environment.pop("WAYLAND_DISPLAY", None)
     done = subprocess.run([host, os.path.join(folder, "scene.json"), os.path.join(folder, "preset.json"), folder, shader, "160",
-                           "128"], env=environment, capture_output=True, encoding="utf-8", timeout=real_window.LIMIT_S, check=False)
+                           "128"], env=on(display), capture_output=True, encoding="utf-8", timeout=real_window.LIMIT_S, check=False)
     if done.returncode == real_window.SKIP:
         raise real_window.Skip(done.stderr.strip())
     assert done.returncode == 0, (done.returncode, done.stderr)
@@ -52,14 +55,46 @@ def live(host, folder, shader, display):
     return [float(number) for number in found.groups()]
 
 
+def line_with(host, text):
+    """Waits for a line of the host's on stderr."""
+    for line in host.stderr:
+        if text in line:
+            return line
+    raise AssertionError(f"the host has ended, and not told: {text}")
+
+
+def tuned(host, folder, display):
+    """The area at the end, mm2, when the preset is written anew meanwhile: broken first, then as it is to be."""
+    path = os.path.join(folder, "tuned.json")
+
+    def write(preset):
+        with open(path + ".new", "w", encoding="utf-8") as file:
+            json.dump(preset, file)
+        os.replace(path + ".new", path)
+
+    write({**PRESET, "bleeding": {"speed": 0.5}})
+    command = [host, os.path.join(folder, "scene.json"), path, folder, "lapfx", "160", "128"]
+    with subprocess.Popen(command, env=on(display), stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8") as running:
+        try:
+            line_with(running, "may be written anew")
+            write({**PRESET, "bleeding": {"speed": -1}})
+            told = line_with(running, path)
+            assert "/bleeding/speed: -1 is below the minimum 0 mm/s" in told, told
+            write({**PRESET, "name": "second"})
+            line_with(running, 'now with "second"')
+            out, _ = running.communicate(timeout=real_window.LIMIT_S)
+        finally:
+            running.kill()
+    return float(re.search(r"([0-9.]+) mm2 of blood", out)[1])
+
+
 def main():
     host, lapfx, root = sys.argv[1:]
     if shutil.which("Xvfb") is None:
         print("host_window: no Xvfb here")
         return real_window.SKIP
     with tempfile.TemporaryDirectory() as folder:
-        preset = {"format": "lapfx.preset", "version": 1, "name": "blood only"}
-        for name, text in (("scene", scene(root, DURATION)), ("longer", scene(root, DURATION + 1 / FPS)), ("preset", preset)):
+        for name, text in (("scene", scene(root, DURATION)), ("longer", scene(root, DURATION + 1 / FPS)), ("preset", PRESET)):
             with open(os.path.join(folder, name + ".json"), "w", encoding="utf-8") as file:
                 json.dump(text, file)
         blood = amounts_at_once(lapfx, folder)
@@ -72,6 +107,9 @@ def main():
                 print(f"{shader}: {samples:.0f} samples, {frames:.0f} frames, {area} mm2; at once {blood:.1f} mm2")
                 assert samples == 1000 * DURATION + 1 and lost == 0 and frames >= 1
                 assert wounds == 1 and abs(area / blood - 1) < 0.02, "what came through the queue bleeds otherwise"
+            area = tuned(host, folder, display)
+            print(f"written anew: {area} mm2")
+            assert abs(area / blood - 1) < 0.02, "the second preset bleeds otherwise"
         except real_window.Skip as skip:
             print(f"host_window: {skip}")
             return real_window.SKIP

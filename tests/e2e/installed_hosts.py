@@ -17,6 +17,8 @@ add_custom_command(OUTPUT glad/src/gl.c
 add_executable(simulator "{source}/samples/host/host.cpp" ${{CMAKE_CURRENT_BINARY_DIR}}/glad/src/gl.c)
 target_include_directories(simulator PRIVATE ${{CMAKE_CURRENT_BINARY_DIR}}/glad/include)
 target_link_libraries(simulator PRIVATE lapfx::effects glfw)
+add_executable(stereo "{source}/samples/host/stereo.cpp")
+target_link_libraries(stereo PRIVATE lapfx::effects EGL)
 """
 # It knows no C++ and looks for nothing but lapfx.
 IN_C = """cmake_minimum_required(VERSION 3.25)
@@ -101,6 +103,10 @@ def check_drawing_host(source, prefix, folder, build, scene, preset, clips):
     assert all(len(set(picture[15:])) > 40 for picture in pictures) and pictures[0] != pictures[1], "nothing is drawn"
     in_tree = run(os.path.join(build, "lapfx_host"), *draw[1:], "lapfx", "160", "128", "4", text=False)
     assert pictures[0] == in_tree, "the installed core draws another picture than the one in the build folder"
+
+    eyes = subprocess.run([sys.executable, os.path.join(source, "tests", "e2e", "stereo_test.py"), draw[0],
+                           os.path.join(built, "stereo"), source], check=False)
+    assert eyes.returncode in (0, 77), "the stereo host"
 
     wrong = IN_CPP.format(source=source).replace("COMPONENTS effects", "COMPONENTS effects sound")
     told = configured(prefix, os.path.join(folder, "other"), wrong, fails=True)

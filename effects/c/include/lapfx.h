@@ -381,7 +381,8 @@ LAPFX_API lapfx_status lapfx_effects_set_seed(lapfx_effects* effects, uint32_t s
 /// Multiplies the colours of the organ; sRGB, white at first.
 LAPFX_API lapfx_status lapfx_effects_set_organ_color(lapfx_effects* effects, const double color[3]);
 
-/// The state at a time; takes the samples that have been pushed.
+/// The state at a time; takes the samples that have been pushed. Any number of views may be drawn of it, such as one
+/// for each eye.
 LAPFX_API lapfx_status lapfx_effects_seek(lapfx_effects* effects, double time);
 LAPFX_API lapfx_status lapfx_effects_draw_organ(lapfx_effects* effects, const lapfx_view* view);
 /// Metal clips on the tissue, for hosts that draw the organ themselves; lapfx_effects_draw_organ includes them.

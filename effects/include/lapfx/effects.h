@@ -142,6 +142,8 @@ class LAPFX_API Effects {
     /// Draws false colour over the tissue from the next frame on; Overlay::none at first. Uploads what it needs.
     void set_overlay(Overlay overlay);
 
+    /// The state at a time. Any number of views may be drawn of it, such as one for each eye; all show the same frames
+    /// of the clips.
     void seek(double time) noexcept;
     void draw_organ(const View& view) noexcept;
     /// Draws the metal clips on the tissue (ToolAction::clip), lit and tested against the depth, for a host that draws
@@ -169,7 +171,7 @@ class LAPFX_API Effects {
     /// Valid until the next call of this function or of one that is not const.
     std::span<const ClipStatus> clips() const;
     StreamingTimes streaming_times() const noexcept;
-    /// Whether the last draw_smoke() showed an older frame of a clip than the one that was due, so that drawing the
+    /// Whether the last draw_smoke() showed an older frame of a clip than the one that was due, so that seeking the
     /// same time again gives a better picture. Never true with wait_for_clips.
     bool late() const noexcept;
     /// Bytes of main memory and of the GPU, by purpose, and their sum.

@@ -1,0 +1,101 @@
+// Two views of one update: a stereo laparoscope, or an assistant's second monitor.
+#include <thread>
+
+#include "lapfx/effects.h"
+#include "lapfx/frame.h"
+#include "parity/allocations.h"
+#include "parity/render/scene_fixture.h"
+#include "render/camera.h"
+
+namespace lapfx {
+namespace {
+
+class StereoTest : public test::SceneTest {
+  protected:
+    using Picture = std::vector<std::uint8_t>;
+    static constexpr double time = 2.0;
+
+    void SetUp() override {
+        test::SceneTest::SetUp();
+        if (!IsSkipped()) frame.emplace();
+    }
+    Effects made(bool wait = true) const {
+        Effects effects(load_organ(folder / "sheet.obj"), preset, {.gravity = scene.gravity, .wait_for_clips = wait});
+        effects.set_contacts(scene.events);
+        return effects;
+    }
+    /// From 4 mm left or right of the scene's camera.
+    View eye(double side) const {
+        SceneCamera camera = scene.camera;
+        camera.eye.x += 4.0 * side;
+        return render::view_of(camera, SceneLight{}, size);
+    }
+    void draw(Effects& effects, double side, Picture& picture) {
+        const View view = eye(side);
+        frame->begin(size);
+        effects.draw_organ(view);
+        frame->begin_smoke();
+        effects.draw_smoke(view, frame->depth());
+        frame->read(picture);
+    }
+    Picture alone(double side) {
+        Effects effects = made();
+        effects.seek(time);
+        Picture picture = blank();
+        draw(effects, side, picture);
+        return picture;
+    }
+    static Picture blank() { return Picture(std::size_t{4} * size.x * size.y); }
+
+    std::optional<Frame> frame;
+};
+
+TEST_F(StereoTest, EachEyeSeesWhatItSeesAlone) {
+    Effects effects = made();
+    effects.seek(time);
+    Picture left = blank(), right = blank();
+    draw(effects, -1.0, left);
+    draw(effects, 1.0, right);
+    EXPECT_NE(left, right);
+    EXPECT_EQ(left, alone(-1.0));
+    EXPECT_EQ(right, alone(1.0));
+}
+
+TEST_F(StereoTest, TheSecondEyeCostsNoUpdate) {
+    Effects effects = made();
+    Picture left = blank(), right = blank();
+    for (const double at : {time, time + 0.1}) {  // the first one makes what is kept
+        const std::uint64_t clip_frames = effects.streaming_times().uploaded;
+        effects.seek(at);
+        const std::size_t bytes = effects.uploaded();
+        draw(effects, -1.0, left);
+        const StreamingTimes after_left = effects.streaming_times();
+        EXPECT_GT(after_left.uploaded, clip_frames);
+        EXPECT_GT(bytes, 0u);
+        const std::size_t allocations = test::allocations;
+        draw(effects, 1.0, right);
+        EXPECT_EQ(test::allocations, allocations);
+        EXPECT_EQ(effects.uploaded(), bytes);
+        EXPECT_EQ(effects.streaming_times().uploaded_bytes, after_left.uploaded_bytes);
+        EXPECT_EQ(effects.streaming_times().uploaded, after_left.uploaded);
+        EXPECT_EQ(effects.streaming_times().wait, after_left.wait);
+    }
+}
+
+TEST_F(StereoTest, BothEyesSeeTheSameFrameOfALateClip) {
+    Effects effects = made(false);
+    Picture left = blank(), right = blank();
+    int late = 0;
+    for (int i = 0; i < 20; ++i) {
+        effects.seek(time + 0.37 * i);  // a jump
+        draw(effects, 0.0, left);
+        late += effects.late() ? 1 : 0;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));  // the frame that was late is there now
+        draw(effects, 0.0, right);
+        EXPECT_EQ(left, right) << "jump " << i;
+    }
+    if (late == 0) GTEST_SKIP() << "every frame came in time";
+}
+
+}  // namespace
+}  // namespace lapfx
