@@ -10,11 +10,17 @@ self=$(basename -- "$(dirname -- "$(readlink -f -- "$0")")")/${0##*/}
 say() { printf '%s: %s\n' "$self" "$*" >&2; }
 die() { say "$*"; exit 1; }
 
-# What is in .packages and not installed, one per line.
+# wanted_packages [tests]: what .packages names, one per line; without `tests`, the part above its line [tests].
+wanted_packages() {
+    sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$root/.packages" |
+        if [ "${1:-}" = tests ]; then grep -v -x -F '[tests]'; else sed '/^\[tests\]$/,$d'; fi
+}
+
+# What of it is not installed.
 missing_packages() {
     local installed
     local -a wanted
-    mapfile -t wanted < <(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$root/.packages")
+    mapfile -t wanted < <(wanted_packages "$@")
     # dpkg-query fails when it does not know one of the names; what it prints about the others is all we need.
     installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null || true)
     printf '%s\n' "${wanted[@]}" | grep -v -x -F -f <(sed -n 's/^installed //p' <<<"$installed") || true
@@ -24,6 +30,7 @@ is_debian_12() {
     [ -r /etc/os-release ] && (. /etc/os-release && [ "${ID:-}" = debian ] && [ "${VERSION_ID:-}" = 12 ])
 }
 
+# install_packages [tests]
 install_packages() {
     local tool lacking=
     if ! is_debian_12; then
@@ -31,13 +38,13 @@ install_packages() {
             command -v "$tool" >/dev/null || lacking+=" $tool"
         done
         [ -z "$lacking" ] || die "this is not Debian 12, so nothing is installed here; it lacks:$lacking.
-    .packages names all that lapfx needs, by Debian 12's package names."
+    .packages names all that it needs, by Debian 12's package names."
         say "warning: this is not Debian 12; going on with what is here, nothing is installed."
         return
     fi
 
     local -a missing as_root=(env)
-    mapfile -t missing < <(missing_packages)
+    mapfile -t missing < <(missing_packages "$@")
     [ "${#missing[@]}" -gt 0 ] || return 0
     say "lapfx needs ${#missing[@]} Debian packages that are not installed (the list is .packages): ${missing[*]}"
     if [ "$(id -u)" -ne 0 ]; then
