@@ -10,13 +10,12 @@
 //     target_link_libraries(lapfx_host_vtk PRIVATE lapfx::effects ${VTK_LIBRARIES} OpenGL::GLX X11::X11)
 //     vtk_module_autoinit(TARGETS lapfx_host_vtk MODULES ${VTK_LIBRARIES})
 //
-// Light is linear: the window is an sRGB one, so that OpenGL encodes what shaders write, VTK's and lapfx's alike, and
-// VTK's colours are shares of light, not sRGB. VTK has no exposure, so that the lamps are that much brighter.
+// VTK's frame holds what the screen shows, sRGB. lapfx adds light, so that the organ's shader works in light and
+// encodes at its end, and clips and smoke are drawn into an sRGB copy of the frame, where OpenGL decodes and encodes.
 #include <lapfx/effects.h>
 #include <lapfx/refine.h>
 #include <lapfx/scene.h>
 #include <vtkActor.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -24,6 +23,7 @@
 #include <vtkLight.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLVertexBufferObject.h>
@@ -36,6 +36,7 @@
 #include <vtkShaderProgram.h>
 #include <vtkShaderProperty.h>
 #include <vtkSmartPointer.h>
+#include <vtkTextureObject.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtk_glew.h>  // VTK's own loader
 #include <chrono>
@@ -47,7 +48,7 @@
 namespace {
 
 // VTK's shaders are templates, and what follows takes the places of their marks. normalMC and vertexMC are the normal
-// and the place in organ space, normalVCVSOutput is the normal in camera space, which normalMatrix leads to.
+// and the place in organ space, normalVCVSOutput is the normal in camera space, to which normalMatrix leads.
 constexpr const char* vertex_names = R"(
 in vec2 bleed_and_clot;
 out vec2 v_blood;
@@ -61,7 +62,6 @@ constexpr const char* vertex_steps = R"(
 constexpr const char* fragment_names = R"(
 in vec2 v_blood;
 in vec3 v_place, v_normal;
-uniform mat3 normalMatrix;
 //VTK::Normal::Dec
 )";
 constexpr const char* fragment_steps = R"(
@@ -70,6 +70,8 @@ constexpr const char* fragment_steps = R"(
   diffuseColor = mix(diffuseColor, diffuseIntensity * blood.color, blood.coverage * blood.opacity);
   normalVCVSOutput = normalize(normalVCVSOutput - blood.coverage * (normalMatrix * blood.slope));
   //VTK::Light::Impl
+  vec3 light = clamp(gl_FragData[0].rgb, 0.0, 1.0);
+  gl_FragData[0].rgb = mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
 )";
 
 void require(bool holds, const char* reason, lapfx::Failure failure = lapfx::Failure::bad_input) {
@@ -83,16 +85,15 @@ glm::mat4 matrix_of(vtkMatrix4x4* matrix) {
 
 /// VTK's window, with its context made and current.
 vtkSmartPointer<vtkOpenGLRenderWindow> open_window(glm::ivec2 size, bool shown) {
-    Display* const display = XOpenDisplay(nullptr);  // without one VTK ends the process
+    Display* const display = XOpenDisplay(nullptr);  // VTK would end the process if there is none
     require(display != nullptr, "no X display can be opened", lapfx::Failure::no_gl);
-    XCloseDisplay(display);
     vtkNew<vtkRenderWindow> made;
     vtkSmartPointer<vtkOpenGLRenderWindow> window = vtkOpenGLRenderWindow::SafeDownCast(made);
     require(window != nullptr, "VTK has no window with OpenGL", lapfx::Failure::no_gl);
+    window->SetDisplayId(display);
     window->SetSize(size.x, size.y);
     window->SetOffScreenRendering(shown ? 0 : 1);
-    window->SetUseSRGBColorSpace(true);
-    window->SetMultiSamples(4);
+    window->SetMultiSamples(0);  // smoke wants one depth a pixel
     window->SetWindowName("lapfx_host_vtk");
     window->Initialize();
     window->MakeCurrent();
@@ -103,37 +104,48 @@ lapfx::Context::Function find_function(const char* name) {
     return glXGetProcAddressARB(reinterpret_cast<const GLubyte*>(name));
 }
 
-/// A single-sampled copy of the depth of VTK's frame, which draw_smoke() reads.
-class DepthCopy {
+/// VTK's frame as lapfx draws into it: the same pixels in a texture that says that they are sRGB, and VTK's own depth.
+/// Copying decodes nothing and changes no state, and what drawing changes is put back, so that VTK's record of the
+/// state stays true.
+class SrgbFrame {
   public:
-    /// Of the framebuffer that is bound to draw into. These calls change no binding, so that what VTK's own record of
-    /// the state says stays true.
-    GLuint take(glm::ivec2 size) {
-        GLint frame = 0, depth = 0, format = 0;
-        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &frame);
-        const auto source = static_cast<GLuint>(frame);
-        glGetNamedFramebufferAttachmentParameteriv(source, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME,
-                                                   &depth);
-        glGetTextureLevelParameteriv(static_cast<GLuint>(depth), 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
-        if (size != size_) make(size, static_cast<GLenum>(format));  // another format could not be copied
-        glBlitNamedFramebuffer(source, framebuffer_, 0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_DEPTH_BUFFER_BIT,
-                               GL_NEAREST);
-        return texture_;
+    /// `draw(depth)` is called twice: first with a depth buffer to test against and no depth texture, then the other
+    /// way round.
+    template <typename Draw>
+    void draw_into(vtkOpenGLFramebufferObject* frame, const Draw& draw) {
+        const GLuint color = frame->GetColorAttachmentAsTextureObject(0)->GetHandle();
+        const GLuint depth = frame->GetDepthAttachmentAsTextureObject()->GetHandle();
+        const glm::ivec2 size(frame->GetLastSize()[0], frame->GetLastSize()[1]);
+        if (size != size_) make(size);
+        copy(color, color_);
+        GLint bound = 0;
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
+        glEnable(GL_FRAMEBUFFER_SRGB);
+        glNamedFramebufferTexture(framebuffer_, GL_DEPTH_ATTACHMENT, depth, 0);
+        draw(0);
+        glNamedFramebufferTexture(framebuffer_, GL_DEPTH_ATTACHMENT, 0, 0);
+        draw(depth);
+        glDisable(GL_FRAMEBUFFER_SRGB);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
+        copy(color_, color);
     }
 
   private:
-    void make(glm::ivec2 size, GLenum format) {
-        glDeleteTextures(1, &texture_);
-        glCreateTextures(GL_TEXTURE_2D, 1, &texture_);
-        glTextureStorage2D(texture_, 1, format, size.x, size.y);
+    void make(glm::ivec2 size) {
+        glDeleteTextures(1, &color_);
+        glCreateTextures(GL_TEXTURE_2D, 1, &color_);
+        glTextureStorage2D(color_, 1, GL_SRGB8_ALPHA8, size.x, size.y);
         if (framebuffer_ == 0) glCreateFramebuffers(1, &framebuffer_);
-        glNamedFramebufferTexture(framebuffer_, GL_DEPTH_ATTACHMENT, texture_, 0);
-        glNamedFramebufferDrawBuffer(framebuffer_, GL_NONE);
+        glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, color_, 0);
         size_ = size;
+    }
+    void copy(GLuint from, GLuint to) const {
+        glCopyImageSubData(from, GL_TEXTURE_2D, 0, 0, 0, 0, to, GL_TEXTURE_2D, 0, 0, 0, 0, size_.x, size_.y, 1);
     }
 
     glm::ivec2 size_{0};
-    GLuint texture_ = 0, framebuffer_ = 0;
+    GLuint color_ = 0, framebuffer_ = 0;
 };
 
 struct Host {
@@ -142,7 +154,7 @@ struct Host {
     lapfx::Organ organ;
     lapfx::Effects effects;
     vtkNew<vtkRenderer> renderer;
-    DepthCopy depth;
+    SrgbFrame frame;
 
     Host(vtkOpenGLRenderWindow* shown, char** arguments, bool wait)
         : window(shown),
@@ -166,8 +178,8 @@ struct Host {
         light->SetLightTypeToHeadlight();
         light->SetPositional(true);
         light->SetConeAngle(180.0);
-        light->SetIntensity(scene.camera.exposure);
         renderer->AddLight(light);
+        renderer->SetUseFXAA(true);
         renderer->AddObserver(vtkCommand::EndEvent, this, &Host::draw_over);
     }
 
@@ -194,7 +206,7 @@ struct Host {
         vtkNew<vtkActor> actor;
         actor->SetMapper(mapper);
         actor->GetProperty()->SetColor(0.55, 0.33, 0.28);
-        actor->GetProperty()->SetAmbient(0.1 * scene.camera.exposure);
+        actor->GetProperty()->SetAmbient(0.1);
         actor->GetProperty()->SetSpecular(0.1);
         actor->GetProperty()->SetSpecularPower(40.0);
         vtkShaderProperty* const shaders = actor->GetShaderProperty();
@@ -233,9 +245,10 @@ struct Host {
         const lapfx::View view{
             matrix_of(camera->GetModelViewTransformMatrix()),
             matrix_of(camera->GetProjectionTransformMatrix(static_cast<double>(size.x) / size.y, -1.0, 1.0)),
-            {l.intensity * scene.camera.exposure, l.focus_distance, l.beam_angle, lapfx::Lamp{}.ambient, l.color}};
-        effects.draw_metal_clips(view);
-        effects.draw_smoke(view, depth.take(size));
+            {l.intensity, l.focus_distance, l.beam_angle, lapfx::Lamp{}.ambient, l.color}};
+        frame.draw_into(window->GetRenderFramebuffer(), [&](GLuint depth) {
+            depth == 0 ? effects.draw_metal_clips(view) : effects.draw_smoke(view, depth);
+        });
     }
 
     void draw(double time) {
@@ -269,7 +282,7 @@ void write_picture(Host& host, double time) {
     host.draw(time);
     const glm::ivec2 size(host.window->GetSize()[0], host.window->GetSize()[1]);
     vtkNew<vtkUnsignedCharArray> pixels;  // RGB, rows from below
-    host.window->GetPixelData(0, 0, size.x - 1, size.y - 1, 0, pixels.Get());
+    host.window->GetPixelData(0, 0, size.x - 1, size.y - 1, 0, pixels, 0);
     std::printf("P6\n%d %d\n255\n", size.x, size.y);
     for (int row = size.y; row-- > 0;) std::fwrite(pixels->GetPointer(3 * size.x * row), 3, size.x, stdout);
 }
