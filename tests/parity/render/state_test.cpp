@@ -5,70 +5,87 @@
 #include "lapfx/effects.h"
 #include "parity/render/scene_fixture.h"
 #include "render/camera.h"
+#include "support/gl_state.h"
 
 namespace lapfx {
 namespace {
 
-constexpr GLenum integers[] = {GL_CURRENT_PROGRAM,
-                               GL_VERTEX_ARRAY_BINDING,
-                               GL_DEPTH_FUNC,
-                               GL_DEPTH_WRITEMASK,
-                               GL_POLYGON_OFFSET_FACTOR,
-                               GL_POLYGON_OFFSET_UNITS,
-                               GL_BLEND_SRC_RGB,
-                               GL_BLEND_DST_RGB,
-                               GL_BLEND_SRC_ALPHA,
-                               GL_BLEND_DST_ALPHA,
-                               GL_BLEND_EQUATION_RGB,
-                               GL_BLEND_EQUATION_ALPHA,
-                               GL_ACTIVE_TEXTURE,
-                               GL_ARRAY_BUFFER_BINDING,
-                               GL_UNIFORM_BUFFER_BINDING,
-                               GL_DRAW_FRAMEBUFFER_BINDING,
-                               GL_READ_FRAMEBUFFER_BINDING,
-                               GL_CULL_FACE_MODE,
-                               GL_FRONT_FACE,
-                               GL_UNPACK_ALIGNMENT,
-                               GL_UNPACK_ROW_LENGTH,
-                               GL_UNPACK_SKIP_ROWS,
-                               GL_UNPACK_SKIP_PIXELS,
-                               GL_PIXEL_UNPACK_BUFFER_BINDING};
 constexpr GLenum switches[] = {GL_BLEND,        GL_DEPTH_TEST,   GL_CULL_FACE,        GL_MULTISAMPLE,
                                GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB, GL_POLYGON_OFFSET_FILL};
 
 constexpr int units = 16;
 
-/// Everything that a draw call may touch, by name.
-std::map<std::string, GLint64> state() {
-    std::map<std::string, GLint64> all;
-    const auto name = [](const char* kind, GLenum query, int index = -1) {
-        char text[64];
-        std::snprintf(text, sizeof text, "%s 0x%04X%s", kind, query,
-                      index < 0 ? "" : (" " + std::to_string(index)).c_str());
-        return std::string(text);
-    };
-    for (const GLenum query : integers) glGetInteger64v(query, &all[name("value", query)]);
-    if (gl::polygon_offset_clamp() != nullptr)
-        glGetInteger64v(gl::polygon_offset_clamp_query, &all["value of glPolygonOffsetClamp"]);
-    for (const GLenum query : switches) all[name("switch", query)] = glIsEnabled(query);
-    for (const GLenum query : {GL_VIEWPORT, GL_SCISSOR_BOX, GL_COLOR_WRITEMASK}) {
-        GLint values[4] = {};
-        glGetIntegerv(query, values);
-        for (int i = 0; i < 4; ++i) all[name("value", query, i)] = values[i];
+/// All of 4.5, and what newer drivers have beside it.
+test::GlState state() {
+    test::GlState all = test::gl_state();
+    if (gl::polygon_offset_clamp() != nullptr) {
+        GLdouble clamp = 0.0;
+        glGetDoublev(gl::polygon_offset_clamp_query, &clamp);
+        all["value of glPolygonOffsetClamp"] = {clamp};
     }
-    for (int i = 0; i < 4; ++i)
-        for (const GLenum query : {GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE})
-            glGetInteger64i_v(query, static_cast<GLuint>(i), &all[name("uniform binding", query, i)]);
-    GLint active = 0;
-    glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
-    for (int i = 0; i < units; ++i) {
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
-        for (const GLenum query : {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY, GL_SAMPLER_BINDING})
-            glGetInteger64v(query, &all[name("texture unit", query, i)]);
-    }
-    glActiveTexture(static_cast<GLenum>(active));
     return all;
 }
+
+/// Binds and sets what has no part in drawing a picture, to other values than those of a new context.
+class Elsewhere {
+  public:
+    explicit Elsewhere(GLuint buffer) {
+        for (const GLenum target : targets) glBindBuffer(target, buffer);
+        for (const GLenum target : {GL_SHADER_STORAGE_BUFFER, GL_ATOMIC_COUNTER_BUFFER, GL_TRANSFORM_FEEDBACK_BUFFER})
+            for (GLuint i = 0; i < 2; ++i) glBindBufferRange(target, i, buffer, 256 * (i + 1), 256);
+        for (const auto& [kind, unit] : textures) {
+            GLuint& name = names_.emplace_back();
+            glCreateTextures(kind, 1, &name);
+            glBindTextureUnit(unit, name);
+        }
+        glCreateRenderbuffers(1, &renderbuffer_);
+        glBindRenderbuffer(GL_RENDERBUFFER, renderbuffer_);
+        glCreateProgramPipelines(1, &pipeline_);
+        glBindProgramPipeline(pipeline_);
+        set(true);
+    }
+    ~Elsewhere() {
+        for (const GLenum target : targets) glBindBuffer(target, 0);
+        for (const GLenum target : {GL_SHADER_STORAGE_BUFFER, GL_ATOMIC_COUNTER_BUFFER, GL_TRANSFORM_FEEDBACK_BUFFER})
+            for (GLuint i = 0; i < 2; ++i) glBindBufferBase(target, i, 0);
+        glDeleteTextures(static_cast<GLsizei>(names_.size()), names_.data());
+        glDeleteRenderbuffers(1, &renderbuffer_);
+        glDeleteProgramPipelines(1, &pipeline_);
+        set(false);
+    }
+    Elsewhere(const Elsewhere&) = delete;
+    Elsewhere& operator=(const Elsewhere&) = delete;
+
+  private:
+    static constexpr GLenum targets[] = {GL_COPY_READ_BUFFER,   GL_COPY_WRITE_BUFFER,        GL_DRAW_INDIRECT_BUFFER,
+                                         GL_PIXEL_PACK_BUFFER,  GL_DISPATCH_INDIRECT_BUFFER, GL_QUERY_BUFFER,
+                                         GL_PIXEL_UNPACK_BUFFER};
+    /// Beside the 2D textures of the core's units, and above them.
+    static constexpr std::pair<GLenum, GLuint> textures[] = {
+        {GL_TEXTURE_3D, 0},        {GL_TEXTURE_CUBE_MAP, 1}, {GL_TEXTURE_BUFFER, 2},         {GL_TEXTURE_RECTANGLE, 13},
+        {GL_TEXTURE_1D_ARRAY, 13}, {GL_TEXTURE_2D, 20},      {GL_TEXTURE_2D_MULTISAMPLE, 21}};
+
+    static void set(bool other) {
+        const float value = other ? 0.25f : 0.0f;
+        glBlendColor(value, value, value, value);
+        glClearColor(value, value, value, value);
+        glClearDepth(other ? 0.5 : 1.0);
+        glClearStencil(other ? 3 : 0);
+        glPixelStorei(GL_PACK_ALIGNMENT, other ? 2 : 4);
+        glPixelStorei(GL_PACK_ROW_LENGTH, other ? 99 : 0);
+        for (const GLenum name : {GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES, GL_UNPACK_SKIP_ROWS})
+            glPixelStorei(name, other ? 7 : 0);
+        glPatchParameteri(GL_PATCH_VERTICES, other ? 4 : 3);
+        glPrimitiveRestartIndex(other ? 77 : 0);
+        glVertexAttrib4f(5, value, value, value, other ? 0.5f : 1.0f);
+        glLogicOp(other ? GL_XOR : GL_COPY);
+        for (const GLenum name : {GL_PROGRAM_POINT_SIZE, GL_TEXTURE_CUBE_MAP_SEAMLESS})
+            other ? glEnable(name) : glDisable(name);
+    }
+
+    std::vector<GLuint> names_;
+    GLuint renderbuffer_ = 0, pipeline_ = 0;
+};
 
 class StateTest : public test::SceneTest {
   protected:
@@ -129,6 +146,7 @@ class StateTest : public test::SceneTest {
 };
 
 TEST_F(StateTest, DrawCallsLeaveTheHostsStateAsTheyFindIt) {
+    scene.events.push_back({.action = ToolAction::clip, .time = 1.0, .duration = 0.2});
     Effects e = effects();
     e.seek(2.5);
     const gl::Buffer buffer(4096);
@@ -167,20 +185,38 @@ TEST_F(StateTest, DrawCallsLeaveTheHostsStateAsTheyFindIt) {
         glUseProgram(program.name());
         glActiveTexture(GL_TEXTURE3);
         glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
+        const Elsewhere elsewhere(buffer.name());
         glBindFramebuffer(GL_FRAMEBUFFER, whole.name());
 
-        const auto before = state();
+        const test::GlState before = state();
         e.draw_organ(view());
-        EXPECT_EQ(state(), before) << "after draw_organ";
+        EXPECT_EQ(test::changes(before, state()), "") << "after draw_organ";
+        e.draw_metal_clips(view());
+        EXPECT_EQ(test::changes(before, state()), "") << "after draw_metal_clips";
         glBindFramebuffer(GL_FRAMEBUFFER, smoke_only.name());
-        const auto smoky = state();
+        const test::GlState smoky = state();
         e.draw_smoke(view(), depth.name());
-        EXPECT_EQ(state(), smoky) << "after draw_smoke";
+        EXPECT_EQ(test::changes(smoky, state()), "") << "after draw_smoke";
         e.seek(on ? 3.0 : 2.0);
-        EXPECT_EQ(state(), smoky) << "after seek";
+        EXPECT_EQ(test::changes(smoky, state()), "") << "after seek";
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
         put_back();
     }
     glDeleteSamplers(1, &sampler);
+}
+
+TEST_F(StateTest, AHostsShaderGetsOneUniformBindingAndAllElseStays) {
+    const Effects e = effects();
+    const test::GlState before = state();
+    e.bind_bleeding();
+    test::GlState after = state();
+    GLint bound = 0;
+    glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, 1, &bound);
+    EXPECT_NE(bound, 0);
+    after.erase(test::gl_state_parts::named("value", GL_UNIFORM_BUFFER_BINDING));
+    for (const GLenum query : {GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE})
+        after.erase(test::gl_state_parts::named("binding", query, 1));
+    EXPECT_EQ(test::changes(before, after), "");
 }
 
 TEST_F(StateTest, WhatTheHostHasSetDoesNotChangeThePicture) {
