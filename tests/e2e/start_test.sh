@@ -38,4 +38,14 @@ code=0
 env -u DISPLAY -u WAYLAND_DISPLAY LAPFX_BUILD_DIR="$build_dir" "$root/editor/start" missing.scene.json >out 2>&1 || code=$?
 [ "$code" = 2 ] || fail "exit code $code for a scene that is not there"
 tail -n 1 out | grep -q '^lapfx: missing.scene.json: ' || fail "does not say what is missing"
+# It installs what builds and runs lapfx; the tests install all that .packages names.
+# shellcheck source=../../.ci/setup.sh
+(. "$root/.ci/setup.sh"; wanted_packages) >own
+# shellcheck source=../../.ci/setup.sh
+(. "$root/.ci/setup.sh"; wanted_packages tests) >out
+grep -q -x xdotool own && grep -q -x libglfw3-dev own || fail "editor/start does not install all that it needs"
+! grep -q -x -e libgtest-dev -e libvtk9-dev -e chromium own || fail "editor/start installs what only tests need"
+head -n "$(wc -l <own)" out | cmp -s - own || fail "the tests do not install what editor/start does"
+grep -q -x libgtest-dev out && grep -q -x libvtk9-dev out || fail "the tests do not install all that they need"
+! grep -v -x '[a-z0-9.+-]*' out || fail "not a name of a package"
 echo "start test: passed"

@@ -97,7 +97,8 @@ def check_pictures(vtk, own):
     assert same > 0.93, "VTK's blood is not where lapfx has it"
 
     metal = changed(vtk["clipped"], vtk["during"], seen), changed(own["clipped"], own["during"], seen)
-    inside = len(metal[0] & metal[1]) / max(len(metal[0]), 1)  # lapfx's own host smooths its edges, and has more of them
+    # lapfx's own host has more of them, because it smooths their edges.
+    inside = len(metal[0] & metal[1]) / max(len(metal[0]), 1)
     print(f"metal clips: {len(metal[0])} and {len(metal[1])} pixels, {inside:.3f} of VTK's in both")
     assert len(metal[0]) > 20 and len(metal[0]) > 0.4 * len(metal[1]), "there are no clips in VTK's picture"
     assert inside > 0.9, "VTK's clips are not where lapfx has them"

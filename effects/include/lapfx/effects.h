@@ -16,8 +16,8 @@
 //     effects.bind_bleeding();  // then draw, instead of draw_organ
 //     effects.draw_metal_clips(view);
 //
-// samples/host/host.cpp is a whole program that does so. It draws refine(organ): where triangles are longer than 2 mm
-// (refine.h), Effects splits them for itself.
+// samples/host/host.cpp is a whole program that does so, samples/host/vtk.cpp is one in VTK. They draw refine(organ):
+// where triangles are longer than 2 mm (refine.h), Effects splits them for itself.
 //
 // Lengths mm, times s, organ space = the space of Organ::positions. One thread: that of the context. Constructor and
 // set_preset throw lapfx::Error; seek and the draw calls are noexcept, allocate nothing in steady state (while blood
@@ -26,7 +26,8 @@
 // of units 0-13, uniform bindings 0-2). They expect GL's initial front face, colour mask, stencil, polygon mode and
 // clip control, no sampler objects on units 0 to 13, one draw buffer, and the same blending and scissor test for all
 // draw buffers and viewports: lapfx saves those of the first one and restores them for all. Output is linear light:
-// draw into a float or an sRGB framebuffer with GL_FRAMEBUFFER_SRGB.
+// draw into a float or an sRGB framebuffer with GL_FRAMEBUFFER_SRGB. A frame whose texture holds sRGB without saying so
+// (VTK's) is copied into one that says so and back, glCopyImageSubData.
 #pragma once
 
 #include <cstdint>
