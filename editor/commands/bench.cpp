@@ -142,7 +142,9 @@ void add_bench(CLI::App& app) {
     add_case("--last", fit_options->last, "End with this case");
     const auto [frame, frame_options] =
         add("frame",
-            "What 15 smoke clips add to a frame, how much they delay a haptic thread, and what blood and wounds cost",
+            "What 15 smoke clips add to a frame, how much they delay a haptic thread, what blood and wounds cost, and "
+            "what the "
+            "core takes of a host: memory, objects of OpenGL, threads, and the frames in which something changes",
             bench_frame);
     frame->add_flag("--simulation", frame_options->simulation, "Measure only what is not drawn, in a few seconds");
     const auto [measure, measure_options] =

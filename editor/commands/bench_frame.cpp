@@ -1,5 +1,6 @@
-// lapfx bench frame: what smoke adds to a frame of the sample scene, how much a haptic thread is delayed, and what the
-// simulation costs without drawing (bench_simulation.cpp).
+// lapfx bench frame: what smoke adds to a frame of the sample scene, how much a haptic thread is delayed, what the core
+// and changes of preset, clips and organ cost a host (bench_changes.cpp), and what the simulation costs without drawing
+// (bench_simulation.cpp).
 //
 // Method: the sample scene at 1280x1024 without smoke and with 15 clips 720x480 over the whole view, resident, in
 // turns, medians; as its camera sees it, and from so far away that the scene without smoke costs 20 ms, or as little as
@@ -20,6 +21,7 @@
 #include <memory>
 #include <thread>
 
+#include "commands/bench_changes.h"
 #include "commands/bench_host.h"
 #include "commands/bench_simulation.h"
 #include "commands/progress.h"
@@ -292,6 +294,7 @@ BenchReport bench_frame(const BenchOptions& options) {
     const BenchClips clips(extent.clips);
     const Played played(extent, clips);
     const HostFrame host;
+    measure_changes(host, report, options.short_form);
     const bool real_time = HapticThread::real_time_allowed();
     Progress progress("measuring", 2 * (extent.frame_runs + 1) + extent.haptic_runs * (real_time ? 2 : 1));
     compare_frames(host, played, report, progress);

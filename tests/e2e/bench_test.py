@@ -10,12 +10,14 @@ import sys
 import tempfile
 
 FFMPEG = {"smoke_ours_over_ffmpeg_2", "smoke_ours_over_ffmpeg_decoding_2", "decode_over_ffmpeg"}
+CHANGES = ("values", "keying", "clips", "shape", "organ")
 BENCHES = {
     "bleeding": {"bleeding_1m_over_10k", "bleeding_bytes_1m_over_10k", "bleeding_1m_over_sweep"},
     "editor": {"editor_ui_over_scene", "drag_over_idle", "drag_over_still"},
     "fit": {"curves_close"},
     "frame": {"frame_15_over_0", "frame_15_over_0_light_scene", "haptic_lateness_with_over_without",
-              "haptic_lateness_with_over_without_ordinary", "sample_cost_10min_over_10s", "simulation_over_real_time"},
+              "haptic_lateness_with_over_without_ordinary", "sample_cost_10min_over_10s", "simulation_over_real_time"}
+             | {f"hitch_{change}_over_16ms" for change in CHANGES},
     "measure": {"measure_over_playback_720x480", "classes_within_bounds"},
     "streaming": {"smoke_ours_over_paper_15", "smoke_ours_over_paper_same_resolution_15",
                   "smoke_saved_by_resolution_over_paper_15", "smoke_saved_by_drawing_over_paper_15",
@@ -111,6 +113,23 @@ def check_model(lapfx, work, shipped):
         assert done.returncode == 2 and model in done.stderr and done.stderr.count("\n") == 1, (text, done)
 
 
+def check_host(rows, ratios):
+    """What the core takes of a host: its parts are its sum, and each change is compared with a frame without it."""
+    taken, = (row for row in rows if "gl_objects" in row)
+    parts = {key: value for key, value in taken.items() if key.startswith("memory_") and key != "memory_mb"}
+    assert len(parts) == 7 and abs(sum(parts.values()) - taken["memory_mb"]) < 1e-6, taken
+    for part in ("surface", "densities", "geometry", "textures", "targets"):
+        assert 0 < parts[f"memory_{part}_mb"] < 1000, taken
+    assert 20 < taken["gl_objects"] < 1000, taken
+    assert 0 <= taken["threads"] <= 2 * os.cpu_count() + 4, taken
+    changed = {row["change"]: row for row in rows if "change" in row}
+    assert tuple(changed) == CHANGES, changed
+    for change, row in changed.items():
+        assert 0 < row["frame_ms"] and 0 < row["changed_ms"] <= row["worst_ms"], row
+        assert abs(row["beyond_ms"] - (row["changed_ms"] - row["frame_ms"])) < 1e-6, row
+        assert abs(ratios[f"hitch_{change}_over_16ms"] - max(row["beyond_ms"], 0) / 16) < 1e-6, (row, ratios)
+
+
 def main(lapfx, folder, only):
     with tempfile.TemporaryDirectory() as work:
         path = os.path.join(work, "figures.json")
@@ -139,6 +158,7 @@ def main(lapfx, folder, only):
         if only == "frame":
             grown = [row["blood_grown_mm2"] for row in figures["results"] if "blood_grown_mm2" in row]
             assert grown and min(grown) > 0, f"the samples that touch make no blood grow: {grown}"
+            check_host(figures["results"], figures["ratios"])
 
 
 main(sys.argv[1], sys.argv[2], sys.argv[3])

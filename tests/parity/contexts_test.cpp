@@ -1,8 +1,6 @@
 // Several contexts in one process, each with objects of its own, made and destroyed in any order.
 #include "lapfx/context.h"
 
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
 #include <gmock/gmock.h>
 
 #include <random>
@@ -14,11 +12,13 @@
 #include "lapfx/frame.h"
 #include "render/camera.h"
 #include "support/gpu_test.h"
+#include "support/host_context.h"
 #include "support/meshes.h"
 
 namespace lapfx {
 namespace {
 
+using test::HostContext;
 using testing::HasSubstr;
 using Pixels = std::vector<std::uint8_t>;
 
@@ -192,24 +192,6 @@ TEST_F(ContextsTest, AHostsContextThatWillNotDoIsRefused) {
         EXPECT_THAT(error.what(), HasSubstr("OSMesa has other OpenGL functions than EGL, which is in use"));
     }
 }
-
-/// A context that a host makes by itself, of the API and profile of the attributes.
-struct HostContext {
-    HostContext(EGLenum api, std::initializer_list<EGLint> attributes) {
-        eglInitialize(display, nullptr, nullptr);
-        eglBindAPI(api);
-        context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.begin());
-        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
-    }
-    ~HostContext() {
-        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        eglDestroyContext(display, context);
-    }
-    HostContext(const HostContext&) = delete;
-    HostContext& operator=(const HostContext&) = delete;
-    EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    EGLContext context = EGL_NO_CONTEXT;
-};
 
 TEST_F(ContextsTest, ACompatibilityContextDrawsTheSame) {
     const Pixels expected = alone(1);

@@ -1,0 +1,24 @@
+// How much memory is allocated.
+#pragma once
+
+#include <malloc.h>
+
+#include <cstddef>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#include <sanitizer/allocator_interface.h>
+#endif
+
+namespace lapfx::test {
+
+/// Bytes that are allocated in this process now, by whichever library: of malloc, or of the sanitizer in its place.
+inline std::size_t allocated_bytes() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    return __sanitizer_get_current_allocated_bytes();
+#else
+    const struct mallinfo2 now = mallinfo2();
+    return now.uordblks + now.hblkhd;
+#endif
+}
+
+}  // namespace lapfx::test
