@@ -33,7 +33,8 @@ class LAPFX_API Context {
     static Context create(Backend backend);
     /// A context that the host made and has current; it stays the host's. A compatibility context will do: alpha test
     /// off, as it is at first. Throws Error (no_gl) below OpenGL 4.5, for OpenGL ES, if no context is current, and if
-    /// get_proc_address lacks functions or finds other ones than those of a context that is in use.
+    /// get_proc_address lacks functions or finds other ones than those of a context that is in use. Any function with
+    /// this type will do; glXGetProcAddressARB, which takes unsigned characters, has to be wrapped in one.
     static Context external(GetProcAddress get_proc_address);
 
     Context(Context&&) noexcept;

@@ -150,14 +150,15 @@ class LAPFX_API Effects {
     /// Draws the metal clips on the tissue (ToolAction::clip), lit and tested against the depth, for a host that draws
     /// the organ itself. draw_organ() includes them.
     void draw_metal_clips(const View& view) noexcept;
-    /// `scene_depth`: a depth texture of the frame, the size of the viewport, not attached to the bound
-    /// framebuffer.
+    /// `scene_depth`: a depth texture of the frame, the size of the viewport, without multisampling, not attached to
+    /// the bound framebuffer.
     void draw_smoke(const View& view, unsigned scene_depth) noexcept;
 
     /// For a host's own organ shader: the GL buffer of bleed value (mm; it continues below 0, for the noise) and clot
     /// (0..1), one vec2 per organ vertex in the order of Organ::positions. The vertices that refine() adds to a coarse
     /// organ follow. seek() updates it. The name is valid until set_topology() or the end of this object; do not write
-    /// to it.
+    /// to it. It belongs in the vertex array that the organ is drawn with; a toolkit that makes its vertex arrays anew
+    /// needs it there again, and may neither reorder, join, shift nor scale vertices.
     unsigned bleed_buffer() const noexcept;
     /// Binds the uniform block that bleeding_shader() reads at uniform binding 1, and leaves it bound. Unlike the draw
     /// calls it changes the host's state on purpose.

@@ -69,6 +69,7 @@ constexpr const OverlayRow& row_of(Overlay overlay) noexcept {
 
 /// Where the frame is seen from.
 struct View {
+    // As GLM has them, column by column: an engine that keeps matrices row by row transposes them.
     glm::mat4 view{1.0f};        ///< organ space to camera space, rigid
     glm::mat4 projection{1.0f};  ///< OpenGL clip space, z in -1..1, perspective
     Lamp lamp;
