@@ -61,18 +61,20 @@ install_packages() {
     /etc/apt and the right to install (root or sudo). Once they are installed, no network is needed any more."
 }
 
+# Whether what DIR was configured for is this tree, as it lies here. A build folder that came along when the tree was
+# copied or moved, or that another generator made, cannot be used as it is; cmake says so and stops.
+usable_cache() {
+    grep -q -x -F "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$1/CMakeCache.txt" 2>/dev/null &&
+        grep -q -x -F "CMAKE_CACHEFILE_DIR:INTERNAL=$(cd -- "$1" && pwd -P)" "$1/CMakeCache.txt" &&
+        grep -q -x -F "CMAKE_GENERATOR:INTERNAL=Ninja" "$1/CMakeCache.txt"
+}
+
 # build DIR TARGET [CMAKE OPTION...]: configures and builds TARGET into DIR.
 build() {
     local dir=$1 target=$2 fresh=
     shift 2
-    # A build folder that came along when the tree was copied or moved, or that another generator made, cannot be
-    # used as it is; cmake says so and stops. --fresh drops the old cache, and what is still good is kept.
-    if [ -f "$dir/CMakeCache.txt" ] &&
-        ! { grep -q -x -F "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$dir/CMakeCache.txt" &&
-            grep -q -x -F "CMAKE_CACHEFILE_DIR:INTERNAL=$(cd -- "$dir" && pwd -P)" "$dir/CMakeCache.txt" &&
-            grep -q -x -F "CMAKE_GENERATOR:INTERNAL=Ninja" "$dir/CMakeCache.txt"; }; then
-        fresh=--fresh
-    fi
+    # --fresh drops the old cache, and what is still good is kept.
+    if [ -f "$dir/CMakeCache.txt" ] && ! usable_cache "$dir"; then fresh=--fresh; fi
     # ccache is a help, never a need: without a folder that it may write to, it would fail the build.
     local cache=${CCACHE_DIR:-${XDG_CACHE_HOME:-${HOME:-/nonexistent}/.cache}/ccache}
     if ! mkdir -p -- "$cache" 2>/dev/null || ! [ -w "$cache" ]; then export CCACHE_DISABLE=1; fi

@@ -42,7 +42,7 @@ void SharedContext::require_current() const {
     else if (glGetString(GL_VERSION) == nullptr)
         throw Misuse("no OpenGL context is current on this thread: make the host's own current before");
     else if (gl::current_owner() != current_at_first.lock())
-        throw Misuse("a context that lapfx made is current: make the host's own current before");
+        throw Misuse("another context is current than when this one was made known: make that one current before");
 }
 
 void SharedContext::require_drawing() const {

@@ -12,10 +12,10 @@ Many pictures of one scene, with one value after another:
         player.effects.set_preset(player.preset)
         picture, area = player.picture(6.0), player.effects.amounts().blood_area
 
-Call by call: samples/host/host.py. Lengths mm, times s, colours as in lapfx.h. What fails raises Error: BadInput (a
-file or a value has to change), NoOpenGL, Misuse (the program has to change), or Error itself. Warnings go to the logger
-"lapfx". Objects are freed when they are collected, at the end of `with`, or by close(); contexts, effects and frames on
-the thread that made them.
+Call by call: samples/host/host.py (share/lapfx). Lengths mm, times s, colours as in lapfx.h. What fails raises Error:
+BadInput (a file or a value has to change), NoOpenGL, Misuse (the program has to change), or Error itself. Warnings go
+to the logger "lapfx". Objects are freed when they are collected, at the end of `with`, or by close(); contexts, effects
+and frames on the thread that made them.
 
 The library is LAPFX_LIBRARY, else that which was installed with this file, else what the loader finds.
 """
@@ -57,8 +57,8 @@ _ERRORS = {1: Error, 2: BadInput, 3: NoOpenGL, 4: Misuse}
 
 def _open():
     name = "liblapfx.so.0.1"  # of another version structs may differ
-    above = glob.escape(os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", ".."))
-    beside = glob.glob(os.path.join(above, name)) + glob.glob(os.path.join(above, "*", name))
+    prefix = glob.escape(os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", ".."))
+    beside = [path for where in ("lib", "lib/*", "lib64") for path in glob.glob(os.path.join(prefix, where, name))]
     path = os.environ.get("LAPFX_LIBRARY") or (beside[0] if beside else name)
     try:
         library = ctypes.CDLL(path)
@@ -559,16 +559,16 @@ class Frame(_Object):
         return out
 
 
-class Player(_Object):
+class Player:
     """A scene with a preset (a path, a Preset, or None: the scene's own), as pictures: those of `lapfx render`, without
     the instrument. What it is made of may be used: scene, preset, context, organ, effects, frame."""
+    __enter__, __exit__ = _Object.__enter__, _Object.__exit__  # and no __del__: what it is made of may outlive it
 
     def __init__(self, scene, preset=None, size=(640, 512), clip_folders=(), backend="automatic", seed=None):
         self.scene = scene if isinstance(scene, Scene) else Scene(scene)
         info = self.scene.info()
         self.preset = preset if isinstance(preset, Preset) else Preset(info.preset if preset is None else preset)
-        self.size = size
-        self.context = Context(backend)
+        self.size, self.context = size, Context(backend)
         self.organ = self.scene.load_organ()
         self.effects = Effects(self.context, self.organ, self.preset, seed=info.seed if seed is None else seed,
                                gravity=info.gravity, clip_folders=clip_folders, wait_for_clips=True)

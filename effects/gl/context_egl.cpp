@@ -2,6 +2,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include "gl/context_hold.h"
 #include "gl/context_owner.h"
 
 namespace lapfx::gl {
@@ -75,7 +76,9 @@ bool open(EglOwner& owner, EGLDisplay display, std::string& reason) {
         reason = "the driver offers no OpenGL 4.5 core context";
         return false;
     }
+    const EglCurrent host;
     if (owner.make_current()) return true;
+    if (host.context != EGL_NO_CONTEXT) host.make_current();
     reason = "its context cannot be made current: this thread may have a window's";
     return false;
 }
@@ -83,6 +86,7 @@ bool open(EglOwner& owner, EGLDisplay display, std::string& reason) {
 }  // namespace
 
 std::unique_ptr<Context::Owner> make_egl(std::string& reason) {
+    require_same_functions(eglGetProcAddress, "EGL");
     for (const auto display : {surfaceless_display, device_display}) {
         auto owner = std::make_unique<EglOwner>();
         if (open(*owner, display(), reason)) return owner;

@@ -1,5 +1,7 @@
 #include "gl/context_hold.h"
 
+#include <glad/gl.h>
+
 #include <mutex>
 #include <vector>
 
@@ -29,24 +31,43 @@ std::shared_ptr<Context::Owner> find(const Wanted& wanted) {
     return nullptr;
 }
 
-void require_same_functions(const Context::Owner& owner, const Context::Owner& in_use) {
-    if (owner.any_function == in_use.any_function) return;
+void* any_function(Context::GetProcAddress functions) {
+    return reinterpret_cast<void*>(functions("glDrawArrays"));
+}
+
+void require_same(void* function, const std::string& name, const Context::Owner& in_use) {
+    if (function == in_use.any_function) return;
     throw Error(Failure::no_gl, Fault{.file = "",
                                       .place = "",
-                                      .reason = owner.name() + " has other OpenGL functions than " + in_use.name() +
+                                      .reason = name + " has other OpenGL functions than " + in_use.name() +
                                                 ", which is in use; one backend per process"});
+}
+
+void require_current() {
+    const auto no_gl = [](const char* reason) {
+        return Error(Failure::no_gl, Fault{.file = "", .place = "", .reason = reason});
+    };
+    if (glad_glGetString == nullptr) throw no_gl("there is no lapfx::Context yet: it has to be made before");
+    if (glGetString(GL_VERSION) == nullptr) throw no_gl("no OpenGL context is current on this thread");
 }
 
 }  // namespace
 
+void require_same_functions(Context::GetProcAddress functions, const std::string& name) {
+    Kept& all = kept();
+    const std::lock_guard lock(all.mutex);
+    for (const auto& other : all.owners)
+        if (const auto in_use = other.lock()) require_same(any_function(functions), name, *in_use);
+}
+
 std::shared_ptr<Context::Owner> keep(std::unique_ptr<Context::Owner> owner) {
     std::shared_ptr<Context::Owner> shared = std::move(owner);
-    shared->any_function = reinterpret_cast<void*>(shared->get_proc_address()("glDrawArrays"));
+    shared->any_function = any_function(shared->get_proc_address());
     Kept& all = kept();
     const std::lock_guard lock(all.mutex);
     std::erase_if(all.owners, [](const auto& other) { return other.expired(); });
     for (const auto& other : all.owners)
-        if (const auto in_use = other.lock()) require_same_functions(*shared, *in_use);
+        if (const auto in_use = other.lock()) require_same(shared->any_function, shared->name(), *in_use);
     all.owners.push_back(shared);
     return shared;
 }
@@ -56,6 +77,7 @@ std::shared_ptr<Context::Owner> current_owner() {
 }
 
 ContextHold::ContextHold() : owner_(current_owner()) {
+    require_current();
     if (owner_ == nullptr) owner_ = find([](const Context::Owner& owner) { return owner.of_host(); });
 }
 

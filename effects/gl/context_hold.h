@@ -9,7 +9,8 @@ namespace lapfx::gl {
 class ContextHold {
   public:
     /// Holds the context of Context::create() that is current, so that it lives as long as this object. If none is, the
-    /// context is the host's, who makes it current; then only its functions stay in use.
+    /// context is the host's, who makes it current; then only its functions stay in use. Throws Error (no_gl) when no
+    /// context is current.
     ContextHold();
     ContextHold(const ContextHold&) = delete;
     ContextHold& operator=(const ContextHold&) = delete;
@@ -27,6 +28,8 @@ class ContextHold {
 /// Makes a context known to ContextHold for as long as it lives. Throws Error (no_gl) while a context is in use whose
 /// functions its own would replace: they are loaded once for the process.
 std::shared_ptr<Context::Owner> keep(std::unique_ptr<Context::Owner> owner);
+/// The same check before a context is made: making one current may take the place of a host's for good.
+void require_same_functions(Context::GetProcAddress functions, const std::string& name);
 /// The context of Context::create() that is current on this thread, or null.
 std::shared_ptr<Context::Owner> current_owner();
 

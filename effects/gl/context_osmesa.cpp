@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "gl/context_hold.h"
 #include "gl/context_owner.h"
 
 namespace lapfx::gl {
@@ -97,6 +98,7 @@ std::unique_ptr<Context::Owner> make_osmesa(std::string& reason) {
     auto owner = std::make_unique<OsmesaOwner>();
     reason = owner->osmesa.open();
     if (!reason.empty()) return nullptr;
+    require_same_functions(owner->osmesa.get_proc_address, owner->name());
     const int attributes[] = {osmesa_format,
                               format_rgba,
                               osmesa_depth_bits,

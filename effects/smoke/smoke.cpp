@@ -71,6 +71,7 @@ void Smoke::set_preset(const Preset& preset, std::span<const std::filesystem::pa
     prepare(wanted_, [&](std::size_t i) { return clips_.known_alpha(wanted_.clips[i], preset.folder, search_path); });
     clips_.set(wanted_.clips, preset.folder, search_path);
     take_wanted();
+    updated_ = true;  // new clips are asked again until they come
 }
 
 void Smoke::set_parameters(const SmokeParameters& parameters) {

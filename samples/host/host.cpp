@@ -84,14 +84,21 @@ void tell(const lapfx::Error& error) {
 /// waits.
 class PresetFile {
   public:
-    PresetFile(std::filesystem::path file, std::filesystem::path clip_folder, std::shared_ptr<lapfx::ClipCache> clips)
-        : file_(std::move(file)), folders_{std::move(clip_folder)}, clips_(std::move(clips)), written_(written()) {
+    /// Before the preset is read for the first time: what is written after that is seen.
+    PresetFile(std::filesystem::path file, std::filesystem::path clip_folder)
+        : file_(std::move(file)), folders_{std::move(clip_folder)}, read_(written({})) {}
+    void watch() {
         std::fprintf(stderr, "lapfx_host: %s may be written anew\n", file_.c_str());
         thread_ = std::jthread([this](const std::stop_token& stop) {
-            for (; !stop.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds(100)))
-                if (const auto now = written(); now != written_) written_ = now, read();
+            for (auto before = read_; !stop.stop_requested();
+                 std::this_thread::sleep_for(std::chrono::milliseconds(100))) {
+                const auto now = written(read_);
+                if (now != read_ && now == before) read_ = now, read();  // nobody writes it any more
+                before = now;
+            }
         });
     }
+    std::shared_ptr<lapfx::ClipCache> clips() const { return clips_; }
     /// What has been read and not been taken yet.
     std::optional<lapfx::Preset> take() {
         const std::unique_lock lock(mutex_, std::try_to_lock);
@@ -99,9 +106,10 @@ class PresetFile {
     }
 
   private:
-    std::filesystem::file_time_type written() const {
+    std::filesystem::file_time_type written(std::filesystem::file_time_type if_gone) const {
         std::error_code gone;  // for a moment, as some programs write
-        return std::filesystem::last_write_time(file_, gone);
+        const auto when = std::filesystem::last_write_time(file_, gone);
+        return gone ? if_gone : when;
     }
     void read() {
         try {
@@ -115,15 +123,14 @@ class PresetFile {
     }
     std::filesystem::path file_;
     std::vector<std::filesystem::path> folders_;
-    std::shared_ptr<lapfx::ClipCache> clips_;
-    std::filesystem::file_time_type written_;
+    std::shared_ptr<lapfx::ClipCache> clips_ = std::make_shared<lapfx::ClipCache>();
+    std::filesystem::file_time_type read_;  // when that was written which has been read
     std::mutex mutex_;
     std::optional<lapfx::Preset> next_;
     std::jthread thread_;
 };
 
 struct Host {
-    std::shared_ptr<lapfx::ClipCache> clips = std::make_shared<lapfx::ClipCache>();
     lapfx::Scene scene;
     glm::ivec2 size;
     bool own;
@@ -133,7 +140,7 @@ struct Host {
     GLuint program = link_program(vertex_text, "#version 450 core\n" + lapfx::bleeding_shader() + fragment_text);
     GLuint vertices = 0;
 
-    Host(char** arguments, glm::ivec2 pixels, bool wait)
+    Host(char** arguments, glm::ivec2 pixels, bool wait, const std::shared_ptr<lapfx::ClipCache>& clips)
         : scene(lapfx::load_scene(arguments[1])),
           size(pixels),
           own(std::string(arguments[4]) == "own"),
@@ -211,6 +218,7 @@ lapfx::ToolSample sample_at(const lapfx::Scene& scene, double time) {
 }
 
 void run(Host& host, PresetFile& file, GLFWwindow* window) {
+    file.watch();
     int samples = 0, frames = 0;
     glfwSetTime(0.0);
     std::jthread hand([&](const std::stop_token& stop) {  // 1 kHz, independent of frames, on the device's own clock
@@ -256,13 +264,9 @@ int main(int argc, char** argv) {
         const auto context = window != nullptr ? lapfx::Context::external(glfwGetProcAddress)
                                                : lapfx::Context::create(lapfx::Backend::osmesa);
         gladLoadGL(context.get_proc_address());
-        Host host(argv, size, window == nullptr);
-        if (window == nullptr) {
-            write_picture(host, std::atof(argv[7]));
-        } else {
-            PresetFile file(argv[2], argv[3], host.clips);
-            run(host, file, window);
-        }
+        PresetFile file(argv[2], argv[3]);
+        Host host(argv, size, window == nullptr, file.clips());
+        window != nullptr ? run(host, file, window) : write_picture(host, std::atof(argv[7]));
     } catch (const lapfx::Error& error) {
         tell(error);
         return error.failure() == lapfx::Failure::no_gl ? 77 : error.failure() == lapfx::Failure::bad_input ? 2 : 1;

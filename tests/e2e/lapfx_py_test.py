@@ -7,6 +7,7 @@ STRUCTS has a line for each struct: its name in lapfx.py, its size, the bytes of
 by PYTHONPATH.
 """
 import ctypes
+import gc
 import logging
 import os
 import sys
@@ -64,6 +65,15 @@ def check_pictures(scene, preset, clips):
         fails(lapfx.BadInput, "bytes: 4; a picture of 160x128 pixels has 81920", player.frame.read,
               out=numpy.zeros(4, numpy.uint8))
     fails(lapfx.Misuse, "effects is no lapfx_effects that lives", player.effects.seek, 0.0)
+    effects = lapfx.Player(scene, preset, size=(16, 16), clip_folders=[clips], backend="osmesa").effects
+    gc.collect()
+    assert effects.amounts().wounds >= 0, "a player that is collected leaves what the caller holds"
+    ignored = []
+    sys.unraisablehook = ignored.append
+    fails(lapfx.BadInput, "none.json", lapfx.Player, "none.json")
+    gc.collect()
+    sys.unraisablehook = sys.__unraisablehook__
+    assert not ignored, ignored
 
 
 def square(count=41, side=60.0):

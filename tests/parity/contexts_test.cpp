@@ -138,6 +138,24 @@ TEST_F(ContextsTest, OneThreadEach) {
     EXPECT_EQ(two, two_alone);
 }
 
+TEST_F(ContextsTest, WithoutAContextNothingIsMade) {
+    const Context here = Context::create(Backend::automatic);  // current on this thread, not on the other one
+    const auto refused = [](const auto& make) {
+        std::string told;
+        std::jthread([&] {
+            try {
+                make();
+            } catch (const Error& error) {
+                if (error.failure() == Failure::no_gl) told = error.what();
+            }
+        }).join();
+        return told;
+    };
+    EXPECT_THAT(refused([] { Frame(); }), testing::HasSubstr("no OpenGL context is current on this thread"));
+    EXPECT_THAT(refused([] { Effects(test::plane(20.0, 4), Preset{}); }),
+                testing::HasSubstr("no OpenGL context is current on this thread"));
+}
+
 TEST_F(ContextsTest, AContextOfAnotherThreadIsRefused) {
     const Context context = another();
     if (context.get_proc_address() != eglGetProcAddress) GTEST_SKIP() << "only EGL tells";
@@ -191,6 +209,11 @@ TEST_F(ContextsTest, AHostsContextThatWillNotDoIsRefused) {
     } catch (const Error& error) {
         EXPECT_THAT(error.what(), HasSubstr("OSMesa has other OpenGL functions than EGL, which is in use"));
     }
+    const test::HostContext host(EGL_OPENGL_API,
+                                 {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_NONE});
+    EXPECT_THROW(Context::create(Backend::osmesa), Error);
+    EXPECT_EQ(eglGetCurrentContext(), host.context);
+    EXPECT_NE(glGetString(GL_VERSION), nullptr) << "the host's context has no functions any more";
 }
 
 TEST_F(ContextsTest, ACompatibilityContextDrawsTheSame) {

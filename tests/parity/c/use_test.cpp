@@ -192,7 +192,7 @@ TEST_F(UseTest, AHostsContextHasToBeCurrent) {
     expect_ok(lapfx_context_make_current(gone));
     const lapfx_view view = from_above();
     for (const lapfx_status status : {lapfx_effects_draw_organ(other, &view), lapfx_effects_destroy(other)})
-        expect_fails(status, LAPFX_MISUSE, "a context that lapfx made is current: make the host's own current before");
+        expect_fails(status, LAPFX_MISUSE, "another context is current than when this one was made known");
     expect_ok(lapfx_context_destroy(gone));
     const std::string none = "no OpenGL context is current on this thread";
     expect_fails(lapfx_effects_draw_organ(other, &view), LAPFX_MISUSE, none);
