@@ -148,7 +148,8 @@ std::vector<HelpSection> file_sections() {
              "image, or numbered images (smoke_%04d.png).",
              "Files may come from strangers. What an organ or a preset names must be in its own folder or below, "
              "after symbolic links are followed, and is used only if it is what it should be: an image that decodes, "
-             "a clip, a mesh. A clip with a bare name is also looked up among the clips of lapfx, or in the folders "
+             "a clip, a mesh. A clip with a bare name is also looked up among the clips of lapfx, by a host in the "
+             "folders "
              "that a host sets. The organ, tool, preset and reference of a scene may be anywhere, because a person "
              "has chosen them: `lapfx inspect` says which are elsewhere, and the export of a bundle lists them and "
              "asks before it copies them. A bundle contains only what was read as such, under names that the export "

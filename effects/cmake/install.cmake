@@ -29,12 +29,16 @@ install(TARGETS lapfx_shared lapfx_in_cpp EXPORT lapfx
 install(DIRECTORY include/lapfx DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
     FILES_MATCHING PATTERN "*.h")
 install(FILES c/include/lapfx.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples/host DESTINATION ${CMAKE_INSTALL_DATADIR}/lapfx/samples
+    COMPONENT development FILES_MATCHING PATTERN "*.cpp" PATTERN "*.c" PATTERN "*.py")
 # Debian's Python looks there below /usr; elsewhere PYTHONPATH has to name it.
 install(FILES c/lapfx.py DESTINATION lib/python3/dist-packages COMPONENT python)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lapfx)
 install(EXPORT lapfx NAMESPACE lapfx:: FILE lapfxTargets.cmake DESTINATION ${package_dir} COMPONENT development)
-configure_package_config_file(cmake/lapfxConfig.cmake.in lapfxConfig.cmake INSTALL_DESTINATION ${package_dir})
+set(lapfx_data ${CMAKE_INSTALL_DATADIR}/lapfx)
+configure_package_config_file(cmake/lapfxConfig.cmake.in lapfxConfig.cmake INSTALL_DESTINATION ${package_dir}
+    PATH_VARS lapfx_data)
 write_basic_package_version_file(lapfxConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/lapfxConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/lapfxConfigVersion.cmake
     DESTINATION ${package_dir} COMPONENT development)

@@ -24,6 +24,9 @@ target_link_libraries(stereo PRIVATE lapfx::effects EGL)
 IN_C = """cmake_minimum_required(VERSION 3.25)
 project(host LANGUAGES C)
 find_package(lapfx 0.1 REQUIRED COMPONENTS c)
+if(NOT EXISTS "${{lapfx_DATA_DIR}}/presets/slow_ooze.json")
+    message(FATAL_ERROR "lapfx_DATA_DIR is ${{lapfx_DATA_DIR}}")
+endif()
 if(TARGET glm::glm)
     message(FATAL_ERROR "a host in C needs no GLM")
 endif()
@@ -117,6 +120,8 @@ def packaged(libraries, package):
     """The flags of pkg-config for what was installed, and the environment in which programs find it."""
     environment = {**os.environ, "PKG_CONFIG_PATH": os.path.join(libraries, "pkgconfig"), "LD_LIBRARY_PATH": libraries}
     assert run("pkg-config", "--modversion", package, env=environment).strip() == "0.1.0"
+    (data,) = shlex.split(run("pkg-config", "--variable=datadir", package, env=environment))
+    assert os.path.exists(os.path.join(data, "samples", "host", "host.cpp")), f"{data}: no host is there"
     return shlex.split(run("pkg-config", "--cflags", "--libs", package, env=environment)), environment
 
 

@@ -72,6 +72,7 @@ def expected_names(source, program, libraries):
         "liblapfx-dev": [f"{libraries}/liblapfx.so", f"{libraries}/pkgconfig/lapfx.pc", f"{libraries}/pkgconfig/lapfx-c.pc",
                          "include/lapfx.h",
                          *names_below(f"{source}/effects/include/lapfx", "include/lapfx", r"\.h$"),
+                         *names_below(f"{source}/samples/host", "share/lapfx/samples/host", r"\.(c|cpp|py)$"),
                          *(f"{libraries}/cmake/lapfx/lapfx{name}.cmake"
                            for name in ("Config", "ConfigVersion", "Targets", "Targets-release"))],
         "python3-lapfx": ["lib/python3/dist-packages/lapfx.py"],

@@ -21,7 +21,8 @@
 //     lapfx_effects_draw_organ(effects, &view);           // into the framebuffer that you have bound
 //     lapfx_effects_draw_smoke(effects, &view, depth);    // over the frame, after everything else
 //
-// samples/host/host.c is a whole program.
+// CMake: find_package(lapfx COMPONENTS c), target lapfx::c; or pkg-config lapfx-c. Outside of the system's folders the
+// program also needs -Wl,-rpath, or LD_LIBRARY_PATH. samples/host/host.c (below share/lapfx) is a whole program.
 //
 // UNITS. Lengths mm, times s, angles degrees, in organ space: that of the organ's positions, right-handed. Colours of a
 // lamp and of an organ are sRGB 0..1; frames are drawn in linear light. A vector is an array of 3. A matrix is an array
@@ -203,7 +204,8 @@ enum {
 
 /// The tool touches the organ from `time` for `duration`, its tip moving straight from `position` to `to`. With values
 /// that are absurd (a path over 1000 mm, a coordinate beyond 1e5 mm, a time beyond 1e7 s, a negative duration) it does
-/// nothing, and nothing is told: count seconds from the start of the exercise.
+/// nothing, and nothing is told: count seconds from the start of the exercise. A tip that is farther than 5 mm from the
+/// organ touches nothing. `to` is not `position` by default: set both, also for a tip that stands still.
 typedef struct lapfx_contact {
     size_t size;
     int action;
@@ -217,8 +219,9 @@ typedef struct lapfx_contact {
 #define LAPFX_CONTACT \
     { sizeof(lapfx_contact), LAPFX_CAUTERISE, 0.0, 1.0, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1.0, 1.0 }
 
-/// Where the tip is at one moment, and what it does there. Samples come later and later; those that touch make one
-/// contact while they are at most 0.1 s apart.
+/// Where the tip is at one moment, and what it does there. Samples come later and later; others are dropped, and
+/// counted as lost (lapfx_amounts). Those that touch, at most 0.1 s apart, make contacts: another one where the tip
+/// turns.
 typedef struct lapfx_sample {
     size_t size;
     double time;
@@ -363,7 +366,8 @@ typedef struct lapfx_memory_use {
 LAPFX_API lapfx_status lapfx_effects_create(lapfx_context* context, const lapfx_organ* organ,
                                             const lapfx_preset* preset, const lapfx_effects_options* options,
                                             lapfx_effects** effects);
-/// Live: the next frame shows it. Of a preset that cannot be used nothing is taken.
+/// Live: the next frame shows it as if it had been so from the start, so that blood which has spread already changes at
+/// once. Of a preset that cannot be used nothing is taken.
 LAPFX_API lapfx_status lapfx_effects_set_preset(lapfx_effects* effects, const lapfx_preset* preset);
 /// All contacts so far, past and running. They replace the samples that came so far.
 LAPFX_API lapfx_status lapfx_effects_set_contacts(lapfx_effects* effects, const lapfx_contact* contacts, size_t count);

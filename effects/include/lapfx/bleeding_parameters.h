@@ -6,7 +6,7 @@
 namespace lapfx {
 
 /// Blood spreading over the organ (paper: "Simulation of bleeding").
-/// Formulas: effects/bleeding/parameters.cpp.
+/// Units, ranges and meaning of each value: lapfx-preset(5), presets/REFERENCE.md.
 struct BleedingParameters {
     double speed = 4.0;
     double max_extent = 16.0;
@@ -35,7 +35,7 @@ struct BleedingParameters {
 };
 
 /// Where the organ's texture shows vessels (paper: figure 9). By default a cut bleeds where there are vessels, and more
-/// strongly where they are denser. Formulas: effects/bleeding/vessel_parameters.cpp.
+/// strongly where they are denser.
 struct VesselParameters {
     double vessel_low = 0.2;
     double vessel_high = 0.4;

@@ -6,7 +6,7 @@ namespace lapfx {
 enum class HeatModel { radial, bioheat };
 
 /// Heat under the tool (paper: "Bleeding and Smoke in a Virtual LAGB Simulator").
-/// Formulas: effects/cautery/parameters.cpp.
+/// Units, ranges and meaning of each value: lapfx-preset(5), presets/REFERENCE.md.
 struct CauteryParameters {
     HeatModel model = HeatModel::radial;
     double heat_rate = 220.0;

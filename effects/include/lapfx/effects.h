@@ -16,8 +16,10 @@
 //     effects.bind_bleeding();  // then draw, instead of draw_organ
 //     effects.draw_metal_clips(view);
 //
-// samples/host/host.cpp is a whole program that does so, samples/host/vtk.cpp is one in VTK. They draw refine(organ):
-// where triangles are longer than 2 mm (refine.h), Effects splits them for itself.
+// samples/host/host.cpp (installed below share/lapfx) is a whole program that does so, samples/host/vtk.cpp is one in
+// VTK. They draw refine(organ): where triangles are longer than 2 mm (refine.h), Effects splits them for itself.
+//
+// CMake: find_package(lapfx COMPONENTS effects), target lapfx::effects; or pkg-config lapfx, with C++20 and GLM.
 //
 // Lengths mm, times s, organ space = the space of Organ::positions. One thread: that of the context. Constructor and
 // set_preset throw lapfx::Error; seek and the draw calls are noexcept, allocate nothing in steady state (while blood
@@ -75,7 +77,7 @@ struct OrganHit {
 
 class LAPFX_API Effects {
   public:
-    /// Uploads the organ and opens the preset's clips. Throws Error.
+    /// Uploads the organ and opens the preset's clips, in the context that is current. Throws Error; no_gl if none is.
     Effects(const Organ& organ, const Preset& preset, const EffectsOptions& options = {});
     /// The same with an organ that was prepared on another thread (prepared_organ.h); only sending it to the GPU
     /// remains. Textures that another Effects has already sent are decoded again. Densities are computed again when the
@@ -85,8 +87,9 @@ class LAPFX_API Effects {
     Effects& operator=(Effects&&) noexcept;
     ~Effects();
 
-    /// Live: the next frame shows it. Throws Error for a clip that cannot be used, and keeps the previous
-    /// preset.
+    /// Live: the next frame shows it as if it had been so from the start, so that blood which has spread already
+    /// changes at once (from one moment on: set_curves()). Throws Error for a clip that cannot be used, and keeps the
+    /// previous preset.
     void set_preset(const Preset& preset);
     /// The same, but the clips that play continue: none is opened or closed, and clips of the preset with another file
     /// are ignored. This is for a preset whose clips do not exist, or have not been read yet (clip_cache.h).
@@ -100,14 +103,13 @@ class LAPFX_API Effects {
     /// the samples that the tool queue has brought so far.
     void set_contacts(std::span<const ToolContact> contacts);
     /// Factors over time on cautery power, bleeding and smoke, also for what has already happened. There are none at
-    /// first, and a simulator needs none.
+    /// first. A simulator needs them only for what changes from one moment on, such as stronger bleeding.
     void set_curves(const Curves& curves);
     /// The queue for samples of a haptic thread; seek() takes the samples that have arrived. The reference is valid as
     /// long as this Effects lives, also after a move.
     ToolQueue& tool_queue() noexcept;
     /// What has happened so far, to be saved as the events of a scene: the contacts that were set, then those that came
-    /// through the queue. effects/tool/recorder.h says how samples become contacts: a running contact grows, bad
-    /// samples are dropped. Valid until the next seek() or set_contacts().
+    /// through the queue. tool_queue.h says how samples become contacts. Valid until the next seek() or set_contacts().
     std::span<const ToolContact> contacts() const noexcept;
 
     /// Deforms the organ: new positions, mm, and unit normals for every vertex, with the same connectivity. Empty

@@ -9,9 +9,9 @@
 //     effects.draw_smoke(view, frame.depth());
 //     frame.finish(0, {.exposure = 1.9});                            // into the window
 //
-// samples/host/host.cpp is a whole program that does so. One thread: that of the context. It binds its own
-// framebuffers, program, vertex array and texture (unit 0), sets the viewport, turns scissor test, blending, depth test
-// and GL_FRAMEBUFFER_SRGB off and multisampling on, and leaves all that so.
+// samples/host/host.cpp (below share/lapfx) is a whole program that does so. One thread: that of the context. It binds
+// its own framebuffers, program, vertex array and texture (unit 0), sets the viewport, turns scissor test, blending,
+// depth test and GL_FRAMEBUFFER_SRGB off and multisampling on, and leaves all that so.
 #pragma once
 
 #include <cstdint>
@@ -31,14 +31,14 @@ struct CameraResponse {
 
 class LAPFX_API Frame {
   public:
-    /// Throws Error (runtime) when the driver does not compile its shader.
+    /// In the context that is current. Throws Error: no_gl if none is, runtime when its shader does not compile.
     Frame();
     Frame(Frame&&) noexcept;
     Frame& operator=(Frame&&) noexcept;
     ~Frame();
 
-    /// Begins a frame of `size` pixels; memory for another size is freed. Throws Error: bad_input beyond the driver's
-    /// largest size, runtime when it cannot make the frame.
+    /// Begins a frame of `size` pixels, black and as deep as can be; memory for another size is freed. Throws Error:
+    /// bad_input beyond the driver's largest size, runtime when it cannot make the frame.
     void begin(glm::ivec2 size);
     /// Call this when all tissue and instruments are drawn. It binds their resolved picture, without a depth buffer:
     /// depth() has that as a texture.

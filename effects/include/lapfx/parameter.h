@@ -40,7 +40,7 @@ enum class Scale { linear, logarithmic };
 using Value = std::variant<double, int, bool, glm::dvec3, std::string>;
 
 /// What has to be done again, besides drawing, when a value changes: bits of Parameter::redo. A row declares them once.
-/// Code that keeps results computed from values asks which bits differ (authoring/compare.h).
+/// Code that keeps results computed from values asks which bits differ.
 namespace redo {
 enum : unsigned {
     picture = 1U << 0,      ///< drawing; every row has it

@@ -4,8 +4,8 @@
 //     preset.bleeding.speed = 6.0;                                    // mm/s
 //     std::string json = lapfx::write_preset(preset);                 // its text, to be kept
 //
-// Lengths are mm, times s, colours sRGB 0..1, thresholds 8-bit levels (0 to 255). Ranges and help: the rows in
-// effects/bleeding/parameters.cpp, effects/cautery/parameters.cpp and effects/smoke/parameters.cpp.
+// Lengths are mm, times s, colours sRGB 0..1, thresholds 8-bit levels (0 to 255). Units, ranges and meaning of each
+// value: lapfx-preset(5), presets/REFERENCE.md.
 // Plain data: copy freely; no thread of its own.
 // Each part has a header of its own, which comes with this one: bleeding_parameters.h, cautery_parameters.h,
 // smoke_parameters.h.

@@ -1,6 +1,6 @@
 // How far a long task has come, and whether to continue it.
 //
-//     auto organ = lapfx::prepare_organ(scene, preset.vessels, [&](double share) { bar = share; return !cancelled; });
+//     auto organ = lapfx::prepare_organ(organ, preset.vessels, [&](double share) { bar = share; return !cancelled; });
 #pragma once
 
 #include <functional>

@@ -4,7 +4,7 @@
 //     lapfx::Scene scene = lapfx::load_scene("samples/lagb.scene.json");
 //
 // Lengths mm, angles degrees, times s from the start of the scene, y up unless the organ is rotated. Paths
-// are relative to the scene's folder (Scene::folder). Rows: effects/preset/scene.cpp. Plain data.
+// are relative to the scene's folder (Scene::folder). Each value: lapfx-scene(5). Plain data.
 #pragma once
 
 #include <filesystem>
@@ -128,8 +128,7 @@ enum class PlateFrame { clearest, chosen };
 /// How far away the tissue of the plate is taken to be.
 enum class PlateDepth { bowl, flat };
 
-/// A clear frame of the reference in place of the organ, made for the scene's camera
-/// (lapfx/authoring/prepared_scene.h).
+/// A clear frame of the reference in place of the organ, made for the scene's camera; the programs of lapfx draw it.
 struct ScenePlate {
     bool use = false;
     PlateFrame frame = PlateFrame::clearest;

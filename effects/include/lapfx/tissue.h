@@ -1,5 +1,5 @@
 // What the organ's colours show about its tissue: where vessels run and where there is fat (paper: figure 9).
-// Formulas and what they were measured on: effects/bleeding/vessel_parameters.cpp. Plain data; any thread.
+// Plain data; any thread.
 #pragma once
 
 namespace lapfx {

@@ -114,7 +114,7 @@ struct ToolContact {
     double time = 0.0;
     double duration = 1.0;
     glm::dvec3 position{0.0};
-    glm::dvec3 to{0.0};
+    glm::dvec3 to{0.0};     ///< not `position` by default: set both, also for a tip that stands still
     double power = 1.0;     ///< cautery power, 0..1
     double strength = 1.0;  ///< strength of the wound, a factor on the preset's speed
 
