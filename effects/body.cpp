@@ -4,12 +4,13 @@
 
 namespace lapfx {
 
-Body::Body(const Organ& organ, std::shared_ptr<const Foundation> foundation, glm::dvec3 down, std::uint32_t seed)
+Body::Body(const Organ& organ, std::shared_ptr<const Foundation> foundation, glm::dvec3 down, std::uint32_t seed,
+           std::shared_ptr<render::OrganPrograms> programs, render::OrganTextures textures)
     : foundation_(std::move(foundation)),
       moved_(surface()),
       vertices_(organ.positions.size()),
       bleed_gpu_(organ.positions.size(), seed, down),
-      organ_gpu_(organ, &bleed_gpu_.values(), foundation_->pixels, foundation_->unsplit),
+      organ_gpu_(organ, &bleed_gpu_.values(), std::move(programs), std::move(textures), foundation_->unsplit),
       touched_(organ.triangle_count()),
       is_touched_(vertices_, 0) {}
 

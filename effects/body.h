@@ -19,8 +19,9 @@ namespace lapfx {
 
 class Body {
   public:
-    /// Throws Error (runtime) when a shader does not compile. `down`: unit.
-    Body(const Organ& organ, std::shared_ptr<const Foundation> foundation, glm::dvec3 down, std::uint32_t seed);
+    /// `down`: unit. `programs`: for tissue. `textures`: those of the organ.
+    Body(const Organ& organ, std::shared_ptr<const Foundation> foundation, glm::dvec3 down, std::uint32_t seed,
+         std::shared_ptr<render::OrganPrograms> programs, render::OrganTextures textures);
 
     /// Parameters and densities of the simulation have changed.
     void take(const Simulation& simulation);
@@ -32,15 +33,13 @@ class Body {
     void set_color(glm::vec3 linear) { organ_gpu_.set_color(linear); }
     void set_projector(const glm::mat4& projector) { organ_gpu_.set_projector(projector); }  ///< as OrganGpu
 
+    /// For a body that is not drawn any more: frees one of its textures, which can take ms; false when none is left.
+    bool free_texture() noexcept { return organ_gpu_.free_texture(); }
     /// Sends what has changed in the simulation since the last call, and returns the bytes sent.
     std::size_t send(Simulation& simulation) noexcept;
     void draw() const noexcept;  ///< with the clips on it
-    void draw_metal_clips() const noexcept { clips_gpu_.draw(); }
+    void draw_metal_clips() const noexcept { clips_gpu_.draw(organ_gpu_.programs().clips); }
 
-    void collect(std::vector<gl::Program*>& programs) {  ///< for gl::rebuild()
-        organ_gpu_.collect(programs);
-        clips_gpu_.collect(programs);
-    }
     /// GPU memory, and what it shares with other bodies of the organ.
     MemoryUse memory_use(const Simulation& simulation) const;
     const MovedSurface& moved() const { return moved_; }

@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <future>
 #include <sstream>
 
 #include "body.h"
@@ -9,6 +10,7 @@
 #include "gl/shader_source.h"
 #include "gl/srgb.h"
 #include "gl/state_guard.h"
+#include "incoming_organ.h"
 #include "inputs.h"
 #include "lapfx/prepared_organ.h"
 #include "organ/refine.h"
@@ -17,6 +19,8 @@
 #include "smoke/smoke.h"
 
 namespace lapfx {
+
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -28,18 +32,26 @@ std::shared_ptr<const Foundation> foundation_of(organ::FineOrgan& fine, const Ve
 
 }  // namespace
 
+/// What an organ has that another one replaced.
+struct Leaving {
+    std::unique_ptr<IncomingOrgan> incoming;
+    std::unique_ptr<Simulation> simulation;
+    std::unique_ptr<Body> body;
+};
+
 struct Effects::State {
     State(const Organ& organ, const std::shared_ptr<const Foundation>& foundation, const EffectsOptions& wanted)
         : options(wanted),
-          simulation(foundation, direction_of(wanted.gravity)),
-          body(std::make_unique<Body>(organ, foundation, simulation.down(), wanted.seed)),
+          simulation(std::make_unique<Simulation>(foundation, direction_of(wanted.gravity))),
+          programs(std::make_shared<render::OrganPrograms>(true)),
+          body(make_body(organ, foundation)),
           smoke(wanted.seed, wanted.streaming, wanted.clip_cache) {}
     ~State() { context.enter(); }
 
     gl::ContextHold context;
     EffectsOptions options;
     ToolQueue queue;
-    Simulation simulation;
+    std::unique_ptr<Simulation> simulation;
     Curves curves;
     std::size_t uploaded = 0;
     Overlay overlay = Overlay::none;
@@ -47,21 +59,39 @@ struct Effects::State {
     glm::vec3 organ_color{1.0f};         // linear
     std::optional<glm::mat4> projector;  // the organ is a plate
 
+    std::shared_ptr<render::OrganPrograms> programs;
     std::unique_ptr<Body> body;
+    std::unique_ptr<IncomingOrgan> incoming;  ///< null: none
+    Leaving leaving;                          // for the next frame to free
+    std::vector<std::future<void>> freeing;   // by other threads: what is left of it
     render::ViewBlock view_block;
     smoke::Smoke smoke;
 
     void bind(const View& view) const noexcept { view_block.bind(view, projector.has_value()); }
+    std::unique_ptr<Body> make_body(const Organ& organ, const std::shared_ptr<const Foundation>& foundation) const {
+        return std::make_unique<Body>(organ, foundation, simulation->down(), options.seed, programs,
+                                      render::OrganTextures(organ, foundation->pixels));
+    }
     void show_plate(const glm::mat4& thrown) {
         projector = thrown;
         body->set_projector(thrown);
     }
     /// With the clips that play.
     void take(const Preset& preset) {
-        taken = preset;
+        if (&preset != &taken) taken = preset;
         taken.smoke = smoke.parameters();
-        simulation.set_preset(taken);
-        body->take(simulation);
+        simulation->set_preset(taken);
+        body->take(*simulation);
+    }
+    void show_incoming();
+    void free_leaving();
+    void replace_incoming();
+    /// What has no names of OpenGL.
+    template <typename T>
+    void free_beside(T gone) {
+        std::erase_if(freeing, [](const auto& one) { return one.wait_for(0s) == std::future_status::ready; });
+        freeing.push_back(
+            std::async(std::launch::async, [gone = std::move(gone)]() mutable { const T freed = std::move(gone); }));
     }
     /// The tool touches the organ in its present shape; contacts refer to the rest shape.
     void drain_queue() {
@@ -69,11 +99,40 @@ struct Effects::State {
         // Takes no more samples than there were at the beginning: the haptic thread continues.
         for (std::size_t i = 0; i < queue.capacity() && queue.pop(sample); ++i) {
             if (sample.touching) sample.position = body->moved().to_rest(sample.position);
-            simulation.add(sample);
+            simulation->add(sample);
         }
-        simulation.take_samples();
+        simulation->take_samples();
     }
 };
+
+/// What has been set while it came holds for it too.
+void Effects::State::show_incoming() {
+    leaving.simulation = std::exchange(simulation, incoming->take_simulation());
+    leaving.body = std::exchange(body, incoming->take_body());
+    if (const auto& down = leaving.simulation->down(); down != simulation->down()) simulation->set_down(down);
+    if (incoming->later_curves) simulation->set_curves(curves);
+    if (incoming->later_contacts) simulation->set_contacts(*incoming->later_contacts);
+    projector = incoming->projector();
+    leaving.incoming = std::move(incoming);
+    body->set_down(simulation->down());
+    body->set_seed(options.seed);
+    body->set_color(organ_color);
+    take(taken);
+    body->set_overlay(overlay, *simulation);
+}
+
+/// The names of OpenGL here, a part in each frame; then everything else on another thread.
+void Effects::State::free_leaving() {
+    if (leaving.body == nullptr || leaving.body->free_texture()) return;
+    leaving.body.reset();
+    free_beside(std::exchange(leaving, {}));
+}
+
+/// A call before may not have been taken yet.
+void Effects::State::replace_incoming() {
+    if (incoming && incoming->only_in_memory()) free_beside(std::move(incoming));
+    incoming.reset();
+}
 
 Effects::Effects(const Organ& organ, const Preset& preset, const EffectsOptions& options) {
     require_valid(preset);
@@ -105,27 +164,46 @@ void Effects::set_parameters(const Preset& preset) {
 
 void Effects::set_gravity(const glm::dvec3& gravity) {
     State& s = *state_;
-    s.simulation.set_down(direction_of(gravity));
+    s.simulation->set_down(direction_of(gravity));
     s.options.gravity = gravity;
-    s.body->set_down(s.simulation.down());
-    s.body->take(s.simulation);
+    s.body->set_down(s.simulation->down());
+    s.body->take(*s.simulation);
 }
 
 void Effects::set_seed(std::uint32_t seed) {
     state_->options.seed = seed;
     state_->body->set_seed(seed);
-    state_->body->take(state_->simulation);
+    state_->body->take(*state_->simulation);
     state_->smoke.set_seed(seed);
 }
 
+void Effects::set_organ(std::shared_ptr<const PreparedOrgan> organ, std::span<const ToolContact> contacts) {
+    State& s = *state_;
+    s.replace_incoming();
+    s.incoming = std::make_unique<IncomingOrgan>(std::move(organ),
+                                                 OrganHistory{.preset = s.taken,
+                                                              .contacts = {contacts.begin(), contacts.end()},
+                                                              .curves = s.curves,
+                                                              .down = s.simulation->down(),
+                                                              .seed = s.options.seed,
+                                                              .time = s.simulation->time()},
+                                                 s.programs);
+}
+
+bool Effects::organ_coming() const noexcept {
+    return state_->incoming != nullptr;
+}
+
 void Effects::set_contacts(std::span<const ToolContact> contacts) {
-    state_->simulation.set_contacts(contacts);
+    if (auto& incoming = state_->incoming) incoming->later_contacts.emplace(contacts.begin(), contacts.end());
+    state_->simulation->set_contacts(contacts);
 }
 
 void Effects::set_curves(const Curves& curves) {
     if (curves == state_->curves) return;
     state_->curves = curves;
-    state_->simulation.set_curves(curves);
+    if (auto& incoming = state_->incoming) incoming->later_curves = true;
+    state_->simulation->set_curves(curves);
 }
 
 ToolQueue& Effects::tool_queue() noexcept {
@@ -133,7 +211,7 @@ ToolQueue& Effects::tool_queue() noexcept {
 }
 
 std::span<const ToolContact> Effects::contacts() const noexcept {
-    return state_->simulation.contacts();
+    return state_->simulation->contacts();
 }
 
 void Effects::set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
@@ -152,20 +230,20 @@ void Effects::set_topology(const Organ& organ, std::span<const std::uint32_t> or
     std::vector<std::shared_ptr<const Image>> needed;  // kept until the end, so that they are decoded once
     for (const auto& one : pixels)
         if (one) needed.push_back(one->get());
-    const auto foundation = foundation_of(fine, s.simulation.preset().vessels, std::move(pixels));
-    auto body = std::make_unique<Body>(fine.organ(), foundation, s.simulation.down(), s.options.seed);
+    const auto foundation = foundation_of(fine, s.simulation->preset().vessels, std::move(pixels));
+    auto body = s.make_body(fine.organ(), foundation);
     body->set_color(s.organ_color);
     if (s.projector) body->set_projector(*s.projector);
-    s.simulation.set_surface(foundation, origin);
+    s.simulation->set_surface(foundation, origin);
     s.body = std::move(body);
-    s.body->take(s.simulation);
-    s.body->set_overlay(s.overlay, s.simulation);
+    s.body->take(*s.simulation);
+    s.body->set_overlay(s.overlay, *s.simulation);
 }
 
 void Effects::reload_shaders(const std::filesystem::path& folder) {
     gl::ShaderTrial trial(folder);
     std::vector<gl::Program*> programs;
-    state_->body->collect(programs);
+    state_->programs->collect(programs);
     state_->smoke.collect(programs);
     gl::rebuild(programs);
     trial.keep();
@@ -179,15 +257,17 @@ void Effects::set_organ_color(const glm::dvec3& color) {
 
 void Effects::set_overlay(Overlay overlay) {
     state_->overlay = overlay;
-    state_->body->set_overlay(overlay, state_->simulation);
+    state_->body->set_overlay(overlay, *state_->simulation);
 }
 
 void Effects::seek(double time) noexcept {
     state_->drain_queue();
     state_->smoke.update();
+    state_->free_leaving();
+    if (state_->incoming && state_->incoming->advance(state_->options.wait_for_clips)) state_->show_incoming();
     if (!std::isfinite(time)) return;
-    state_->simulation.seek(time);
-    state_->uploaded = state_->body->send(state_->simulation);
+    state_->simulation->seek(time);
+    state_->uploaded = state_->body->send(*state_->simulation);
 }
 
 void Effects::draw_organ(const View& view) noexcept {
@@ -206,7 +286,7 @@ void Effects::draw_smoke(const View& view, unsigned scene_depth) noexcept {
     const gl::StateGuard guard;
     state_->bind(view);
     const EffectsOptions& options = state_->options;
-    const Simulation& simulation = state_->simulation;
+    const Simulation& simulation = *state_->simulation;
     state_->smoke.draw(view,
                        {.burns = simulation.burns(),
                         .factor = simulation.emission_factor(),
@@ -228,13 +308,13 @@ void Effects::bind_bleeding() const noexcept {
 }
 
 Amounts Effects::amounts() const noexcept {
-    Amounts amounts = state_->simulation.amounts();
+    Amounts amounts = state_->simulation->amounts();
     amounts.lost_samples += state_->queue.missed();
     return amounts;
 }
 
 std::span<const WoundStatus> Effects::wounds() const noexcept {
-    return state_->simulation.bleed().wounds();
+    return state_->simulation->bleed().wounds();
 }
 
 std::span<const ClipStatus> Effects::clips() const {
@@ -253,7 +333,7 @@ bool Effects::late() const noexcept {
 }
 
 MemoryUse Effects::memory_use() const noexcept {
-    MemoryUse use = state_->body->memory_use(state_->simulation);
+    MemoryUse use = state_->body->memory_use(*state_->simulation);
     use.clips = state_->smoke.clips().memory();
     use.targets = state_->smoke.target_memory();
     return use;
@@ -264,7 +344,7 @@ std::size_t Effects::uploaded() const noexcept {
 }
 
 TissueSample Effects::tissue(const glm::dvec3& position) const noexcept {
-    return state_->simulation.density().sample(position);
+    return state_->simulation->density().sample(position);
 }
 
 std::optional<OrganHit> Effects::pick(glm::dvec3 origin, glm::dvec3 direction) const noexcept {

@@ -308,7 +308,7 @@ void Preview::set_scene(const Scene& scene) {
 void Preview::reload_shaders(const std::filesystem::path& folder) {
     State& s = *state_;
     std::vector<gl::Program*> own{&s.frame.post()};
-    if (s.tool) s.tool->collect(own);
+    if (s.tool) s.tool->programs().collect(own);
     gl::ShaderTrial trial(folder);
     std::vector<gl::Program> made;
     for (const gl::Program* program : own) made.push_back(program->rebuilt());

@@ -140,13 +140,17 @@ void add_bench(CLI::App& app) {
     };
     add_case("--first", fit_options->first, "Begin with this case");
     add_case("--last", fit_options->last, "End with this case");
-    const auto [frame, frame_options] =
-        add("frame",
-            "What 15 smoke clips add to a frame, how much they delay a haptic thread, what blood and wounds cost, and "
-            "what the "
-            "core takes of a host: memory, objects of OpenGL, threads, and the frames in which something changes",
-            bench_frame);
-    frame->add_flag("--simulation", frame_options->simulation, "Measure only what is not drawn, in a few seconds");
+    const auto [frame, frame_options] = add(
+        "frame",
+        "What 15 smoke clips add to a frame, how much they delay a haptic thread, what blood and wounds cost, and "
+        "what the core takes of a host: memory, objects of OpenGL, threads, and the frames in which something changes",
+        bench_frame);
+    auto* simulation =
+        frame->add_flag("--simulation", frame_options->simulation, "Measure only what is not drawn, in a few seconds");
+    frame
+        ->add_flag("--changes", frame_options->changes,
+                   "Measure only what the core and its changes cost a host, in two minutes")
+        ->excludes(simulation);
     const auto [measure, measure_options] =
         add("measure",
             "How far measured blood and smoke are from the true amounts, by class of picture, and how fast that is",

@@ -30,6 +30,7 @@ struct BenchOptions {
     std::string plot;                 ///< PNG that they are drawn to, unless empty
     std::string only;                 ///< the only ratio that is measured, unless empty
     bool simulation = false;          ///< measures only what is not drawn
+    bool changes = false;             ///< measures only what the core and its changes cost a host
     int rounds = 3;                   ///< rounds of each case; the best counts
     int seed = 2;                     ///< of what is drawn at random
     int first = 1, last = 1'000'000;  ///< cases that are measured, from 1 on

@@ -1,8 +1,8 @@
 // Method: the sample scene with its preset, drawn by Effects and Frame as a host does, 30 frames a second of its own
-// time; at 80x64, because what a change costs does not depend on the size and drawing varies. Two frames without a
-// change and two of which the first has one take turns; the slower of the two counts, because what a change left undone
-// the next frame does, and the difference is taken turn by turn. Before a change everything that the headers let
-// another thread do has been done: prepare_organ(), ClipCache::look_through().
+// time; at 80x64, because what a change costs does not depend on the size and drawing varies. As many frames without a
+// change as with one take turns; the slowest of them counts, because what a change left undone the next frames do, and
+// the difference is taken turn by turn. Before a change everything that the headers let another thread do has been
+// done: prepare_organ(), ClipCache::look_through().
 #include "commands/bench_changes.h"
 
 #include <glad/gl.h>
@@ -64,23 +64,22 @@ class Host {
     void prepare() { organ_ = prepare_organ(scene_, preset.vessels); }
     /// The vertices that the organ's file has, mm: splitting puts others behind them.
     std::span<const glm::vec3> given() const { return std::span(organ_->organ().positions).first(given_); }
-    /// The organ that was prepared last, as it is after the same events.
+    /// The organ that was prepared last, as it is after the same events: in this Effects, or in one made for it.
+    void set_organ() { effects->set_organ(organ_, scene_.events); }
     void show_organ() {
         effects.emplace(organ_, preset, EffectsOptions{.clip_folders = clip_folders(), .clip_cache = clips_});
         effects->set_contacts(scene_.events);
     }
-    /// The next frame, in which `change` is made first.
-    FrameTime frame(const std::function<void()>& change = [] {}) {
+    FrameTime frame(int views = 1) {
+        return frame([] {}, views);
+    }
+    /// The next frame, in which `change` is made first. `views`: how often it is drawn.
+    FrameTime frame(const std::function<void()>& change, int views = 1) {
         const double cpu = thread_seconds();
         const auto start = Clock::now();
         change();
         effects->seek(time_ += 1.0 / fps);
-        frame_.begin(size_);
-        const View view = looking();
-        effects->draw_organ(view);
-        frame_.begin_smoke();
-        effects->draw_smoke(view, frame_.depth());
-        frame_.finish(target_.framebuffer());
+        for (int i = 0; i < views; ++i) draw();
         finish_drawing();
         return {.ms = 1e3 * std::chrono::duration<double>(Clock::now() - start).count(),
                 .cpu_ms = 1e3 * (thread_seconds() - cpu)};
@@ -90,6 +89,14 @@ class Host {
     std::optional<Effects> effects;
 
   private:
+    void draw() {
+        frame_.begin(size_);
+        const View view = looking();
+        effects->draw_organ(view);
+        frame_.begin_smoke();
+        effects->draw_smoke(view, frame_.depth());
+        frame_.finish(target_.framebuffer());
+    }
     View looking() const {
         const SceneCamera& c = scene_.camera;
         const double aspect = static_cast<double>(size_.x) / size_.y;
@@ -107,6 +114,11 @@ class Host {
     glm::ivec2 size_;
     double time_ = 4.0;  // s: the scene's tool burns, and there is smoke
 };
+
+/// In which a change may still have consequences: an organ that came in parts leaves a gone one in parts.
+int frames_after(int coming) {
+    return coming > 1 ? 20 : 2;
+}
 
 /// What a host changes between two frames, one of many: `run` tells them apart.
 struct Change {
@@ -142,7 +154,8 @@ std::vector<Change> changes(Host& host) {
                  host.effects->set_preset(other);
              }},
             {"shape", moved},
-            {"organ", [&host](int) { host.show_organ(); }, [&host] { host.prepare(); }}};
+            {"organ", [&host](int) { host.set_organ(); }, [&host] { host.prepare(); }},
+            {"effects", [&host](int) { host.show_organ(); }, [&host] { host.prepare(); }}};
 }
 
 /// Of the current context. Not counted: shaders, which a program does not keep, fences, and names above 4095.
@@ -174,6 +187,16 @@ BenchRow row_of(const MemoryUse& use, int objects, int threads_more) {
                          {"threads", threads_more}}};
 }
 
+/// The same views: of one update, and of an update each. In turns, CPU time of the thread that draws.
+double two_views_over_two_frames(Host& host, int runs) {
+    std::vector<double> one, two;
+    for (int run = 0; run < runs; ++run) {
+        two.push_back(host.frame().cpu_ms + host.frame().cpu_ms);
+        one.push_back(host.frame(2).cpu_ms);
+    }
+    return median(one) / median(two);
+}
+
 }  // namespace
 
 void measure_changes(const HostFrame& target, BenchReport& report, bool short_form) {
@@ -183,15 +206,19 @@ void measure_changes(const HostFrame& target, BenchReport& report, bool short_fo
     for (int i = 0; i < extent.frames; ++i) host.frame();
     report.rows.push_back(
         row_of(host.effects->memory_use(), live_objects() - objects_before, threads() - threads_before));
+    report.ratios["two_views_over_two_frames"] = two_views_over_two_frames(host, extent.frames);
     const std::vector<Change> all = changes(host);
     Progress progress("measuring changes", static_cast<int>(all.size()) * extent.runs);
     for (const Change& change : all) {
         std::vector<double> with, without, beyond, cpu_beyond;
         for (int run = 0; run < extent.runs; ++run) {
             change.before();
-            const FrameTime first = host.frame(), second = host.frame(), still = slower(first, second);
-            const FrameTime changed = host.frame([&] { change.make(run); }), after = host.frame();
-            const FrameTime slow = slower(changed, after);
+            FrameTime slow = host.frame([&] { change.make(run); });
+            int frames = 1;
+            while (host.effects->organ_coming()) slow = slower(slow, host.frame()), ++frames;
+            for (int i = 0, left = frames_after(frames); i < left; ++i) slow = slower(slow, host.frame()), ++frames;
+            FrameTime still = host.frame();
+            while (--frames > 0) still = slower(still, host.frame());
             without.push_back(still.ms);
             with.push_back(slow.ms);
             beyond.push_back(slow.ms - still.ms);

@@ -288,13 +288,14 @@ void compare_frames(const HostFrame& host, const Played& played, BenchReport& re
 BenchReport bench_frame(const BenchOptions& options) {
     const Context context = Context::create(Backend::automatic);
     BenchReport report{.bench = "frame", .renderer = context.renderer(), .rows = {}, .ratios = {}, .table = {}};
-    measure_simulation(report, options.short_form);
+    if (!options.changes) measure_simulation(report, options.short_form);
     if (options.simulation) return report;
+    const HostFrame host;
+    measure_changes(host, report, options.short_form);
+    if (options.changes) return report;
     const Extent& extent = options.short_form ? least : whole;
     const BenchClips clips(extent.clips);
     const Played played(extent, clips);
-    const HostFrame host;
-    measure_changes(host, report, options.short_form);
     const bool real_time = HapticThread::real_time_allowed();
     Progress progress("measuring", 2 * (extent.frame_runs + 1) + extent.haptic_runs * (real_time ? 2 : 1));
     compare_frames(host, played, report, progress);

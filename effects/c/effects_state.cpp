@@ -112,6 +112,17 @@ lapfx_status ask(const char* function, lapfx_effects* effects, const Body& body)
     });
 }
 
+/// Into the object's own, which it keeps.
+void take_contacts(EffectsObject& object, const lapfx_contact* contacts, std::size_t count) {
+    at_most("count", count, 1U << 24);
+    if (count > 0) given(contacts, "contacts");
+    object.contacts.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+        check_contact(contacts[i], i);
+        object.contacts.push_back(contact_of(contacts[i]));
+    }
+}
+
 }  // namespace
 }  // namespace lapfx::c
 
@@ -119,15 +130,26 @@ using namespace lapfx::c;
 
 lapfx_status lapfx_effects_set_contacts(lapfx_effects* effects, const lapfx_contact* contacts, size_t count) {
     return change(__func__, effects, [&](EffectsObject& object) {
-        at_most("count", count, 1U << 24);
-        if (count > 0) given(contacts, "contacts");
-        object.contacts.clear();
-        for (std::size_t i = 0; i < count; ++i) {
-            check_contact(contacts[i], i);
-            object.contacts.push_back(contact_of(contacts[i]));
-        }
+        take_contacts(object, contacts, count);
         object.effects.set_contacts(object.contacts);
     });
+}
+
+lapfx_status lapfx_effects_set_organ(lapfx_effects* effects, const lapfx_organ* organ, const lapfx_contact* contacts,
+                                     size_t count) {
+    return change(__func__, effects, [&](EffectsObject& object) {
+        const Held<OrganObject> of(organ, "organ");
+        if (!of->prepared)
+            throw Misuse("organ: it has not been prepared; call lapfx_organ_prepare before, on another thread");
+        take_contacts(object, contacts, count);
+        object.effects.set_organ(of->prepared, object.contacts);
+        object.coming_vertices = of->organ.positions.size();
+    });
+}
+
+lapfx_status lapfx_effects_get_organ_coming(lapfx_effects* effects, int* coming) {
+    return ask(__func__, effects,
+               [&](const lapfx::Effects& e) { *given(coming, "coming") = e.organ_coming() ? 1 : 0; });
 }
 
 lapfx_status lapfx_effects_push_sample(lapfx_effects* effects, const lapfx_sample* sample) {
@@ -176,6 +198,7 @@ lapfx_status lapfx_effects_seek(lapfx_effects* effects, double time) {
     return change(__func__, effects, [&](EffectsObject& object) {
         finite("time", time);
         object.effects.seek(time);
+        if (!object.effects.organ_coming()) object.vertices = object.coming_vertices;
     });
 }
 

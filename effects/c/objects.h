@@ -72,10 +72,11 @@ struct EffectsObject : Object {
     using Handle = lapfx_effects;
     static constexpr Kind kind = Kind::effects;
     EffectsObject(std::shared_ptr<SharedContext> context, Effects made, std::size_t vertex_count)
-        : shared(std::move(context)), effects(std::move(made)), vertices(vertex_count) {}
+        : shared(std::move(context)), effects(std::move(made)), vertices(vertex_count), coming_vertices(vertex_count) {}
     std::shared_ptr<SharedContext> shared;  // before what is made in it
     Effects effects;
     std::size_t vertices;               ///< of the organ as it was given
+    std::size_t coming_vertices;        ///< the same, of the organ that comes
     std::vector<ToolContact> contacts;  // kept, so that setting them allocates nothing
 };
 

@@ -72,6 +72,11 @@ void Texture::upload(GLenum format, const void* pixels, int layer) const {
         glTextureSubImage2D(name(), 0, 0, 0, size_.x, size_.y, format, GL_UNSIGNED_BYTE, pixels);
 }
 
+void Texture::upload_rows(GLenum format, const void* pixels, const LevelRows& rows) const {
+    const UnpackGuard guard;
+    glTextureSubImage2D(name(), rows.level, 0, rows.begin, rows.width, rows.count, format, GL_UNSIGNED_BYTE, pixels);
+}
+
 void Texture::generate_mipmaps() const {
     glGenerateTextureMipmap(name());
 }

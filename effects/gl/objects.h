@@ -70,6 +70,13 @@ struct TextureDescription {
     GLenum wrap = GL_CLAMP_TO_EDGE;
 };
 
+/// Rows of a mip level, from the top.
+struct LevelRows {
+    int level = 0;
+    int width = 1;  ///< of the level
+    int begin = 0, count = 1;
+};
+
 class Texture {
   public:
     Texture() = default;
@@ -78,6 +85,7 @@ class Texture {
     /// Level 0 (of a layer of an array), bytes, rows from the top, tightly packed. Leaves the host's unpacking state as
     /// it was.
     void upload(GLenum format, const void* pixels, int layer = 0) const;
+    void upload_rows(GLenum format, const void* pixels, const LevelRows& rows) const;
     void generate_mipmaps() const;
     GLuint name() const { return name_.get(); }
     glm::ivec2 size() const { return size_; }

@@ -13,8 +13,6 @@ constexpr GLuint first_of_instance = 2;  // attributes: position and normal, the
 
 }  // namespace
 
-ClipsGpu::ClipsGpu() : program_("clip.vert", "clip.frag") {}
-
 void ClipsGpu::make_mesh(double length) {
     const ClipMesh mesh = clip_mesh(length);
     positions_ = gl::Buffer(std::span(mesh.positions));
@@ -51,7 +49,7 @@ std::size_t ClipsGpu::memory() const {
     return positions_.size() + normals_.size() + indices_.size() + instances_.size();
 }
 
-void ClipsGpu::draw() const noexcept {
+void ClipsGpu::draw(const gl::Program& program) const noexcept {
     if (poses_.empty()) return;
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
@@ -59,7 +57,7 @@ void ClipsGpu::draw() const noexcept {
     glDisable(GL_BLEND);
     glEnable(GL_CULL_FACE);
     glBindVertexArray(vertex_array_.name());
-    program_.use();
+    program.use();
     glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(poses_.size()));
 }
 

@@ -12,20 +12,14 @@ namespace lapfx::render {
 
 class ClipsGpu {
   public:
-    /// Throws Error (runtime) when the shader does not compile.
-    ClipsGpu();
-
     /// Sets the clips to draw. `length`: mm. Sends only what has changed, and gives the bytes sent.
     std::size_t set(std::span<const cautery::ClipPose> poses, double length);
-    void draw() const noexcept;
-
-    void collect(std::vector<gl::Program*>& programs) { programs.push_back(&program_); }  ///< for gl::rebuild()
-    std::size_t memory() const;                                                           ///< bytes on the GPU
+    void draw(const gl::Program& program) const noexcept;
+    std::size_t memory() const;  ///< bytes on the GPU
 
   private:
     void make_mesh(double length);
 
-    gl::Program program_;
     gl::VertexArray vertex_array_;
     gl::Buffer positions_, normals_, indices_, instances_;
     std::vector<cautery::ClipPose> poses_;

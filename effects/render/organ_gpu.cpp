@@ -1,8 +1,6 @@
 #include "render/organ_gpu.h"
 
-#include <algorithm>
 #include <array>
-#include <memory>
 
 namespace lapfx::render {
 
@@ -12,25 +10,6 @@ gl::Texture one_texel(std::array<std::uint8_t, 4> value) {
     gl::Texture texture({.wrap = GL_REPEAT});
     texture.upload(GL_RGBA, value.data());
     return texture;
-}
-
-gl::Texture upload(const Image& image, GLenum format) {
-    const glm::ivec2 size(image.width, image.height);
-    gl::Texture texture({.size = size, .format = format, .levels = gl::level_count(size), .wrap = GL_REPEAT});
-    texture.upload(GL_RGBA, image.pixels.data());
-    texture.generate_mipmaps();
-    return texture;
-}
-
-/// An image and its bytes, which may be elsewhere.
-std::shared_ptr<const Image> whole_image(const Organ& organ, const organ::PixelList& pixels, std::size_t i) {
-    const bool apart = organ.images[i].pixels.empty() && i < pixels.size() && pixels[i] != nullptr;
-    return apart ? pixels[i]->get() : std::shared_ptr<const Image>(std::shared_ptr<const Image>(), &organ.images[i]);
-}
-
-bool has_bytes(const Image& image) {
-    return image.width > 0 && image.height > 0 &&
-           image.pixels.size() == 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
 }
 
 template <typename T>
@@ -46,13 +25,27 @@ void draw_triangles(std::size_t begin, std::size_t end) noexcept {
 
 }  // namespace
 
+OrganPrograms::OrganPrograms(bool tissue)
+    : plain("organ.vert", "organ.frag"),
+      wounded(tissue ? gl::Program("wounded.vert", "wounded.frag") : gl::Program()),
+      clips(tissue ? gl::Program("clip.vert", "clip.frag") : gl::Program()) {}
+
+void OrganPrograms::collect(std::vector<gl::Program*>& programs) {
+    programs.insert(programs.end(), {&plain, &wounded, &clips});
+}
+
 OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed, const organ::PixelList& pixels,
                    const organ::Unsplit& unsplit)
-    : plain_("organ.vert", "organ.frag"),
-      wounded_(bleed != nullptr ? gl::Program("wounded.vert", "wounded.frag") : gl::Program()),
+    : OrganGpu(organ, bleed, std::make_shared<OrganPrograms>(bleed != nullptr), OrganTextures(organ, pixels), unsplit) {
+}
+
+OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed, std::shared_ptr<OrganPrograms> programs,
+                   OrganTextures textures, const organ::Unsplit& unsplit)
+    : programs_(std::move(programs)),
       marks_(buffer_of(std::vector<glm::vec2>(organ.positions.size(), glm::vec2(0.0f)))),
       indices_(buffer_of(organ.indices)),
       unsplit_indices_(buffer_of(unsplit.indices)),
+      textures_(std::move(textures)),
       white_(one_texel({255, 255, 255, 255})),
       flat_(one_texel({128, 128, 255, 255})),
       parts_(organ.parts),
@@ -70,32 +63,18 @@ OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed, const organ::Pix
     vertex_array_.attribute(6, marks_, 2);
     vertex_array_.attribute(7, vertices_[0], 3);
     vertex_array_.attribute(8, marks_, 2);  // until densities exist
-    upload_textures(organ, pixels);
+    take_materials(organ);
 }
 
-void OrganGpu::upload_textures(const Organ& organ, const organ::PixelList& pixels) {
-    // A base-colour image is sRGB and a normal map is not; an image used as both is sent twice but decoded once.
-    std::vector<GLuint> color(organ.images.size(), white_.name()), normal(organ.images.size(), flat_.name());
-    for (std::size_t i = 0; i < organ.images.size(); ++i) {
-        const auto is_used = [&](int lapfx::Material::*as) {
-            return std::ranges::any_of(organ.materials, [&](const lapfx::Material& m) { return m.*as == int(i); });
-        };
-        const bool as_color = is_used(&lapfx::Material::base_color_image);
-        const bool as_normal = is_used(&lapfx::Material::normal_image);
-        if (!as_color && !as_normal) continue;
-        const std::shared_ptr<const Image> image = whole_image(organ, pixels, i);
-        if (!has_bytes(*image)) continue;
-        const auto send = [&](GLenum format) { return textures_.emplace_back(upload(*image, format)).name(); };
-        if (as_color) color[i] = send(GL_SRGB8_ALPHA8);
-        if (as_normal) normal[i] = send(GL_RGBA8);
-    }
-    const auto texture = [](int image, const std::vector<GLuint>& known, const gl::Texture& none) {
-        return image < 0 ? none.name() : known[static_cast<std::size_t>(image)];
+void OrganGpu::take_materials(const Organ& organ) {
+    const auto texture = [&](int image, bool color, const gl::Texture& none) {
+        const GLuint name = textures_.find(image, color);
+        return name != 0 ? name : none.name();
     };
     for (const lapfx::Material& m : organ.materials)
         materials_.push_back({.image = m.base_color_image,
-                              .base_color = texture(m.base_color_image, color, white_),
-                              .normal_map = texture(m.normal_image, normal, flat_),
+                              .base_color = texture(m.base_color_image, true, white_),
+                              .normal_map = texture(m.normal_image, false, flat_),
                               .density = white_.name(),
                               .factor = m.base_color,
                               .roughness = m.roughness,
@@ -111,18 +90,12 @@ std::size_t OrganGpu::geometry_memory() const {
 }
 
 std::size_t OrganGpu::texture_memory() const {
-    std::size_t bytes = 0;
+    std::size_t bytes = textures_.memory();
     const auto pixels = [](const gl::Texture& texture) {
         return static_cast<std::size_t>(texture.size().x) * static_cast<std::size_t>(texture.size().y) * 4 / 3;
     };  // including mip levels
-    for (const gl::Texture& texture : textures_) bytes += pixels(texture) * 4;
     for (const gl::Texture& texture : densities_) bytes += pixels(texture) * 2;
     return bytes;
-}
-
-void OrganGpu::collect(std::vector<gl::Program*>& programs) {
-    programs.push_back(&plain_);
-    programs.push_back(&wounded_);
 }
 
 std::size_t OrganGpu::send_marks(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept {
@@ -174,16 +147,16 @@ void OrganGpu::draw(const glm::mat4& model, const TouchedTriangles* touched) con
     // Noise is most of the cost of a pixel, and most of an organ has neither blood nor char. So the wounded program
     // draws the triangles with blood or char, and the plain program draws all: a pixel that is already drawn has the
     // same depth, or one in front (draw_plain), and is not shaded again.
-    if (wounded_.name() != 0) draw_wounded(model, touched);
+    if (programs_->wounded.name() != 0) draw_wounded(model, touched);
     draw_plain(model);
 }
 
 void OrganGpu::draw_wounded(const glm::mat4& model, const TouchedTriangles* touched) const noexcept {
     vertex_array_.indices(indices_);
-    use(wounded_, model);
+    use(programs_->wounded, model);
     for (const Part& part : parts_) {
         const std::size_t begin = part.first_index / 3, end = begin + part.index_count / 3;
-        use(wounded_, part);
+        use(programs_->wounded, part);
         if (touched == nullptr)
             draw_triangles(begin, end);
         else
@@ -201,9 +174,9 @@ void OrganGpu::draw_plain(const glm::mat4& model) const noexcept {
         glPolygonOffset(0.01f, 4.0f);  // a hundredth of a pixel, and of the depth's last places
     }
     vertex_array_.indices(unsplit ? unsplit_indices_ : indices_);
-    use(plain_, model);
+    use(programs_->plain, model);
     for (const Part& part : unsplit ? unsplit_parts_ : parts_) {
-        use(plain_, part);
+        use(programs_->plain, part);
         draw_triangles(part.first_index / 3, (part.first_index + part.index_count) / 3);
     }
     glDisable(GL_POLYGON_OFFSET_FILL);

@@ -1,6 +1,7 @@
 // An organ on the GPU and its shader. Render thread, context current; the view block bound at 0, bleeding's at 1.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "organ/changed_vertices.h"
 #include "organ/pixels.h"
 #include "organ/refine.h"
+#include "render/organ_textures.h"
 #include "render/touched_triangles.h"
 
 namespace lapfx::render {
@@ -21,6 +23,15 @@ struct DensityPicture {
     std::span<const glm::u8vec2> values;  ///< rows from the top
 };
 
+/// What organs are drawn with; any number of organs may share them.
+struct OrganPrograms {
+    /// `tissue`: false for an instrument, which has neither blood nor metal clips. Throws Error (runtime) when a shader
+    /// does not compile.
+    explicit OrganPrograms(bool tissue);
+    void collect(std::vector<gl::Program*>& programs);  ///< for gl::rebuild()
+    gl::Program plain, wounded, clips;
+};
+
 class OrganGpu {
   public:
     /// Uploads vertices and textures. `bleed` is attribute 5 (mm and clot, per organ vertex); null for an instrument,
@@ -28,6 +39,9 @@ class OrganGpu {
     /// splitting. Throws Error (runtime) when the shader does not compile.
     OrganGpu(const Organ& organ, const gl::Buffer* bleed, const organ::PixelList& pixels = {},
              const organ::Unsplit& unsplit = {});
+    /// The same with programs and textures that exist.
+    OrganGpu(const Organ& organ, const gl::Buffer* bleed, std::shared_ptr<OrganPrograms> programs,
+             OrganTextures textures, const organ::Unsplit& unsplit);
 
     /// Sends the runs of `values` (per vertex: char and divided, 0..1) that have changed;
     /// bytes sent.
@@ -43,10 +57,10 @@ class OrganGpu {
     void set_projector(const glm::mat4& projector) { projector_ = projector; }
     /// Multiplies the colours of all materials; linear.
     void set_color(glm::vec3 color) { color_ = color; }
-    std::size_t geometry_memory() const;  ///< bytes on the GPU
-    std::size_t texture_memory() const;   ///< bytes on the GPU
-    /// All of its programs, for gl::rebuild().
-    void collect(std::vector<gl::Program*>& programs);
+    std::size_t geometry_memory() const;                           ///< bytes on the GPU
+    std::size_t texture_memory() const;                            ///< bytes on the GPU
+    bool free_texture() noexcept { return textures_.free_one(); }  ///< as Body's
+    OrganPrograms& programs() const { return *programs_; }
     /// `model`: organ space to scene space, rigid. `touched`: all triangles with blood or marks; null: any may have
     /// some.
     void draw(const glm::mat4& model, const TouchedTriangles* touched = nullptr) const noexcept;
@@ -59,19 +73,19 @@ class OrganGpu {
         float roughness, normal_scale;
         bool double_sided;
     };
-    void upload_textures(const Organ& organ, const organ::PixelList& pixels);
+    void take_materials(const Organ& organ);
     void use(const gl::Program& program, const glm::mat4& model) const noexcept;
     void use(const gl::Program& program, const Part& part) const noexcept;
     void draw_wounded(const glm::mat4& model, const TouchedTriangles* touched) const noexcept;
     void draw_plain(const glm::mat4& model) const noexcept;
 
-    gl::Program plain_, wounded_;
+    std::shared_ptr<OrganPrograms> programs_;
     gl::VertexArray vertex_array_;
     std::vector<gl::Buffer> vertices_;
     gl::Buffer marks_;
     gl::Buffer rest_;  // positions at rest, once the organ has moved
     gl::Buffer indices_, unsplit_indices_;
-    std::vector<gl::Texture> textures_;
+    OrganTextures textures_;
     std::vector<gl::Texture> densities_;  // per image, made when an overlay first needs them
     gl::Buffer vertex_density_;
     Overlay overlay_ = Overlay::none;

@@ -10,13 +10,14 @@ import sys
 import tempfile
 
 FFMPEG = {"smoke_ours_over_ffmpeg_2", "smoke_ours_over_ffmpeg_decoding_2", "decode_over_ffmpeg"}
-CHANGES = ("values", "keying", "clips", "shape", "organ")
+CHANGES = ("values", "keying", "clips", "shape", "organ", "effects")
 BENCHES = {
     "bleeding": {"bleeding_1m_over_10k", "bleeding_bytes_1m_over_10k", "bleeding_1m_over_sweep"},
     "editor": {"editor_ui_over_scene", "drag_over_idle", "drag_over_still"},
     "fit": {"curves_close"},
     "frame": {"frame_15_over_0", "frame_15_over_0_light_scene", "haptic_lateness_with_over_without",
-              "haptic_lateness_with_over_without_ordinary", "sample_cost_10min_over_10s", "simulation_over_real_time"}
+              "haptic_lateness_with_over_without_ordinary", "sample_cost_10min_over_10s", "simulation_over_real_time",
+              "two_views_over_two_frames"}
              | {f"hitch_{change}_over_16ms" for change in CHANGES},
     "measure": {"measure_over_playback_720x480", "classes_within_bounds"},
     "streaming": {"smoke_ours_over_paper_15", "smoke_ours_over_paper_same_resolution_15",

@@ -92,7 +92,9 @@ class LeaksTest : public testing::Test {
         if (turn % 2 == 0) effects->set_overlay(Overlay::vessels);
         if (turn % 5 == 0)
             effects->set_topology(test::plane(20.0, 4), std::vector<std::uint32_t>(25, Effects::new_vertex));
+        if (turn % 4 == 1) effects->set_organ(organ);  // comes and goes
         draw(*effects, *frame);
+        if (turn % 8 == 1) effects->set_organ(organ);  // is on its way when all ends
         EXPECT_GT(live(in->context).at("Textures"), 10);
         return {{in, std::const_pointer_cast<PreparedOrgan>(organ)}, {in, context}, {in, effects}, {in, frame}};
     }

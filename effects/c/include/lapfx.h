@@ -371,13 +371,22 @@ LAPFX_API lapfx_status lapfx_effects_create(lapfx_context* context, const lapfx_
 LAPFX_API lapfx_status lapfx_effects_set_preset(lapfx_effects* effects, const lapfx_preset* preset);
 /// All contacts so far, past and running. They replace the samples that came so far.
 LAPFX_API lapfx_status lapfx_effects_set_contacts(lapfx_effects* effects, const lapfx_contact* contacts, size_t count);
+/// Another organ takes the place of this one, and `contacts` are all that has happened to it so far. It has to be
+/// prepared (lapfx_organ_prepare, on another thread). No frame takes long: the rest is done on another thread and, a
+/// part in each lapfx_effects_seek, on the GPU. Until the organ is there, the present one is shown, and samples are for
+/// that; what is set meanwhile holds for both. The seek that shows it ends lapfx_effects_get_organ_coming; from then on
+/// the bleed buffer and the number of vertices are the new organ's, which is at rest.
+LAPFX_API lapfx_status lapfx_effects_set_organ(lapfx_effects* effects, const lapfx_organ* organ,
+                                               const lapfx_contact* contacts, size_t count);
+/// 1 until the organ of lapfx_effects_set_organ is shown, else 0.
+LAPFX_API lapfx_status lapfx_effects_get_organ_coming(lapfx_effects* effects, int* coming);
 /// One thread, any: wait-free, allocates nothing unless it fails. LAPFX_RUNTIME when the queue is full (8192 samples):
 /// the sample is lost, and not logged. A sample that touches nothing costs nothing.
 LAPFX_API lapfx_status lapfx_effects_push_sample(lapfx_effects* effects, const lapfx_sample* sample);
 /// The curves of a scene: factors over time. NULL: none, as at first.
 LAPFX_API lapfx_status lapfx_effects_set_curves(lapfx_effects* effects, const lapfx_scene* scene);
-/// Deforms the organ: 3 floats for each vertex of the organ that the effects were made of (lapfx_organ_get_data), mm,
-/// at most 1e9. `normals` may be NULL: computed.
+/// Deforms the organ: 3 floats for each vertex of the organ that is shown (lapfx_organ_get_data), mm, at most 1e9.
+/// `normals` may be NULL: computed.
 LAPFX_API lapfx_status lapfx_effects_set_shape(lapfx_effects* effects, size_t vertex_count, const float* positions,
                                                const float* normals);
 LAPFX_API lapfx_status lapfx_effects_set_gravity(lapfx_effects* effects, const double gravity[3]);

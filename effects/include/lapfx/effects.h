@@ -79,9 +79,10 @@ class LAPFX_API Effects {
   public:
     /// Uploads the organ and opens the preset's clips, in the context that is current. Throws Error; no_gl if none is.
     Effects(const Organ& organ, const Preset& preset, const EffectsOptions& options = {});
-    /// The same with an organ that was prepared on another thread (prepared_organ.h); only sending it to the GPU
-    /// remains. Textures that another Effects has already sent are decoded again. Densities are computed again when the
-    /// preset has other vessel parameters than the organ was prepared with.
+    /// The same with an organ that was prepared on another thread (prepared_organ.h); mip levels and sending it to the
+    /// GPU remain, and take long: while frames are drawn, set_organ() brings another one. Textures that another Effects
+    /// has already sent are decoded again. Densities are computed again when the preset has other vessel parameters
+    /// than the organ was prepared with.
     Effects(std::shared_ptr<const PreparedOrgan> organ, const Preset& preset, const EffectsOptions& options = {});
     Effects(Effects&&) noexcept;
     Effects& operator=(Effects&&) noexcept;
@@ -133,6 +134,16 @@ class LAPFX_API Effects {
     void set_topology(const Organ& organ, std::span<const std::uint32_t> origin);
     static constexpr std::uint32_t new_vertex = 0xffffffff;
 
+    /// Another organ takes the place of this one, and `contacts` are all that has happened to it so far. It comes
+    /// without a frame that takes long: its mip levels and the simulation of `contacts` are made on another thread, and
+    /// each seek() sends a part of it to the GPU. Until all is there, within half a second for a large organ, the
+    /// present organ is shown, and samples of the tool are for it; what is set meanwhile holds for both. The seek()
+    /// that shows it ends organ_coming(); from then on buffer names and the number of vertices are those of the new
+    /// organ, and it is at rest. With EffectsOptions::wait_for_clips that is the next one. A second call replaces an
+    /// organ that is still coming.
+    void set_organ(std::shared_ptr<const PreparedOrgan> organ, std::span<const ToolContact> contacts = {});
+    bool organ_coming() const noexcept;
+
     /// For editors, while somebody works on shaders: compiles all programs from the files in `folder`; a file that is
     /// missing there comes from the built-in ones. The new programs replace the previous ones, also for every Effects
     /// that this process makes later. Throws Error (runtime) with file and line, and then changes nothing.
@@ -158,9 +169,10 @@ class LAPFX_API Effects {
 
     /// For a host's own organ shader: the GL buffer of bleed value (mm; it continues below 0, for the noise) and clot
     /// (0..1), one vec2 per organ vertex in the order of Organ::positions. The vertices that refine() adds to a coarse
-    /// organ follow. seek() updates it. The name is valid until set_topology() or the end of this object; do not write
-    /// to it. It belongs in the vertex array that the organ is drawn with; a toolkit that makes its vertex arrays anew
-    /// needs it there again, and may neither reorder, join, shift nor scale vertices.
+    /// organ follow. seek() updates it. The name is valid until set_topology(), until an organ of set_organ() is
+    /// shown, or the end of this object; do not write to it. It belongs in the vertex array that the organ is drawn
+    /// with; a toolkit that makes its vertex arrays anew needs it there again, and may neither reorder, join, shift nor
+    /// scale vertices.
     unsigned bleed_buffer() const noexcept;
     /// Binds the uniform block that bleeding_shader() reads at uniform binding 1, and leaves it bound. Unlike the draw
     /// calls it changes the host's state on purpose.

@@ -1,14 +1,15 @@
 // An organ prepared for the effects: its surface is joined, and its vessels and fat are found. That takes long and
-// needs no OpenGL, so another thread than the drawing one can do it; only sending the organ to the GPU remains.
-// Textures that were sent before are decoded again, and so are all textures when a preset has other vessel parameters
-// than the organ was prepared with.
+// needs no OpenGL, so another thread than the drawing one can do it; mip levels and sending the organ to the GPU
+// remain. Textures that were sent before are decoded again, and so are all textures when a preset has other vessel
+// parameters than the organ was prepared with.
 //
 //     auto coming = std::async(std::launch::async,
 //                              [=] { return lapfx::prepare_organ(lapfx::load_organ("liver.glb"), preset.vessels); });
-//     ...                                                       // the render thread continues with the previous organ
-//     effects = lapfx::Effects(coming.get(), preset, options);  // render thread
+//     ...                                   // the render thread continues with the previous organ
+//     effects.set_organ(coming.get());      // render thread; a part of it in each seek()
 //
-// It never changes: any number of Effects on any threads may share one.
+// The first organ of all is for the constructor of Effects. A PreparedOrgan never changes: any number of Effects on any
+// threads may share one.
 #pragma once
 
 #include <memory>

@@ -73,6 +73,8 @@ TEST_F(MisuseTest, NullIsNoArgument) {
     expect_fails(lapfx_preset_load("a.json", nullptr), LAPFX_MISUSE, "preset is NULL");
     expect_fails(lapfx_effects_draw_organ(effects, nullptr), LAPFX_MISUSE, "view is NULL");
     expect_fails(lapfx_effects_set_contacts(effects, nullptr, 1), LAPFX_MISUSE, "contacts is NULL");
+    expect_fails(lapfx_effects_set_organ(effects, nullptr, nullptr, 0), LAPFX_MISUSE, "organ");
+    expect_fails(lapfx_effects_get_organ_coming(effects, nullptr), LAPFX_MISUSE, "coming is NULL");
     expect_fails(lapfx_effects_set_shape(effects, 1681, nullptr, nullptr), LAPFX_MISUSE, "positions is NULL");
     expect_fails(lapfx_effects_set_gravity(effects, nullptr), LAPFX_MISUSE, "gravity is NULL");
     expect_fails(lapfx_context_external(nullptr, &context), LAPFX_MISUSE, "get_proc_address is NULL");
@@ -177,6 +179,7 @@ TEST_F(MisuseTest, ValuesAreToldWithWhatIsAllowed) {
                  "index: 0 is not below 0, the number of wounds");
     std::vector<float> positions(std::size_t{3} * 41 * 41);
     positions[10] = nan;
+    expect_fails(lapfx_effects_set_organ(effects, organ, nullptr, 0), LAPFX_MISUSE, "call lapfx_organ_prepare before");
     expect_fails(lapfx_effects_set_shape(effects, 5, positions.data(), nullptr), LAPFX_BAD_INPUT,
                  "vertex_count: 5; the organ has 1681 vertices");
     expect_fails(lapfx_effects_set_shape(effects, 1681, positions.data(), nullptr), LAPFX_BAD_INPUT,

@@ -4,6 +4,7 @@
 
 #include "parity/allocations.h"
 #include "parity/c/c_fixture.h"
+#include "support/wait_until.h"
 
 namespace lapfx::test {
 namespace {
@@ -70,6 +71,48 @@ TEST_F(UseTest, APreparedOrganGivesTheSamePicture) {
     expect_ok(lapfx_organ_destroy(prepared));
     EXPECT_EQ(picture(other, frame, from_above()), picture()) << "effects need no organ any more";
     expect_ok(lapfx_effects_destroy(other));
+}
+
+TEST_F(UseTest, AnotherOrganTakesThePlaceOfTheFirst) {
+    static const Organ small = plane(30.0, 20);
+    lapfx_mesh mesh = LAPFX_MESH;
+    mesh.vertex_count = small.positions.size();
+    mesh.positions = &small.positions.data()->x;
+    mesh.index_count = small.indices.size();
+    mesh.indices = small.indices.data();
+    lapfx_organ* other = nullptr;
+    lapfx_effects* direct = nullptr;
+    expect_ok(lapfx_organ_create(&mesh, &other));
+    expect_ok(lapfx_organ_prepare(other, preset));
+    expect_ok(lapfx_effects_create(context, other, preset, nullptr, &direct));
+    lapfx_contact contact = LAPFX_CONTACT;
+    contact.action = LAPFX_CUT;
+    contact.to[0] = 10;
+    expect_ok(lapfx_effects_set_contacts(direct, &contact, 1));
+    expect_ok(lapfx_effects_seek(direct, 3.0));
+
+    int coming = 2;
+    expect_ok(lapfx_effects_get_organ_coming(effects, &coming));
+    EXPECT_EQ(coming, 0);
+    expect_ok(lapfx_effects_seek(effects, 3.0));
+    const std::vector<std::uint8_t> before = picture();
+    std::vector<float> shape(3 * small.positions.size(), 0.0f);
+    expect_ok(lapfx_effects_set_organ(effects, other, &contact, 1));
+    expect_ok(lapfx_effects_get_organ_coming(effects, &coming));
+    EXPECT_EQ(coming, 1);
+    EXPECT_EQ(picture(), before);
+    expect_fails(lapfx_effects_set_shape(effects, small.positions.size(), shape.data(), nullptr), LAPFX_BAD_INPUT,
+                 "the organ has 1681 vertices");
+    EXPECT_TRUE(test::wait_until([&] { return coming == 0; },
+                                 [&] {
+                                     expect_ok(lapfx_effects_seek(effects, 3.0));
+                                     expect_ok(lapfx_effects_get_organ_coming(effects, &coming));
+                                 }));
+    EXPECT_NE(picture(), before);
+    EXPECT_EQ(picture(), picture(direct, frame, from_above()));
+    expect_ok(lapfx_effects_set_shape(effects, small.positions.size(), shape.data(), nullptr));
+    expect_ok(lapfx_organ_destroy(other));
+    expect_ok(lapfx_effects_destroy(direct));
 }
 
 TEST_F(UseTest, ACoarseOrganIsRefined) {
