@@ -4,6 +4,7 @@
 #include <cmath>
 #include <future>
 #include <sstream>
+#include <system_error>
 
 #include "body.h"
 #include "gl/context_hold.h"
@@ -90,8 +91,12 @@ struct Effects::State {
     template <typename T>
     void free_beside(T gone) {
         std::erase_if(freeing, [](const auto& one) { return one.wait_for(0s) == std::future_status::ready; });
-        freeing.push_back(
-            std::async(std::launch::async, [gone = std::move(gone)]() mutable { const T freed = std::move(gone); }));
+        try {
+            freeing.push_back(std::async(std::launch::async,
+                                         [gone = std::move(gone)]() mutable { const T freed = std::move(gone); }));
+        } catch (const std::system_error&) {
+            // No thread is to be had: it has been freed here.
+        }
     }
     /// The tool touches the organ in its present shape; contacts refer to the rest shape.
     void drain_queue() {

@@ -136,7 +136,7 @@ class LAPFX_API Effects {
 
     /// Another organ takes the place of this one, and `contacts` are all that has happened to it so far. It comes
     /// without a frame that takes long: its mip levels and the simulation of `contacts` are made on another thread, and
-    /// each seek() sends a part of it to the GPU. Until all is there, within half a second for a large organ, the
+    /// each seek() sends a part of it to the GPU. Until all is there, some twenty frames for 80 MB of textures, the
     /// present organ is shown, and samples of the tool are for it; what is set meanwhile holds for both. The seek()
     /// that shows it ends organ_coming(); from then on buffer names and the number of vertices are those of the new
     /// organ, and it is at rest. With EffectsOptions::wait_for_clips that is the next one. A second call replaces an
@@ -190,7 +190,8 @@ class LAPFX_API Effects {
     /// Whether the last draw_smoke() showed an older frame of a clip than the one that was due, so that seeking the
     /// same time again gives a better picture. Never true with wait_for_clips.
     bool late() const noexcept;
-    /// Bytes of main memory and of the GPU, by purpose, and their sum.
+    /// Bytes of main memory and of the GPU, by purpose, and their sum; without those of an organ that is coming or
+    /// gone.
     MemoryUse memory_use() const noexcept;
     std::size_t memory() const noexcept { return memory_use().total(); }
     /// Bytes that the last seek sent to the GPU.
