@@ -33,11 +33,19 @@ std::shared_ptr<const Foundation> foundation_of(organ::FineOrgan& fine, const Ve
 
 }  // namespace
 
-/// What an organ has that another one replaced.
+/// What an organ has that another one replaced, on its way (`incoming` alone) or when it was shown.
 struct Leaving {
     std::unique_ptr<IncomingOrgan> incoming;
     std::unique_ptr<Simulation> simulation;
     std::unique_ptr<Body> body;
+
+    bool free_texture() noexcept {
+        return (body != nullptr && body->free_texture()) || (incoming != nullptr && incoming->free_texture());
+    }
+    void free_names() noexcept {
+        body.reset();
+        if (incoming) incoming->free_names();
+    }
 };
 
 struct Effects::State {
@@ -55,6 +63,7 @@ struct Effects::State {
     std::unique_ptr<Simulation> simulation;
     Curves curves;
     std::size_t uploaded = 0;
+    std::uint64_t lost_before = 0;  // samples, of organs that are gone
     Overlay overlay = Overlay::none;
     Preset taken;                        ///< kept from call to call: values that are dragged allocate nothing for it
     glm::vec3 organ_color{1.0f};         // linear
@@ -63,7 +72,7 @@ struct Effects::State {
     std::shared_ptr<render::OrganPrograms> programs;
     std::unique_ptr<Body> body;
     std::unique_ptr<IncomingOrgan> incoming;  ///< null: none
-    Leaving leaving;                          // for the next frame to free
+    std::vector<Leaving> leaving;             // for the next frames to free
     std::vector<std::future<void>> freeing;   // by other threads: what is left of it
     render::ViewBlock view_block;
     smoke::Smoke smoke;
@@ -86,7 +95,6 @@ struct Effects::State {
     }
     void show_incoming();
     void free_leaving();
-    void replace_incoming();
     /// What has no names of OpenGL.
     template <typename T>
     void free_beside(T gone) {
@@ -112,13 +120,16 @@ struct Effects::State {
 
 /// What has been set while it came holds for it too.
 void Effects::State::show_incoming() {
-    leaving.simulation = std::exchange(simulation, incoming->take_simulation());
-    leaving.body = std::exchange(body, incoming->take_body());
-    if (const auto& down = leaving.simulation->down(); down != simulation->down()) simulation->set_down(down);
+    Leaving gone;
+    gone.simulation = std::exchange(simulation, incoming->take_simulation());
+    gone.body = std::exchange(body, incoming->take_body());
+    lost_before += gone.simulation->amounts().lost_samples;
+    if (const auto& down = gone.simulation->down(); down != simulation->down()) simulation->set_down(down);
     if (incoming->later_curves) simulation->set_curves(curves);
     if (incoming->later_contacts) simulation->set_contacts(*incoming->later_contacts);
     projector = incoming->projector();
-    leaving.incoming = std::move(incoming);
+    gone.incoming = std::move(incoming);
+    leaving.push_back(std::move(gone));
     body->set_down(simulation->down());
     body->set_seed(options.seed);
     body->set_color(organ_color);
@@ -128,15 +139,10 @@ void Effects::State::show_incoming() {
 
 /// The names of OpenGL here, a part in each frame; then everything else on another thread.
 void Effects::State::free_leaving() {
-    if (leaving.body == nullptr || leaving.body->free_texture()) return;
-    leaving.body.reset();
-    free_beside(std::exchange(leaving, {}));
-}
-
-/// A call before may not have been taken yet.
-void Effects::State::replace_incoming() {
-    if (incoming && incoming->only_in_memory()) free_beside(std::move(incoming));
-    incoming.reset();
+    if (leaving.empty() || leaving.front().free_texture()) return;
+    leaving.front().free_names();
+    free_beside(std::move(leaving.front()));
+    leaving.erase(leaving.begin());
 }
 
 Effects::Effects(const Organ& organ, const Preset& preset, const EffectsOptions& options) {
@@ -184,15 +190,17 @@ void Effects::set_seed(std::uint32_t seed) {
 
 void Effects::set_organ(std::shared_ptr<const PreparedOrgan> organ, std::span<const ToolContact> contacts) {
     State& s = *state_;
-    s.replace_incoming();
-    s.incoming = std::make_unique<IncomingOrgan>(std::move(organ),
-                                                 OrganHistory{.preset = s.taken,
-                                                              .contacts = {contacts.begin(), contacts.end()},
-                                                              .curves = s.curves,
-                                                              .down = s.simulation->down(),
-                                                              .seed = s.options.seed,
-                                                              .time = s.simulation->time()},
-                                                 s.programs);
+    assert(organ != nullptr);
+    OrganHistory history{.preset = s.taken,
+                         .contacts = {contacts.begin(), contacts.end()},
+                         .curves = s.curves,
+                         .down = s.simulation->down(),
+                         .seed = s.options.seed,
+                         .time = s.simulation->time()};
+    std::unique_ptr<IncomingOrgan> before = std::move(s.incoming);
+    if (before && !before->only_in_memory())
+        s.leaving.push_back({.incoming = std::move(before), .simulation = {}, .body = {}});
+    s.incoming = std::make_unique<IncomingOrgan>(std::move(organ), std::move(history), s.programs, std::move(before));
 }
 
 bool Effects::organ_coming() const noexcept {
@@ -269,8 +277,8 @@ void Effects::seek(double time) noexcept {
     state_->drain_queue();
     state_->smoke.update();
     state_->free_leaving();
-    if (state_->incoming && state_->incoming->advance(state_->options.wait_for_clips)) state_->show_incoming();
     if (!std::isfinite(time)) return;
+    if (state_->incoming && state_->incoming->advance(state_->options.wait_for_clips)) state_->show_incoming();
     state_->simulation->seek(time);
     state_->uploaded = state_->body->send(*state_->simulation);
 }
@@ -314,7 +322,7 @@ void Effects::bind_bleeding() const noexcept {
 
 Amounts Effects::amounts() const noexcept {
     Amounts amounts = state_->simulation->amounts();
-    amounts.lost_samples += state_->queue.missed();
+    amounts.lost_samples += state_->queue.missed() + state_->lost_before;
     return amounts;
 }
 

@@ -14,13 +14,15 @@ constexpr std::size_t bytes_per_frame = std::size_t{6} << 20;
 }  // namespace
 
 IncomingOrgan::IncomingOrgan(std::shared_ptr<const PreparedOrgan> organ, OrganHistory history,
-                             std::shared_ptr<render::OrganPrograms> programs)
-    : organ_(std::move(organ)),
-      down_(history.down),
-      seed_(history.seed),
-      programs_(std::move(programs)),
-      making_(std::async(std::launch::async,
-                         [this, history = std::move(history)] { return make(*organ_, history, stop_); })) {}
+                             std::shared_ptr<render::OrganPrograms> programs, std::unique_ptr<IncomingOrgan> before)
+    : organ_(std::move(organ)), down_(history.down), seed_(history.seed), programs_(std::move(programs)) {
+    if (before) before->stop_ = true;
+    making_ =
+        std::async(std::launch::async, [this, history = std::move(history), before = std::move(before)]() mutable {
+            before.reset();
+            return make(*organ_, history, stop_);
+        });
+}
 
 IncomingOrgan::~IncomingOrgan() {
     stop_ = true;
@@ -54,6 +56,15 @@ std::optional<glm::mat4> IncomingOrgan::projector() const {
     return plate ? std::optional(glm::mat4(plate->projector())) : std::nullopt;
 }
 
+bool IncomingOrgan::free_texture() noexcept {
+    return body_ != nullptr ? body_->free_texture() : textures_ && textures_->free_one();
+}
+
+void IncomingOrgan::free_names() noexcept {
+    body_.reset();
+    textures_.reset();
+}
+
 bool IncomingOrgan::advance(bool wait) {
     while (!is_here(wait))
         if (!wait) return false;
@@ -67,11 +78,11 @@ bool IncomingOrgan::is_here(bool wait) {
     if (making_.valid()) {
         if (!wait && making_.wait_for(0s) != std::future_status::ready) return false;
         made_ = making_.get();
-        textures_.emplace(std::move(made_.textures));
+        textures_.emplace();
     } else if (all_sent_) {
         make_body();
     } else {
-        all_sent_ = !textures_->send(bytes_per_frame);
+        all_sent_ = !textures_->send(made_.textures, bytes_per_frame);
     }
     return false;
 }

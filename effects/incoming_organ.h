@@ -26,14 +26,18 @@ struct OrganHistory {
 
 class IncomingOrgan {
   public:
-    /// What `programs` draw the organ with, once it is here.
+    /// `programs`: to draw the organ with. `before`: an organ that is only in memory and does not come any more, or
+    /// null; the other thread begins when that one's has ended.
     IncomingOrgan(std::shared_ptr<const PreparedOrgan> organ, OrganHistory history,
-                  std::shared_ptr<render::OrganPrograms> programs);
+                  std::shared_ptr<render::OrganPrograms> programs, std::unique_ptr<IncomingOrgan> before = nullptr);
     IncomingOrgan(const IncomingOrgan&) = delete;
     IncomingOrgan& operator=(const IncomingOrgan&) = delete;
     ~IncomingOrgan();  ///< stops the other thread, and waits for the step that it is in
     /// Whether it has no names of OpenGL yet: then any thread may destroy it.
-    bool only_in_memory() const { return making_.valid(); }
+    bool only_in_memory() const { return making_.valid() || (!textures_ && body_ == nullptr); }
+    /// For an organ that does not come any more: frees one of its textures; false when none is left.
+    bool free_texture() noexcept;
+    void free_names() noexcept;  ///< all names of OpenGL that are left
 
     /// Does the next part; true when simulation and body can be taken. `wait`: all that is left.
     bool advance(bool wait);

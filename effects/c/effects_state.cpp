@@ -142,6 +142,7 @@ lapfx_status lapfx_effects_set_organ(lapfx_effects* effects, const lapfx_organ* 
         if (!of->prepared)
             throw Misuse("organ: it has not been prepared; call lapfx_organ_prepare before, on another thread");
         take_contacts(object, contacts, count);
+        object.coming_vertices = object.vertices;  // if that throws, none comes any more
         object.effects.set_organ(of->prepared, object.contacts);
         object.coming_vertices = of->organ.positions.size();
     });

@@ -5,43 +5,32 @@
 
 namespace lapfx::render {
 
-namespace {
-
-constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
-
-}  // namespace
-
 /// One after the other, so that no more than one is kept in main memory.
 OrganTextures::OrganTextures(const Organ& organ, const organ::PixelList& pixels) {
+    constexpr std::size_t whole = std::numeric_limits<std::size_t>::max();
     std::shared_ptr<const Image> last;  // an image that is used as both is decoded once
     for (const organ::TextureUse& use : organ::texture_uses(organ)) {
-        coming_.push_back(organ::texture_levels(organ, pixels, use));
-        last = coming_.back().whole;
-        send(all);
+        const organ::TextureLevels levels = organ::texture_levels(organ, pixels, use);
+        last = levels.whole;
+        send({&levels, 1}, whole);
+        next_ = 0;
     }
 }
 
-OrganTextures::OrganTextures(std::vector<organ::TextureLevels> coming) : coming_(std::move(coming)) {
-    sent_.reserve(coming_.size());
-}
-
-bool OrganTextures::send(std::size_t bytes) noexcept {
-    while (next_ < coming_.size()) {
+bool OrganTextures::send(std::span<const organ::TextureLevels> all, std::size_t bytes) noexcept {
+    while (next_ < all.size()) {
         if (bytes == 0) return true;
-        organ::TextureLevels& levels = coming_[next_];
+        const organ::TextureLevels& levels = all[next_];
         if (levels.whole != nullptr) {
-            if (level_ == 0 && row_ == 0 && !made_) {
+            if (!made_) {
                 bytes -= std::min(bytes, make(levels));  // a driver may fill its memory
                 continue;
             }
             bytes -= std::min(bytes, send_rows(levels, bytes));
             if (level_ < levels.count()) continue;
         }
-        levels = {};  // its memory is free now
         ++next_, level_ = 0, row_ = 0, made_ = false;
     }
-    coming_.clear();
-    next_ = 0;
     return false;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "gl/objects.h"
@@ -14,11 +15,9 @@ class OrganTextures {
     OrganTextures() = default;
     /// Sends all of them.
     OrganTextures(const Organ& organ, const organ::PixelList& pixels);
-    /// Sends nothing yet.
-    explicit OrganTextures(std::vector<organ::TextureLevels> coming);
 
-    /// Sends about so many bytes of what has not been sent; false when nothing is left.
-    bool send(std::size_t bytes) noexcept;
+    /// Sends about so many bytes of what has not been sent; false when nothing is left. `all`: the same in each call.
+    bool send(std::span<const organ::TextureLevels> all, std::size_t bytes) noexcept;
 
     /// Frees one that was sent; false when none is left.
     bool free_one() noexcept;
@@ -36,8 +35,7 @@ class OrganTextures {
     std::size_t send_rows(const organ::TextureLevels& levels, std::size_t bytes) noexcept;
 
     std::vector<Sent> sent_;
-    std::vector<organ::TextureLevels> coming_;
-    std::size_t next_ = 0, level_ = 0;  // of coming_, and of its levels
+    std::size_t next_ = 0, level_ = 0;  // of all, and of its levels
     int row_ = 0;                       // of the level
     bool made_ = false;                 // the texture of next_ exists
 };

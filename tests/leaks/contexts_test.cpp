@@ -94,7 +94,8 @@ class LeaksTest : public testing::Test {
             effects->set_topology(test::plane(20.0, 4), std::vector<std::uint32_t>(25, Effects::new_vertex));
         if (turn % 4 == 1) effects->set_organ(organ);  // comes and goes
         draw(*effects, *frame);
-        if (turn % 8 == 1) effects->set_organ(organ);  // is on its way when all ends
+        for (int i = 0; turn % 4 == 1 && i < turn % 16; ++i) effects->seek(1.0);  // the first one goes in parts
+        if (turn % 8 == 1) effects->set_organ(organ);                             // is on its way when all ends
         EXPECT_GT(live(in->context).at("Textures"), 10);
         return {{in, std::const_pointer_cast<PreparedOrgan>(organ)}, {in, context}, {in, effects}, {in, frame}};
     }

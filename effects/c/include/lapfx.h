@@ -373,9 +373,10 @@ LAPFX_API lapfx_status lapfx_effects_set_preset(lapfx_effects* effects, const la
 LAPFX_API lapfx_status lapfx_effects_set_contacts(lapfx_effects* effects, const lapfx_contact* contacts, size_t count);
 /// Another organ takes the place of this one, and `contacts` are all that has happened to it so far. It has to be
 /// prepared (lapfx_organ_prepare, on another thread). No frame takes long: the rest is done on another thread and, a
-/// part in each lapfx_effects_seek, on the GPU. Until the organ is there, the present one is shown, and samples are for
-/// that; what is set meanwhile holds for both. The seek that shows it ends lapfx_effects_get_organ_coming; from then on
-/// the bleed buffer and the number of vertices are the new organ's, which is at rest.
+/// part in each lapfx_effects_seek, on the GPU. Until the organ is there the present one is shown, and samples and
+/// lapfx_effects_set_shape are for that; what else is set meanwhile holds for both. The seek that shows it ends
+/// lapfx_effects_get_organ_coming; from then on the bleed buffer and the number of vertices are the new organ's, which
+/// is at rest. When this fails, none comes.
 LAPFX_API lapfx_status lapfx_effects_set_organ(lapfx_effects* effects, const lapfx_organ* organ,
                                                const lapfx_contact* contacts, size_t count);
 /// 1 until the organ of lapfx_effects_set_organ is shown, else 0.

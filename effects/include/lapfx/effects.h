@@ -135,12 +135,15 @@ class LAPFX_API Effects {
     static constexpr std::uint32_t new_vertex = 0xffffffff;
 
     /// Another organ takes the place of this one, and `contacts` are all that has happened to it so far. It comes
-    /// without a frame that takes long: its mip levels and the simulation of `contacts` are made on another thread, and
-    /// each seek() sends a part of it to the GPU. Until all is there, some twenty frames for 80 MB of textures, the
-    /// present organ is shown, and samples of the tool are for it; what is set meanwhile holds for both. The seek()
-    /// that shows it ends organ_coming(); from then on buffer names and the number of vertices are those of the new
-    /// organ, and it is at rest. With EffectsOptions::wait_for_clips that is the next one. A second call replaces an
-    /// organ that is still coming.
+    /// without a frame that takes long: its mip levels and the simulation of `contacts` are made on another thread,
+    /// then each seek() sends a part of its textures to the GPU, some twenty of them 80 MB, and one its vertices. Until
+    /// all is there the present organ is shown, and samples of the tool, set_shape() and set_topology() are for that;
+    /// what else is set meanwhile holds for both. Gravity, vessel parameters or earlier contacts that are set meanwhile
+    /// cost their time again in the frame that shows the organ. The seek() that shows it ends organ_coming(); from then
+    /// on buffer names and the number of vertices are those of the new organ, and it is at rest. With
+    /// EffectsOptions::wait_for_clips that is the next one. A second call replaces an organ that is still coming.
+    /// `organ` is not null. Out of memory ends the process, as in seek(), except in this call itself (std::exception):
+    /// then none comes.
     void set_organ(std::shared_ptr<const PreparedOrgan> organ, std::span<const ToolContact> contacts = {});
     bool organ_coming() const noexcept;
 
@@ -194,7 +197,7 @@ class LAPFX_API Effects {
     /// gone.
     MemoryUse memory_use() const noexcept;
     std::size_t memory() const noexcept { return memory_use().total(); }
-    /// Bytes that the last seek sent to the GPU.
+    /// Bytes that the last seek sent to the GPU, without those of an organ that is coming.
     std::size_t uploaded() const noexcept;
     /// The tissue around the point of the organ that is nearest to `position`, mm: means over the preset's region of
     /// influence (paper: figure 9). All 0 for coordinates that are NaN or infinite. About 0.1 ms.

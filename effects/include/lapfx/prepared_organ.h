@@ -6,7 +6,7 @@
 //     auto coming = std::async(std::launch::async,
 //                              [=] { return lapfx::prepare_organ(lapfx::load_organ("liver.glb"), preset.vessels); });
 //     ...                                   // the render thread continues with the previous organ
-//     effects.set_organ(coming.get());      // render thread; a part of it in each seek()
+//     effects.set_organ(coming.get());      // render thread, once it is ready; a part of it in each seek()
 //
 // The first organ of all is for the constructor of Effects. A PreparedOrgan never changes: any number of Effects on any
 // threads may share one.

@@ -55,8 +55,8 @@ class CTest : public testing::Test {
         expect_ok(lapfx_context_destroy(context));
     }
 
-    static lapfx_status make_plane(lapfx_organ** made) {
-        static const Organ flat = plane(60.0, 40);
+    static lapfx_status make_plane(lapfx_organ** made, double side = 60.0, int squares = 40) {
+        const Organ flat = plane(side, squares);
         lapfx_mesh mesh = LAPFX_MESH;
         mesh.vertex_count = flat.positions.size();
         mesh.positions = &flat.positions.data()->x;

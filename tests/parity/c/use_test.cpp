@@ -74,15 +74,10 @@ TEST_F(UseTest, APreparedOrganGivesTheSamePicture) {
 }
 
 TEST_F(UseTest, AnotherOrganTakesThePlaceOfTheFirst) {
-    static const Organ small = plane(30.0, 20);
-    lapfx_mesh mesh = LAPFX_MESH;
-    mesh.vertex_count = small.positions.size();
-    mesh.positions = &small.positions.data()->x;
-    mesh.index_count = small.indices.size();
-    mesh.indices = small.indices.data();
+    constexpr std::size_t vertices = 21 * 21;
     lapfx_organ* other = nullptr;
     lapfx_effects* direct = nullptr;
-    expect_ok(lapfx_organ_create(&mesh, &other));
+    expect_ok(make_plane(&other, 30.0, 20));
     expect_ok(lapfx_organ_prepare(other, preset));
     expect_ok(lapfx_effects_create(context, other, preset, nullptr, &direct));
     lapfx_contact contact = LAPFX_CONTACT;
@@ -96,12 +91,12 @@ TEST_F(UseTest, AnotherOrganTakesThePlaceOfTheFirst) {
     EXPECT_EQ(coming, 0);
     expect_ok(lapfx_effects_seek(effects, 3.0));
     const std::vector<std::uint8_t> before = picture();
-    std::vector<float> shape(3 * small.positions.size(), 0.0f);
+    std::vector<float> shape(3 * vertices, 0.0f);
     expect_ok(lapfx_effects_set_organ(effects, other, &contact, 1));
     expect_ok(lapfx_effects_get_organ_coming(effects, &coming));
     EXPECT_EQ(coming, 1);
     EXPECT_EQ(picture(), before);
-    expect_fails(lapfx_effects_set_shape(effects, small.positions.size(), shape.data(), nullptr), LAPFX_BAD_INPUT,
+    expect_fails(lapfx_effects_set_shape(effects, vertices, shape.data(), nullptr), LAPFX_BAD_INPUT,
                  "the organ has 1681 vertices");
     EXPECT_TRUE(test::wait_until([&] { return coming == 0; },
                                  [&] {
@@ -110,7 +105,7 @@ TEST_F(UseTest, AnotherOrganTakesThePlaceOfTheFirst) {
                                  }));
     EXPECT_NE(picture(), before);
     EXPECT_EQ(picture(), picture(direct, frame, from_above()));
-    expect_ok(lapfx_effects_set_shape(effects, small.positions.size(), shape.data(), nullptr));
+    expect_ok(lapfx_effects_set_shape(effects, vertices, shape.data(), nullptr));
     expect_ok(lapfx_organ_destroy(other));
     expect_ok(lapfx_effects_destroy(direct));
 }

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "lapfx/authoring/preview.h"
+#include "lapfx/frame.h"
 #include "support/clips.h"
 #include "support/gpu_test.h"
 #include "support/meshes.h"
@@ -42,6 +43,29 @@ class SceneTest : public GpuTest {
     test::Folder folder;
     Scene scene;
     Preset preset;
+};
+
+/// The same, drawn as a host does: by Effects into a Frame.
+class FrameTest : public SceneTest {
+  protected:
+    using Picture = std::vector<std::uint8_t>;
+    static constexpr double time = 2.0;  // s: it bleeds and smokes
+
+    void SetUp() override {
+        SceneTest::SetUp();
+        if (!IsSkipped()) frame.emplace();
+    }
+    static Picture blank(glm::ivec2 of = size) { return Picture(std::size_t{4} * of.x * of.y); }
+    /// `smoke`: false leaves it out.
+    void draw(Effects& effects, const View& view, Picture& picture, bool smoke = true) {
+        frame->begin(size);
+        effects.draw_organ(view);
+        frame->begin_smoke();
+        if (smoke) effects.draw_smoke(view, frame->depth());
+        frame->read(picture);
+    }
+
+    std::optional<Frame> frame;
 };
 
 /// Pixels of which some channel differs by more than `least`.

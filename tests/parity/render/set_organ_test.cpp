@@ -11,15 +11,11 @@
 namespace lapfx {
 namespace {
 
-class SetOrganTest : public test::SceneTest {
+class SetOrganTest : public test::FrameTest {
   protected:
-    using Picture = std::vector<std::uint8_t>;
-    static constexpr double time = 2.0;
-
     void SetUp() override {
-        test::SceneTest::SetUp();
+        test::FrameTest::SetUp();
         if (IsSkipped()) return;
-        frame.emplace();
         Organ sheet = load_organ(folder / "sheet.obj"), hill = sheet;
         for (glm::vec3& p : hill.positions) p.y = static_cast<float>(height(p.x, p.z));
         // Several rows of it are not a multiple of what a frame sends.
@@ -27,6 +23,10 @@ class SetOrganTest : public test::SceneTest {
         for (std::size_t i = 0; i < hill.images[0].pixels.size(); ++i)
             hill.images[0].pixels[i] = i % 4 == 3 ? 255 : static_cast<std::uint8_t>(120 + i / 4 * 7 % 100);
         hill.materials[0].base_color_image = 0;
+        hill.images.push_back({.width = 16, .height = 16, .pixels = blank({16, 16}), .name = "bumps"});
+        for (std::size_t i = 0; i < hill.images[1].pixels.size(); ++i)
+            hill.images[1].pixels[i] = i % 4 < 2 ? static_cast<std::uint8_t>(100 + i % 57) : 255;
+        hill.materials[0].normal_image = 1;
         for (std::size_t v = 0; v < hill.uvs.size(); ++v)
             hill.uvs[v] = glm::vec2(hill.positions[v].x, hill.positions[v].z) / 80.0f;
         flat = prepare_organ(sheet, preset.vessels);
@@ -52,24 +52,10 @@ class SetOrganTest : public test::SceneTest {
         return effects;
     }
     /// Tissue only: clips that are late differ from run to run.
-    Picture tissue(Effects& effects) {
-        frame->begin(size);
-        effects.draw_organ(render::view_of(scene.camera, SceneLight{}, size));
-        frame->begin_smoke();
-        return read();
-    }
-    Picture whole(Effects& effects) {
-        const View view = render::view_of(scene.camera, SceneLight{}, size);
-        frame->begin(size);
-        effects.draw_organ(view);
-        frame->begin_smoke();
-        effects.draw_smoke(view, frame->depth());
-        return read();
-    }
-    static Picture blank(glm::ivec2 of) { return Picture(std::size_t{4} * of.x * of.y); }
-    Picture read() {
-        Picture picture = blank(size);
-        frame->read(picture);
+    Picture tissue(Effects& effects) { return whole(effects, false); }
+    Picture whole(Effects& effects, bool smoke = true) {
+        Picture picture = blank();
+        draw(effects, render::view_of(scene.camera, SceneLight{}, size), picture, smoke);
         return picture;
     }
     /// Seeks until the organ is here.
@@ -84,7 +70,6 @@ class SetOrganTest : public test::SceneTest {
         EXPECT_EQ(a.haze, b.haze);
     }
 
-    std::optional<Frame> frame;
     std::shared_ptr<const PreparedOrgan> flat, other;
     std::vector<ToolContact> elsewhere;
 };
@@ -116,6 +101,8 @@ TEST_F(SetOrganTest, UntilThenThePresentOneIsShown) {
         at += 0.1;
         if (!effects.organ_coming()) return;
         ++shown;
+        effects.seek(std::numeric_limits<double>::quiet_NaN());  // no time to show another organ at
+        EXPECT_TRUE(effects.organ_coming());
         EXPECT_EQ(tissue(effects), tissue(direct));
         EXPECT_EQ(effects.bleed_buffer(), buffer);
     };
@@ -136,6 +123,7 @@ TEST_F(SetOrganTest, WhatIsSetMeanwhileHoldsForItToo) {
     const auto change = [&](Effects& effects) {
         Preset changed = preset;
         changed.bleeding.max_extent = 9.0;
+        changed.vessels.vessel_width *= 2.0;
         changed.bleeding.color_thin = {0.2, 0.8, 0.2};
         effects.set_preset(changed);
         effects.set_gravity({1.0, -0.2, 0.0});
@@ -174,6 +162,10 @@ TEST_F(SetOrganTest, SamplesOfTheToolAreForTheOrganThatIsShown) {
     };
     EXPECT_TRUE(push(time));
     EXPECT_TRUE(push(time + 0.001));
+    effects.seek(time);
+    if (effects.organ_coming()) {
+        EXPECT_EQ(effects.contacts().size(), 1U);
+    }
     come(effects);
     EXPECT_TRUE(effects.contacts().empty());
 }
@@ -190,14 +182,72 @@ TEST_F(SetOrganTest, ASecondCallReplacesTheFirst) {
     EXPECT_EQ(tissue(effects), tissue(direct));
 }
 
+TEST_F(SetOrganTest, APlateComesAndGoes) {
+    scene.reference.file = "clip.avi";
+    scene.plate.use = true;
+    const auto plate = prepare_organ(scene, preset.vessels);
+    ASSERT_NE(plate, nullptr);
+    Effects effects = made(other, elsewhere), of_plate = made(plate, {}), of_other = made(other, elsewhere);
+    const Picture before = tissue(effects);
+    effects.set_organ(plate);
+    come(effects);
+    EXPECT_EQ(tissue(effects), tissue(of_plate));
+    EXPECT_NE(tissue(effects), before);
+    effects.set_organ(other, elsewhere);
+    come(effects);
+    EXPECT_EQ(tissue(effects), tissue(of_other));
+    EXPECT_EQ(tissue(effects), before);
+}
+
+/// Buffers and textures of the context.
+int live_names() {
+    int live = 0;
+    for (GLuint name = 1; name < 4096; ++name) live += glIsBuffer(name) + glIsTexture(name);
+    return live;
+}
+
+/// `big` has textures for several frames, so that some of it is on the GPU when it does not come any more.
+TEST_F(SetOrganTest, OfAnOrganThatWasReplacedOnItsWayNothingStays) {
+    Organ wide = load_organ(folder / "sheet.obj");
+    wide.images = {{.width = 2048, .height = 2048, .pixels = blank({2048, 2048}), .name = "a"},
+                   {.width = 1024, .height = 1024, .pixels = blank({1024, 1024}), .name = "b"}};
+    wide.materials[0].base_color_image = 0;
+    wide.materials[0].normal_image = 1;
+    const auto big = prepare_organ(wide, preset.vessels);
+    Effects direct = made(other, elsewhere);
+    const Picture wanted = tissue(direct);
+    Effects effects = made(other, elsewhere);
+    const int few = live_names();
+    int on_the_way = 0;
+    for (int stage = 0; stage < 10; ++stage) {
+        effects.set_organ(big);
+        EXPECT_TRUE(test::wait_until([&] { return live_names() > few; }, [&] { effects.seek(time); }));
+        for (int i = 0; i < stage; ++i) effects.seek(time);
+        on_the_way += effects.organ_coming() ? 1 : 0;
+        effects.set_organ(other, elsewhere);
+        come(effects);
+        for (int i = 0; i < 8; ++i) effects.seek(time);  // what is gone is freed a part at a time
+        EXPECT_EQ(live_names(), few) << "stage " << stage;
+        EXPECT_EQ(tissue(effects), wanted);
+    }
+    EXPECT_GE(on_the_way, 4);
+    EXPECT_LT(on_the_way, 10) << "it has come at a later stage";
+}
+
 TEST_F(SetOrganTest, EffectsMayEndWhileItComes) {
-    for (int seeks = 0; seeks < 6; ++seeks) {
+    const int none = live_names();
+    for (int seeks = 0; seeks < 30; ++seeks) {
         Effects effects = made(flat, scene.events);
         effects.set_organ(other, elsewhere);
+        const int few = live_names();
+        if (seeks > 6) {  // before that the other thread has it
+            EXPECT_TRUE(test::wait_until([&] { return live_names() > few; }, [&] { effects.seek(time); }));
+        }
         for (int i = 0; i < seeks; ++i) effects.seek(time);
         Effects moved = std::move(effects);
         moved.seek(time);
     }
+    EXPECT_EQ(live_names(), none);
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
@@ -221,12 +271,10 @@ TEST_F(SetOrganTest, ATextureThatIsSentInPartsIsWhole) {
     const organ::PixelList& pixels = PreparedOrganAccess::state(*other).foundation->pixels;
     const Organ& organ = other->organ();
     for (const std::size_t bytes : {std::size_t{1}, std::size_t{4} * 1023, std::size_t{1000000}}) {
-        organ::TextureLevels levels = organ::texture_levels(organ, pixels, {.image = 0, .color = true});
-        std::vector<organ::TextureLevels> given;
-        given.push_back(levels);
-        render::OrganTextures textures(std::move(given));
+        const organ::TextureLevels levels = organ::texture_levels(organ, pixels, {.image = 0, .color = true});
+        render::OrganTextures textures;
         int parts = 1;
-        while (textures.send(bytes)) ++parts;
+        while (textures.send({&levels, 1}, bytes)) ++parts;
         if (bytes == 1000000) {
             EXPECT_EQ(parts, 5);  // 3.8 MB, and storage
         }

@@ -11,15 +11,8 @@
 namespace lapfx {
 namespace {
 
-class StereoTest : public test::SceneTest {
+class StereoTest : public test::FrameTest {
   protected:
-    using Picture = std::vector<std::uint8_t>;
-    static constexpr double time = 2.0;
-
-    void SetUp() override {
-        test::SceneTest::SetUp();
-        if (!IsSkipped()) frame.emplace();
-    }
     Effects made(bool wait = true) const {
         Effects effects(load_organ(folder / "sheet.obj"), preset, {.gravity = scene.gravity, .wait_for_clips = wait});
         effects.set_contacts(scene.events);
@@ -31,14 +24,7 @@ class StereoTest : public test::SceneTest {
         camera.eye.x += 4.0 * side;
         return render::view_of(camera, SceneLight{}, size);
     }
-    void draw(Effects& effects, double side, Picture& picture) {
-        const View view = eye(side);
-        frame->begin(size);
-        effects.draw_organ(view);
-        frame->begin_smoke();
-        effects.draw_smoke(view, frame->depth());
-        frame->read(picture);
-    }
+    void draw(Effects& effects, double side, Picture& picture) { FrameTest::draw(effects, eye(side), picture); }
     Picture alone(double side) {
         Effects effects = made();
         effects.seek(time);
@@ -46,9 +32,6 @@ class StereoTest : public test::SceneTest {
         draw(effects, side, picture);
         return picture;
     }
-    static Picture blank() { return Picture(std::size_t{4} * size.x * size.y); }
-
-    std::optional<Frame> frame;
 };
 
 TEST_F(StereoTest, EachEyeSeesWhatItSeesAlone) {
