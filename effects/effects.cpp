@@ -31,8 +31,6 @@ std::shared_ptr<const Foundation> foundation_of(organ::FineOrgan& fine, const Ve
                                               std::move(pixels));
 }
 
-}  // namespace
-
 /// What an organ has that another one replaced, on its way (`incoming` alone) or when it was shown.
 struct Leaving {
     std::unique_ptr<IncomingOrgan> incoming;
@@ -47,6 +45,8 @@ struct Leaving {
         if (incoming) incoming->free_names();
     }
 };
+
+}  // namespace
 
 struct Effects::State {
     State(const Organ& organ, const std::shared_ptr<const Foundation>& foundation, const EffectsOptions& wanted)

@@ -3,9 +3,9 @@
 
     packages_test.py BUILD SOURCE
 
-`tests/run --deep` (LAPFX_DEEP=1) also installs them in a new Debian 12 of debootstrap, where the program draws, a host
-is built, and nothing is left once they are removed. That needs root and the network. 77 where lintian is missing, or of
-the deep part debootstrap or root.
+`tests/run --deep` (LAPFX_DEEP=1) also installs them in a new Debian 12 of debootstrap, where the program draws, every
+sample host is built and draws, and nothing is left once they are removed. That needs root and the network. 77 where
+lintian is missing, or of the deep part debootstrap or root.
 """
 import glob
 import gzip
@@ -18,11 +18,16 @@ import tempfile
 
 import help_test
 import install_test
+import installed_hosts
+import real_window
+import vtk_host_test
 from install_test import run
 
 PACKAGES = ("lapfx", "liblapfx", "liblapfx-dev", "python3-lapfx")
 LOADED_LATER = ("fonts-inter", "fonts-dejavu-core", "libgl1-mesa-dri", "libosmesa6")
 SAMPLES = ("lagb.scene.json", "lagb.glb", "hook_cautery.glb", "liver_lobe.glb", "reference/operation.mp4")
+# What hosts are built with, as a stranger has to install it.
+FOR_HOSTS = ("g++", "cmake", "ninja-build", "pkg-config", "libglfw3-dev", "python3-glad", "libegl-dev", "libvtk9-dev")
 DESKTOP = ("applications/lapfx.desktop", "mime/packages/lapfx.xml", "icons/hicolor/scalable/apps/lapfx.svg",
            "bash-completion/completions/lapfx")
 
@@ -146,7 +151,40 @@ def remove_root(root):
     shutil.rmtree(root)
 
 
-def check_in_new_debian(packages, source, site):
+def check_hosts_in_new_debian(root, inside):
+    """Built of what lies in share/lapfx; C++, C, Python and each eye draw the same picture."""
+    data = "/usr/share/lapfx"
+    shown = (f"{data}/samples/lagb.scene.json", f"{data}/presets/gastric_banding.json", f"{data}/samples/clips")
+    for name, project in (("cpp", installed_hosts.IN_CPP), ("c", installed_hosts.IN_C), ("vtk", vtk_host_test.PROJECT)):
+        installed_hosts.put(f"{root}/srv/{name}/CMakeLists.txt", project.format(source=data))
+        inside("cmake", "-S", f"/srv/{name}", "-B", f"/srv/{name}/build", "-G", "Ninja")
+        inside("cmake", "--build", f"/srv/{name}/build")
+    hosts = f"{data}/samples/host"
+    inside("sh", "-c", f"c++ -std=c++20 {hosts}/scores.cpp $(pkg-config --cflags --libs lapfx) -o /srv/scores")
+    assert "mm2" in inside("/srv/scores", *shown[:2])
+
+    def drawn(*command):
+        inside("sh", "-c", '"$@" > /srv/host.ppm', "sh", *command)
+        with open(f"{root}/srv/host.ppm", "rb") as file:
+            return file.read()
+
+    size = ("160", "128", "4")
+    wanted = drawn("/srv/cpp/build/simulator", *shown, "lapfx", *size)
+    assert len(set(wanted[15:])) > 40, "nothing is drawn"
+    assert drawn("/srv/c/build/simulator", *shown, *size) == wanted, "the host in C draws another picture"
+    assert drawn("python3", f"{hosts}/host.py", *shown, *size) == wanted, "the host in Python draws another picture"
+    two = drawn("/srv/cpp/build/stereo", *shown, *size, "0")
+    rows = [two[15 + row * 960: 15 + row * 960 + 480] for row in range(128)]
+    assert max(abs(a - b) for a, b in zip(b"".join(rows), wanted[15:])) <= 1, "an eye sees another picture"
+    display = real_window.Display(os.path.join(root, "srv"))
+    try:
+        in_vtk = drawn("env", f"DISPLAY={display.name}", "/srv/vtk/build/simulator", *shown, *size)
+    finally:
+        display.close()
+    assert len(in_vtk) == len(wanted) and len(set(in_vtk[15:])) > 40, "the host in VTK draws nothing"
+
+
+def check_in_new_debian(packages, site):
     root = tempfile.mkdtemp(prefix="lapfx-debian-")
     clean = {"PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "LC_ALL": "C", "DEBIAN_FRONTEND": "noninteractive",
              **{name: value for name, value in os.environ.items() if name.endswith("_proxy")}}
@@ -157,7 +195,7 @@ def check_in_new_debian(packages, source, site):
     try:
         run("debootstrap", "--variant=minbase", "bookworm", root, site)
         run("mount", "-t", "proc", "proc", os.path.join(root, "proc"))  # by it a program knows where it lies
-        for file in (*packages.values(), os.path.join(source, "samples", "host", "scores.cpp")):
+        for file in packages.values():
             shutil.copy(file, os.path.join(root, "srv"))
         debs = [f"/srv/{os.path.basename(package)}" for package in packages.values()]
         inside("apt-get", "-q", "install", "-y", "--no-install-recommends", *debs)
@@ -168,11 +206,8 @@ def check_in_new_debian(packages, source, site):
         for name, least in (("auto", 20_000), ("osmesa", 20_000), ("editor", 100_000)):
             size = os.path.getsize(os.path.join(root, "srv", name + ".png"))
             assert size > least, f"{name}.png has {size} bytes"
-        inside("apt-get", "-q", "install", "-y", "--no-install-recommends", "g++", "pkg-config")
-        inside("sh", "-c", "c++ -std=c++20 /srv/scores.cpp $(pkg-config --cflags --libs lapfx) -o /srv/scores")
-        assert "mm2" in inside("/srv/scores", scene, preset)
-        drawn = f"import lapfx; print(lapfx.render('{scene}', '{preset}', [4], (160, 128), ['{os.path.dirname(scene)}/clips']).std())"
-        assert float(inside("python3", "-c", drawn)) > 10
+        inside("apt-get", "-q", "install", "-y", "--no-install-recommends", *FOR_HOSTS)
+        check_hosts_in_new_debian(root, inside)
         inside("apt-get", "-q", "purge", "-y", *PACKAGES)
         left = inside("find", "/usr", "/etc", "/var/lib", "-name", "*lapfx*").split()
         assert not left, f"left behind: {left}"
@@ -202,7 +237,7 @@ def main(build, source):
             skipped.append("they were not installed in a new Debian: that needs root, debootstrap, and an apt that knows "
                            "where bookworm is")
         else:
-            check_in_new_debian(packages, source, site)
+            check_in_new_debian(packages, site)
     print("\n".join(skipped))
     sys.exit(77 if skipped else 0)
 

@@ -21,7 +21,7 @@ import installed_hosts
 import real_window
 from installed_hosts import run
 
-# As the head of vtk.cpp has it; the second program is the same host, watched.
+# As the head of vtk.cpp has it.
 PROJECT = """cmake_minimum_required(VERSION 3.25)
 project(host LANGUAGES C CXX)
 find_package(lapfx 0.1 REQUIRED COMPONENTS effects)
@@ -31,14 +31,17 @@ if(NOT VTK_FOUND)
 endif()
 find_package(OpenGL REQUIRED COMPONENTS GLX)
 find_package(X11 REQUIRED)
-add_executable(simulator "{source}/samples/host/vtk.cpp")
-add_executable(watched "{source}/tests/e2e/watched_vtk_host.cpp")
-target_include_directories(watched PRIVATE "{source}/tests")
-foreach(program simulator watched)
+function(host_in_vtk program source)
+    add_executable(${{program}} "${{source}}")
     target_compile_options(${{program}} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
     target_link_libraries(${{program}} PRIVATE lapfx::effects ${{VTK_LIBRARIES}} OpenGL::GLX X11::X11)
     vtk_module_autoinit(TARGETS ${{program}} MODULES ${{VTK_LIBRARIES}})
-endforeach()
+endfunction()
+host_in_vtk(simulator "{source}/samples/host/vtk.cpp")
+"""
+# The same host, watched.
+WATCHED = """host_in_vtk(watched "{source}/tests/e2e/watched_vtk_host.cpp")
+target_include_directories(watched PRIVATE "{source}/tests")
 """
 WIDTH, HEIGHT, TIME = 480, 384, "5.5"
 CLIP = {"action": "clip", "time": 1, "duration": 0.3, "position": [-33.7, -8.08, -36.09]}  # where nothing bleeds yet
@@ -47,7 +50,7 @@ CALLS = ("Effects", "bind_bleeding", "draw_metal_clips", "draw_smoke", "seek", "
 
 def built_host(source, prefix, folder):
     project = os.path.join(folder, "vtk")
-    installed_hosts.put(os.path.join(project, "CMakeLists.txt"), PROJECT.format(source=source))
+    installed_hosts.put(os.path.join(project, "CMakeLists.txt"), (PROJECT + WATCHED).format(source=source))
     built = os.path.join(project, "build")
     told = subprocess.run(("cmake", "-S", project, "-B", built, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}"),
                           capture_output=True, encoding="utf-8", check=False)

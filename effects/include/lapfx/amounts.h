@@ -78,7 +78,7 @@ class LAPFX_API AmountsModel {
     std::span<const WoundStatus> wounds() const noexcept;
 
   private:
-    struct State;
+    struct LAPFX_HIDDEN State;
     std::unique_ptr<State> state_;
 };
 

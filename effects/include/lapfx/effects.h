@@ -206,7 +206,7 @@ class LAPFX_API Effects {
     std::optional<OrganHit> pick(glm::dvec3 origin, glm::dvec3 direction) const noexcept;
 
   private:
-    struct State;
+    struct LAPFX_HIDDEN State;
     std::unique_ptr<State> state_;
 };
 

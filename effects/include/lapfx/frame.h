@@ -53,7 +53,7 @@ class LAPFX_API Frame {
     void read(std::span<std::uint8_t> rgba, const CameraResponse& response = {});
 
   private:
-    struct State;
+    struct LAPFX_HIDDEN State;
     std::unique_ptr<State> state_;
 };
 
