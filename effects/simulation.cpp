@@ -167,7 +167,7 @@ void Simulation::seek(double time) noexcept {
 
 SmokeAmounts Simulation::smoke(double time) const noexcept {
     if (preset_.smoke.clips.empty()) return {};
-    return {.haze = haze_.density(time), .emission = haze_.emission(time)};
+    return {.haze = haze_.density(time), .emission = haze_.emission(recorder_.acting(time))};
 }
 
 Amounts Simulation::amounts() const noexcept {

@@ -114,7 +114,7 @@ void add_render(CLI::App& app) {
                    ->option_text("SECONDS")
                    ->check(finite)
                    ->check(CLI::Range(0.0, 86400.0));
-    auto* at = verb->add_option("--at", o->at, "One picture at this time; not with --from and --to")
+    auto* at = verb->add_option("--at", o->at, "Time of a single picture, else --from; not with --from and --to")
                    ->option_text("SECONDS")
                    ->check(finite)
                    ->check(CLI::Range(0.0, 86400.0));

@@ -120,6 +120,14 @@ void warn(const char* function, const std::string& text) {
 void finite(const char* argument, double value) {
     if (!std::isfinite(value)) refuse_value(argument, std::to_string(value) + " is no finite number");
 }
+void positive(const char* argument, double value) {
+    finite(argument, value);
+    if (value <= 0.0) refuse_value(argument, std::to_string(value) + "; expected more than 0");
+}
+void not_negative(const char* argument, double value) {
+    finite(argument, value);
+    if (value < 0.0) refuse_value(argument, std::to_string(value) + "; expected 0 or more");
+}
 void finite(const char* argument, std::span<const double> values) {
     all_finite(argument, values);
 }

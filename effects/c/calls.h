@@ -86,6 +86,8 @@ lapfx_status destroy(const char* function, typename T::Handle* handle, const cha
 }
 
 void finite(const char* argument, double value);
+void positive(const char* argument, double value);
+void not_negative(const char* argument, double value);
 void finite(const char* argument, std::span<const double> values);
 void finite(const char* argument, std::span<const float> values);
 /// A frame has pixels.

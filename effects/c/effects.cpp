@@ -1,4 +1,6 @@
 // Effects of the C API: what does not draw is in effects_state.cpp.
+#include <algorithm>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "c/calls.h"
@@ -33,14 +35,25 @@ glm::mat4 matrix_of(const float (&elements)[16], const char* argument) {
     return matrix;
 }
 
+/// One whose rows are given as columns is not, unless it moves nothing.
+glm::mat4 rigid_of(const float (&elements)[16], const char* argument) {
+    const glm::mat4 matrix = matrix_of(elements, argument);
+    const glm::mat3 turn(matrix), error = glm::transpose(turn) * turn - glm::mat3(1.0F);
+    const bool last_row = glm::row(matrix, 3) == glm::vec4(0.0F, 0.0F, 0.0F, 1.0F);
+    const float most = std::max({glm::length(error[0]), glm::length(error[1]), glm::length(error[2])});
+    if (!last_row || !(most < 1e-3F) || glm::determinant(turn) < 0.0F)
+        refuse_value(argument, "is not rigid; expected a rotation and a translation, without scale, column by column");
+    return matrix;
+}
+
 lapfx::View view_of(const lapfx_view* view) {
     const lapfx_view& v = LAPFX_SIZED(lapfx_view, view);
-    finite("view.lamp_intensity", v.lamp_intensity);
-    finite("view.lamp_focus_distance", v.lamp_focus_distance);
-    finite("view.lamp_beam_angle", v.lamp_beam_angle);
-    finite("view.lamp_ambient", v.lamp_ambient);
+    not_negative("view.lamp_intensity", v.lamp_intensity);
+    positive("view.lamp_focus_distance", v.lamp_focus_distance);
+    positive("view.lamp_beam_angle", v.lamp_beam_angle);
+    not_negative("view.lamp_ambient", v.lamp_ambient);
     finite("view.lamp_color", v.lamp_color);
-    return {.view = matrix_of(v.view, "view.view"),
+    return {.view = rigid_of(v.view, "view.view"),
             .projection = matrix_of(v.projection, "view.projection"),
             .lamp = {.intensity = v.lamp_intensity,
                      .focus_distance = v.lamp_focus_distance,

@@ -18,6 +18,15 @@ glm::dvec3 vector_of(const double* vector, const char* argument) {
     return {vector[0], vector[1], vector[2]};
 }
 
+glm::dvec3 share_of(const double* vector, const char* argument) {
+    const glm::dvec3 shares = vector_of(vector, argument);
+    for (int i = 0; i < 3; ++i)
+        if (shares[i] < 0.0 || shares[i] > 1.0)
+            refuse_value(argument,
+                         "element " + std::to_string(i) + " is " + std::to_string(shares[i]) + "; expected 0 to 1");
+    return shares;
+}
+
 ToolAction action_of(const char* argument, int action) {
     return static_cast<ToolAction>(choice(argument, action, tool_action_count, "cauterise to clip"));
 }
@@ -192,7 +201,7 @@ lapfx_status lapfx_effects_set_seed(lapfx_effects* effects, uint32_t seed) {
 
 lapfx_status lapfx_effects_set_organ_color(lapfx_effects* effects, const double color[3]) {
     return change(__func__, effects,
-                  [&](EffectsObject& object) { object.effects.set_organ_color(vector_of(color, "color")); });
+                  [&](EffectsObject& object) { object.effects.set_organ_color(share_of(color, "color")); });
 }
 
 lapfx_status lapfx_effects_seek(lapfx_effects* effects, double time) {

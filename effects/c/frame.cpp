@@ -11,7 +11,7 @@ using Stage = FrameObject::Stage;
 CameraResponse response_of(const lapfx_response* response) {
     if (response == nullptr) return {};
     const lapfx_response& r = LAPFX_SIZED(lapfx_response, response);
-    finite("response.exposure", r.exposure);
+    not_negative("response.exposure", r.exposure);
     finite("response.vignette", r.vignette);
     return {.exposure = r.exposure, .vignette = r.vignette};
 }

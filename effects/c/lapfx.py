@@ -4,6 +4,7 @@
 
     pictures = lapfx.render("lagb.scene.json", "tuned.json", times=[0, 2, 4], size=(640, 512), clip_folders=["clips"])
     pictures.shape  # (3, 512, 640, 3), uint8, rows from the top
+    # clips of presets that came with lapfx: clip_folders=[".../share/lapfx/samples/clips"]
 
 Many pictures of one scene, with one value after another:
 
@@ -173,7 +174,6 @@ _IDENTITY = tuple(numpy.eye(4).ravel())
 
 class Contact(_Struct):
     """The tool touches the organ from `time` for `duration`, its tip moving straight from `position` to `to`."""
-
     _fields_ = [("size", _size), ("action", _int), ("time", _double), ("duration", _double), ("position", _double3),
                 ("to", _double3), ("power", _double), ("strength", _double)]
     defaults = {"duration": 1.0, "power": 1.0, "strength": 1.0}
@@ -181,7 +181,6 @@ class Contact(_Struct):
 
 class Sample(_Struct):
     """Where the tip is at one moment and what it does there."""
-
     _fields_ = [("size", _size), ("time", _double), ("position", _double3), ("touching", _int), ("action", _int),
                 ("power", _double), ("strength", _double)]
     defaults = {"power": 1.0, "strength": 1.0}
@@ -189,7 +188,6 @@ class Sample(_Struct):
 
 class View(_Struct):
     """Where a frame is seen from, and the lamp. Matrices are column by column: View.of takes them as numpy has them."""
-
     _fields_ = [("size", _size), ("view", _float16), ("projection", _float16), ("lamp_intensity", _double),
                 ("lamp_focus_distance", _double), ("lamp_beam_angle", _double), ("lamp_ambient", _double),
                 ("lamp_color", _double3), ("haze", _int)]
@@ -204,14 +202,12 @@ class View(_Struct):
 
 class Response(_Struct):
     """How light becomes a picture."""
-
     _fields_ = [("size", _size), ("exposure", _double), ("vignette", _double)]
     defaults = {"exposure": 1.0, "vignette": 1.0}
 
 
 class Amounts(_Struct):
     """How much blood and smoke there is: mm2, mm3; see lapfx.h."""
-
     _fields_ = [("size", _size), ("blood_area", _double), ("blood_volume", _double), ("burnt_area", _double),
                 ("haze", _double), ("emission", _double), ("lost_samples", ctypes.c_uint64), ("wounds", _int),
                 ("bleeding_wounds", _int), ("left_out_wounds", _int)]
@@ -219,27 +215,23 @@ class Amounts(_Struct):
 
 class Wound(_Struct):
     """A place that bleeds; `state` is an index into WOUND_STATES."""
-
     _fields_ = [("size", _size), ("state", _int), ("bleeds", _int), ("position", _double3), ("start", _double),
                 ("stop", _double), ("strength", _double), ("extent", _double)]
 
 
 class Hit(_Struct):
     """A point on the organ under a ray."""
-
     _fields_ = [("size", _size), ("found", _int), ("position", _double3), ("distance", _double)]
 
 
 class MemoryUse(_Struct):
     """Bytes, by purpose."""
-
     _fields_ = [(name, _size) for name in ("size", "surface", "pixels", "densities", "geometry", "textures", "clips",
                                            "targets", "total")]
 
 
 class SceneInfo(_Struct):
     """What a scene says of itself; texts are bytes."""
-
     _fields_ = [("size", _size), ("name", _chars), ("preset", _chars), ("duration", _double),
                 ("seed", ctypes.c_uint32), ("gravity", _double3), ("organ_file", _chars), ("organ_scale", _double),
                 ("organ_rotation", _double3), ("organ_texture", _chars), ("organ_color", _double3),
@@ -441,6 +433,14 @@ class Effects(_Object):
     def set_contacts(self, contacts):
         """All contacts so far, past and running."""
         _call("effects_set_contacts", self._handle, (Contact * len(contacts))(*contacts), _size(len(contacts)))
+
+    def set_organ(self, organ, contacts=()):
+        """Another organ, which was prepared, with all that has happened to it; no frame takes long for it."""
+        _call("effects_set_organ", self._handle, organ._handle, (Contact * len(contacts))(*contacts), _size(len(contacts)))
+
+    def organ_coming(self):
+        """Whether the organ of set_organ is still on its way; seek() shows it."""
+        return bool(_get(_int, "effects_get_organ_coming", self._handle))
 
     def push_sample(self, sample):
         """May be called on one other thread."""

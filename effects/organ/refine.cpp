@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "lapfx/authoring/organ_report.h"
+#include "organ/check.h"
 #include "organ/weld.h"
 
 namespace lapfx {
@@ -269,6 +270,7 @@ double usual_length(const Organ& organ, const std::vector<glm::vec3>& places, co
 }  // namespace
 
 organ::RefinePlan organ::plan_refine(const Organ& organ, const work::Stages& stages) {
+    require_complete(organ);
     RefinePlan plan{.triangles = organ.triangle_count()};
     // First without joining vertices: most organs are fine enough, and joining takes longer than this check.
     std::vector<std::size_t> coarse;

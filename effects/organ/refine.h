@@ -41,6 +41,8 @@ struct RefinePlan {
     bool bounded() const { return length > longest_wanted; }  ///< most_added was not enough for longest_wanted
     bool is_told() const { return usual > told_from; }
 };
+/// Every organ that is used comes through here, so it is checked here: throws Error (bad_input) where it is not
+/// complete.
 RefinePlan plan_refine(const Organ& organ, const work::Stages& stages = {});
 
 /// The organ before splitting. All members are empty if it was not split.

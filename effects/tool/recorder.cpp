@@ -34,6 +34,12 @@ std::size_t Recorder::take_same() {
     return std::exchange(same_, contacts_.size());
 }
 
+double Recorder::acting(double time) const {
+    if (!running_) return time;
+    const double end = contacts_.back().end();
+    return time >= end && time - end <= longest_gap ? std::nextafter(end, contacts_.back().time) : time;
+}
+
 bool Recorder::add(const ToolSample& given) {
     if (!usable(given) || (any_ && given.time <= last_time_)) {
         ++dropped_;

@@ -33,6 +33,9 @@ class Recorder {
     /// What happened so far; the last one grows while the tool touches.
     std::span<const ToolContact> contacts() const { return contacts_; }
     std::uint64_t dropped() const { return dropped_; }
+    /// `time`, or where its last contact still runs and ended less than `longest_gap` before, the last moment of that:
+    /// what the tool does now, of which a sample has not come yet.
+    double acting(double time) const;
     /// How many contacts, from the first on, are unchanged since the last call.
     std::size_t take_same();
     /// Whether the contacts have changed since the last take_same(); samples that do not touch change nothing.

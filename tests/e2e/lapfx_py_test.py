@@ -12,6 +12,7 @@ import logging
 import os
 import sys
 import threading
+import time
 
 import numpy
 
@@ -107,6 +108,16 @@ def check_arrays(preset):
         fails(lapfx.BadInput, "vertex_count: 2; the organ has 1681 vertices", effects.set_shape, positions[:2])
         fails(lapfx.BadInput, "time: nan is no finite number", effects.seek, float("nan"))
         check_threads(effects)
+        other = lapfx.Organ.of(positions * 0.5 + [0, 0, 7], triangles)
+        fails(lapfx.Misuse, "call lapfx_organ_prepare before", effects.set_organ, other)
+        other.prepare(preset)
+        assert not effects.organ_coming()
+        effects.set_organ(other, [lapfx.Contact(action="cut", position=(0, 0, 7), to=(1, 0, 7))])
+        assert effects.organ_coming() and effects.pick((1, 2, 50), (0, 0, -1)).distance == 40
+        end = time.monotonic() + 60
+        while effects.organ_coming() and time.monotonic() < end:
+            effects.seek(5)
+        assert effects.pick((1, 2, 50), (0, 0, -1)).distance == 43 and [one.time for one in effects.contacts()] == [0]
 
 
 def check_threads(effects):

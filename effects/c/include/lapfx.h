@@ -83,7 +83,7 @@ typedef struct lapfx_frame lapfx_frame;      ///< the editor's frame, for hosts 
 typedef enum lapfx_status {
     LAPFX_OK = 0,
     LAPFX_RUNTIME = 1,    ///< it failed while running: memory, disk, driver
-    LAPFX_BAD_INPUT = 2,  ///< a file or a value has to change
+    LAPFX_BAD_INPUT = 2,  ///< a file or a value has to change: an enumerator, an index or a size, too
     LAPFX_NO_GL = 3,      ///< no usable OpenGL on this machine
     LAPFX_MISUSE = 4      ///< the program has to change: order of calls, thread, handle, NULL, size of a struct
 } lapfx_status;
@@ -205,7 +205,8 @@ enum {
 /// The tool touches the organ from `time` for `duration`, its tip moving straight from `position` to `to`. With values
 /// that are absurd (a path over 1000 mm, a coordinate beyond 1e5 mm, a time beyond 1e7 s, a negative duration) it does
 /// nothing, and nothing is told: count seconds from the start of the exercise. A tip that is farther than 5 mm from the
-/// organ touches nothing. `to` is not `position` by default: set both, also for a tip that stands still.
+/// organ touches nothing; a fast one does not burn (lapfx/tool.h). `to` is not `position` by default: set both, also
+/// for a tip that stands still.
 typedef struct lapfx_contact {
     size_t size;
     int action;
@@ -238,7 +239,7 @@ typedef struct lapfx_sample {
 
 typedef struct lapfx_view {
     size_t size;
-    float view[16];              ///< organ space to camera space, rigid
+    float view[16];              ///< organ space to camera space, column by column; rigid, or it is refused
     float projection[16];        ///< OpenGL's clip space, z in -1..1, perspective
     double lamp_intensity;       ///< a white surface at the focus distance is lit to this
     double lamp_focus_distance;  ///< mm

@@ -34,9 +34,11 @@ struct Amounts {
             ///< blood has reached max_extent does not count: it adds no more blood
     int left_out_wounds = 0;  ///< wounds that did not open because there were 4096 already
     std::uint64_t lost_samples =
-        0;                  ///< samples of the tool queue that found no room or could not be used (tool_queue.h)
-    double haze = 0.0;      ///< E, optical thickness at the focus distance
-    double emission = 0.0;  ///< smoke that all tools make at this moment; one tool at full power on lean tissue makes 1
+        0;              ///< samples of the tool queue that found no room or could not be used (tool_queue.h)
+    double haze = 0.0;  ///< E, optical thickness at the focus distance
+    double emission =
+        0.0;  ///< smoke that all tools make at this moment; one tool at full power on lean tissue makes 1.
+              ///< A tool of the queue that has not let go makes it up to .1 s after its last sample
     double burnt_area = 0.0;  ///< mm2 of organ surface that has reached the char temperature
 };
 

@@ -139,11 +139,11 @@ class LAPFX_API Effects {
     /// then each seek() sends a part of its textures to the GPU, some twenty of them 80 MB, and one its vertices. Until
     /// all is there the present organ is shown, and samples of the tool, set_shape() and set_topology() are for that;
     /// what else is set meanwhile holds for both. Gravity, vessel parameters or earlier contacts that are set meanwhile
-    /// cost their time again in the frame that shows the organ. The seek() that shows it ends organ_coming(); from then
-    /// on buffer names and the number of vertices are those of the new organ, and it is at rest. With
-    /// EffectsOptions::wait_for_clips that is the next one. A second call replaces an organ that is still coming.
-    /// `organ` is not null. Out of memory ends the process, as in seek(), except in this call itself (std::exception):
-    /// then none comes.
+    /// cost their time again in the frame that shows the organ. Haze, too, is that of `contacts`. The seek() that shows
+    /// it ends organ_coming(); from then on buffer names and the number of vertices are those of the new organ, and it
+    /// is at rest. With EffectsOptions::wait_for_clips that is the next one. A second call replaces an organ that is
+    /// still coming. `organ` is not null. Out of memory ends the process, as in seek(), except in this call itself
+    /// (std::exception): then none comes.
     void set_organ(std::shared_ptr<const PreparedOrgan> organ, std::span<const ToolContact> contacts = {});
     bool organ_coming() const noexcept;
 

@@ -38,7 +38,7 @@ class LAPFX_API Frame {
     ~Frame();
 
     /// Begins a frame of `size` pixels, black and as deep as can be; memory for another size is freed. Throws Error:
-    /// bad_input beyond the driver's largest size, runtime when it cannot make the frame.
+    /// bad_input below 1x1 or beyond the driver's largest size, runtime when it cannot make the frame.
     void begin(glm::ivec2 size);
     /// Call this when all tissue and instruments are drawn. It binds their resolved picture, without a depth buffer:
     /// depth() has that as a texture.

@@ -61,6 +61,8 @@ struct TriangleCounts {
     std::size_t dropped() const { return unreadable + out_of_range + not_finite + without_area + repeated; }
 };
 
+/// A triangle mesh with its materials. It has to be complete: make_organ() and load_organ() make it so, and one that is
+/// filled by hand and whose arrays do not fit together is refused where it is used, with Error (bad_input).
 struct Organ {
     std::string name;
     std::vector<glm::vec3> positions;    ///< mm

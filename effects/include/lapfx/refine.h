@@ -24,7 +24,8 @@ struct RefinedOrgan {
 };
 
 /// Splits edges longer than 2 mm without making cracks, also along texture seams. It adds at most 300,000 triangles;
-/// where that is not enough (a room, a wrong unit), edges that are long in the file stay longer.
+/// where that is not enough (a whole abdomen, a room, a wrong unit), edges that are long in the file stay longer.
+/// Throws Error (bad_input) for an organ that is not complete (organ.h).
 LAPFX_API RefinedOrgan refine(Organ organ);
 
 }  // namespace lapfx

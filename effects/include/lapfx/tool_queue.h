@@ -8,8 +8,9 @@
 // Samples that touch make a contact, which grows while they continue with the same action, power and strength, at most
 // 0.1 s apart; a slower host sets contacts instead. A contact is straight and, while the tip moves, at most 0.1 s long:
 // where the tip turns, another contact of the same stroke begins (goes_on, tool.h). Samples that are not finite, not
-// later than the one before, or beyond 1e5 mm or 1e7 s are dropped and counted in Amounts::lost_samples. Samples that
-// do not touch cost nothing.
+// later than the one before, or beyond 1e5 mm or 1e7 s are dropped and counted in Amounts::lost_samples;
+// Effects::set_contacts() and the organ of set_organ() begin anew with any time. Samples later than seek() act when
+// their time comes. Samples that do not touch cost nothing. How fast a tip may be to burn: tool.h.
 //
 // One thread pushes, one thread pops; both are wait-free and allocate nothing. Lengths mm in organ space, times s on
 // the clock of Effects::seek().

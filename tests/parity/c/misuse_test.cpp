@@ -114,6 +114,33 @@ TEST_F(MisuseTest, MatricesThatAreNoneDrawNothing) {
     lapfx_view view = from_above();
     for (float& element : view.projection) element = 0;
     expect_fails(lapfx_effects_draw_organ(effects, &view), LAPFX_BAD_INPUT, "view.projection: has the determinant 0");
+    const auto spoilt = [](void (*spoil)(lapfx_view&)) {
+        lapfx_view spoilt_view = from_above();
+        spoil(spoilt_view);
+        return spoilt_view;
+    };
+    const lapfx_view none_rigid[] = {spoilt([](lapfx_view& v) {
+                                         for (int i = 0; i < 4; ++i)
+                                             for (int k = 0; k < i; ++k)
+                                                 std::swap(v.view[4 * i + k], v.view[4 * k + i]);
+                                     }),
+                                     spoilt([](lapfx_view& v) {
+                                         for (int i = 0; i < 12; ++i) v.view[i] *= 1.01f;
+                                     }),
+                                     spoilt([](lapfx_view& v) {
+                                         for (int i = 0; i < 3; ++i) v.view[i] = -v.view[i];
+                                     })};
+    for (const lapfx_view& other : none_rigid)
+        expect_fails(lapfx_effects_draw_organ(effects, &other), LAPFX_BAD_INPUT,
+                     "view.view: is not rigid; expected a rotation and a translation, without scale, column by column");
+    view = from_above();
+    view.lamp_focus_distance = 0;
+    expect_fails(lapfx_effects_draw_organ(effects, &view), LAPFX_BAD_INPUT,
+                 "view.lamp_focus_distance: 0.000000; expected more than 0");
+    view = from_above();
+    view.lamp_intensity = -1;
+    expect_fails(lapfx_effects_draw_organ(effects, &view), LAPFX_BAD_INPUT,
+                 "view.lamp_intensity: -1.000000; expected 0 or more");
     view = from_above();
     view.lamp_color[1] = nan;
     expect_fails(lapfx_effects_draw_organ(effects, &view), LAPFX_BAD_INPUT, "view.lamp_color: element 1 is nan");
@@ -170,6 +197,9 @@ TEST_F(MisuseTest, ValuesAreToldWithWhatIsAllowed) {
     const double zero[3] = {}, broken[3] = {0, infinite, 0};
     expect_fails(lapfx_effects_set_gravity(effects, zero), LAPFX_BAD_INPUT, "gravity: a vector of length 0");
     expect_fails(lapfx_effects_set_gravity(effects, broken), LAPFX_BAD_INPUT, "gravity: element 1 is inf");
+    const double glaring[3] = {1, 0, 2};
+    expect_fails(lapfx_effects_set_organ_color(effects, glaring), LAPFX_BAD_INPUT,
+                 "color: element 2 is 2.000000; expected 0 to 1");
     lapfx_hit hit{};
     hit.size = sizeof hit;
     expect_fails(lapfx_effects_pick(effects, zero, zero, &hit), LAPFX_BAD_INPUT, "direction: a vector of length 0");

@@ -7,6 +7,8 @@
 #include "lapfx/amounts.h"
 #include "lapfx/error.h"
 #include "lapfx/organ.h"
+#include "lapfx/prepared_organ.h"
+#include "lapfx/refine.h"
 #include "support/meshes.h"
 
 namespace lapfx {
@@ -59,6 +61,48 @@ TEST(MakeOrgan, TakesWhatIsGiven) {
     EXPECT_EQ(organ.images.at(0).pixels, image.pixels);
     EXPECT_EQ(organ.name, "liver");
     EXPECT_EQ(organ.scale, 1.0);
+}
+
+/// What a host has filled by hand is refused wherever an organ is used, not read beyond its end.
+TEST(MakeOrgan, AnOrganWhoseArraysDoNotFitIsRefused) {
+    const auto told = [](void (*spoil)(Organ&)) {
+        Organ organ = test::plane(10.0, 4);
+        organ.name = "by hand";
+        spoil(organ);
+        std::string text;
+        const auto refused = [&](auto use) {
+            try {
+                use();
+                ADD_FAILURE() << "not refused";
+            } catch (const Error& error) {
+                EXPECT_EQ(error.failure(), Failure::bad_input);
+                text = error.what();
+            }
+        };
+        refused([&] { AmountsModel model(organ); });
+        refused([&] { prepare_organ(organ); });
+        refused([&] { refine(organ); });
+        return text;
+    };
+    EXPECT_EQ(told([](Organ& o) { o.indices[4] = 25; }), "by hand: indices/4: 25; there are 25 positions");
+    EXPECT_EQ(told([](Organ& o) { o.indices.pop_back(); }), "by hand: indices: 95; each triangle has three");
+    EXPECT_EQ(told([](Organ& o) { o.normals.clear(); }), "by hand: normals: 0; there are 25 positions");
+    EXPECT_EQ(told([](Organ& o) { o.tangents.pop_back(); }), "by hand: tangents: 24; there are 25 positions");
+    EXPECT_EQ(told([](Organ& o) { o.uvs.clear(); }), "by hand: uvs: 0; there are 25 positions");
+    EXPECT_EQ(told([](Organ& o) { o.colors.clear(); }), "by hand: colors: 0; there are 25 positions");
+    EXPECT_EQ(told([](Organ& o) { o.positions[7].y = std::numeric_limits<float>::quiet_NaN(); }),
+              "by hand: positions/7: nan is not a number from -1e9 to 1e9");
+    EXPECT_EQ(told([](Organ& o) { o.parts[0].index_count += 3; }),
+              "by hand: parts/0: 99 from 0 on; there are 96 indices, three for each triangle");
+    EXPECT_EQ(told([](Organ& o) { o.parts[0].first_index = 0xfffffffd; }),
+              "by hand: parts/0: 96 from 4294967293 on; there are 96 indices, three for each triangle");
+    EXPECT_EQ(told([](Organ& o) { o.parts[0].material = -1; }), "by hand: parts/0/material: -1; there are 1 materials");
+    EXPECT_EQ(told([](Organ& o) { o.materials[0].normal_image = 2; }),
+              "by hand: materials/0: 2; there are 0 images, and -1 is none");
+    EXPECT_EQ(told([](Organ& o) {
+                  o.images = {{.width = 2, .height = 2, .pixels = {1, 2}, .name = ""}};
+              }),
+              "by hand: images/0: 2x2 with 2 bytes; four for each pixel are needed");
 }
 
 TEST(MakeOrgan, BleedsAsTheSameOrganOfAFile) {

@@ -12,6 +12,7 @@
 #include "cautery/cautery.h"
 #include "lapfx/amounts.h"
 #include "lapfx/authoring/organ_report.h"
+#include "lapfx/error.h"
 #include "organ/refine.h"
 #include "support/logged.h"
 #include "support/meshes.h"
@@ -308,11 +309,17 @@ TEST(Refine, WhatIsFineInTheFileStaysFineBesideALargeRoom) {
 }
 
 TEST(Refine, WhatHasNoMiddleIsLeft) {
+    Organ organ = test::plane(20.0, 1);
+    for (glm::vec3& p : organ.positions) p.x += 9.9e8f;  // whose neighbours are 64 mm away
+    EXPECT_LE(refine(organ).organ.triangle_count(), organ::most_added + 2);
+}
+
+TEST(Refine, WhatIsNoPlaceIsRefused) {
     constexpr float infinite = std::numeric_limits<float>::infinity();
-    for (const float far : {1e9f, 1e30f, infinite, std::numeric_limits<float>::quiet_NaN()}) {
+    for (const float far : {1.1e9f, -1e30f, infinite, std::numeric_limits<float>::quiet_NaN()}) {
         Organ organ = test::plane(20.0, 1);
         for (glm::vec3& p : organ.positions) p.x += far;
-        EXPECT_LE(refine(organ).organ.triangle_count(), organ::most_added + 2) << far;
+        EXPECT_THROW(refine(organ), Error) << far;
     }
 }
 

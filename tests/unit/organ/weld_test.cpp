@@ -79,8 +79,7 @@ TEST(Weld, SeamsCountOncePerPlaceThatMoved) {
 }
 
 TEST(Weld, RoundingFarFromTheOriginIsSewn) {
-    Organ organ;  // halves that float arithmetic has moved differently
-    add(organ, plane(2.0, 20));
+    Organ organ = plane(2.0, 20);  // halves that float arithmetic has moved differently
     for (glm::vec3& p : organ.positions) p = (p + glm::vec3(800.0f, -700.0f, 900.0f));
     Organ torn = torn_plane(2.0, 20, 0.0);
     std::mt19937 random(3);
