@@ -37,6 +37,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME liblapfx-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "liblapfx (= ${PROJECT_VERSION}), libglm-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "lapfx")  # presets, samples, and the pages that the headers name
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "bleeding and surgical smoke for laparoscopic simulators (development)
 ${what_it_is}
 

@@ -151,8 +151,12 @@ lapfx_status lapfx_effects_set_organ(lapfx_effects* effects, const lapfx_organ* 
         if (!of->prepared)
             throw Misuse("organ: it has not been prepared; call lapfx_organ_prepare before, on another thread");
         take_contacts(object, contacts, count);
-        object.coming_vertices = object.vertices;  // if that throws, none comes any more
-        object.effects.set_organ(of->prepared, object.contacts);
+        try {
+            object.effects.set_organ(of->prepared, object.contacts);
+        } catch (...) {
+            if (!object.effects.organ_coming()) object.coming_vertices = object.vertices;
+            throw;
+        }
         object.coming_vertices = of->organ.positions.size();
     });
 }

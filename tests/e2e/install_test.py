@@ -45,6 +45,14 @@ def check_names_no_folder(prefix, *folders):
             assert not found, f"{path} names {folder}: {data[max(found.start() - 40, 0):found.start() + 80]}"
 
 
+def check_headers(include):
+    """They name no file that is only in the source."""
+    for path in files_below(include):
+        with open(path, encoding="utf-8") as file:
+            found = re.search(r".*\b(effects|editor|authoring|tests|shaders)/.*", file.read())
+        assert not found, f"{path}: {found[0]}"
+
+
 def exported(library):
     lines = run("nm", "-DC", "--defined-only", library).splitlines()
     return sorted({line.split(" ", 2)[2] for line in lines})  # a constructor is there twice
@@ -92,6 +100,7 @@ def main(build, source, folder, *more):
     os.makedirs(folder, exist_ok=True)
     prefix = installed(build, folder)
     check_names_no_folder(prefix, source, build, folder)
+    check_headers(os.path.join(prefix, "include"))
     libraries = check_library(prefix, "--renew" in more)
     scene, preset, clips = check_program(prefix, build)
     installed_hosts.check_drawing_host(source, prefix, folder, build, scene, preset, clips)

@@ -102,6 +102,7 @@ def check_control(packages):
     depends = field("lapfx", "Depends").split(", ")
     assert set(LOADED_LATER) <= set(depends) and any(one.startswith("libegl1") for one in depends), depends
     assert field("liblapfx-dev", "Depends") == f"liblapfx (= {version}), libglm-dev"
+    assert field("liblapfx-dev", "Recommends") == "lapfx"
     assert field("python3-lapfx", "Depends") == f"liblapfx (= {version}), python3, python3-numpy"
     assert run("dpkg-deb", "-I", packages["liblapfx"], "shlibs").strip() == f"liblapfx 0.1 liblapfx (= {version})"
     for name in PACKAGES:

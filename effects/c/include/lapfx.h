@@ -172,8 +172,9 @@ LAPFX_API lapfx_status lapfx_organ_create(const lapfx_mesh* mesh, lapfx_organ** 
 /// Another organ of the same shape, with triangles fine enough for blood; the given vertices come first. Only for hosts
 /// that draw the organ themselves: then create the effects of `refined` (lapfx/refine.h).
 LAPFX_API lapfx_status lapfx_organ_refine(const lapfx_organ* organ, lapfx_organ** refined);
-/// Does now, on this thread, what makes lapfx_effects_create take long, for presets with vessels as in `preset`; NULL:
-/// as in a preset without values.
+/// Does now, on this thread, most of what makes lapfx_effects_create take long, for presets with vessels as in `preset`
+/// (NULL: as in a preset without values): mip levels and sending it to the GPU remain. lapfx_effects_set_organ wants
+/// it.
 LAPFX_API lapfx_status lapfx_organ_prepare(lapfx_organ* organ, const lapfx_preset* preset);
 LAPFX_API lapfx_status lapfx_organ_get_data(const lapfx_organ* organ, lapfx_organ_data* data);
 LAPFX_API lapfx_status lapfx_organ_destroy(lapfx_organ* organ);
@@ -372,12 +373,21 @@ LAPFX_API lapfx_status lapfx_effects_create(lapfx_context* context, const lapfx_
 LAPFX_API lapfx_status lapfx_effects_set_preset(lapfx_effects* effects, const lapfx_preset* preset);
 /// All contacts so far, past and running. They replace the samples that came so far.
 LAPFX_API lapfx_status lapfx_effects_set_contacts(lapfx_effects* effects, const lapfx_contact* contacts, size_t count);
-/// Another organ takes the place of this one, and `contacts` are all that has happened to it so far. It has to be
-/// prepared (lapfx_organ_prepare, on another thread). No frame takes long: the rest is done on another thread and, a
-/// part in each lapfx_effects_seek, on the GPU. Until the organ is there the present one is shown, and samples and
-/// lapfx_effects_set_shape are for that; what else is set meanwhile holds for both. The seek that shows it ends
-/// lapfx_effects_get_organ_coming; from then on the bleed buffer and the number of vertices are the new organ's, which
-/// is at rest. When this fails, none comes.
+/// Another organ takes the place of this one, and `contacts` are all that has happened to it so far (NULL with 0:
+/// none):
+///
+///     lapfx_organ_prepare(next, preset);                 // on another thread
+///     lapfx_effects_set_organ(effects, next, NULL, 0);   // then seek and draw as ever; `next` may be destroyed
+///     lapfx_effects_get_organ_coming(effects, &coming);  // 0: it is shown
+///
+/// No frame takes long: what is left to do is done on another thread and, a part in each lapfx_effects_seek, on the
+/// GPU: textures in parts, all vertices in one seek. With wait_for_clips the next seek does it all. Until the organ is
+/// there the present one is shown, and samples and lapfx_effects_set_shape are for that; what else is set meanwhile
+/// holds for both, lapfx_effects_set_contacts, too: where places differ, set contacts when it is shown. Gravity,
+/// vessels and earlier contacts that are set meanwhile cost their time again in the seek that shows it. That seek ends
+/// lapfx_effects_get_organ_coming; from then on the bleed buffer, its uniform block and the number of vertices are the
+/// new organ's, which is at rest: bind both again. A second call replaces an organ that is still coming. What is
+/// refused changes nothing; when memory ends, none comes. Destroying waits for the step that the other thread is in.
 LAPFX_API lapfx_status lapfx_effects_set_organ(lapfx_effects* effects, const lapfx_organ* organ,
                                                const lapfx_contact* contacts, size_t count);
 /// 1 until the organ of lapfx_effects_set_organ is shown, else 0.
@@ -409,7 +419,7 @@ LAPFX_API lapfx_status lapfx_effects_draw_smoke(lapfx_effects* effects, const la
 LAPFX_API lapfx_status lapfx_bleeding_shader(const char** text);
 /// the OpenGL buffer of two floats per vertex that it reads,
 LAPFX_API lapfx_status lapfx_effects_bleed_buffer(lapfx_effects* effects, unsigned* buffer);
-/// and its uniform block, at binding 1.
+/// and its uniform block, at binding 1. Both are those of the organ that is shown: bind them again when another one is.
 LAPFX_API lapfx_status lapfx_effects_bind_bleeding(lapfx_effects* effects);
 
 LAPFX_API lapfx_status lapfx_effects_get_amounts(lapfx_effects* effects, lapfx_amounts* amounts);

@@ -136,14 +136,16 @@ class LAPFX_API Effects {
 
     /// Another organ takes the place of this one, and `contacts` are all that has happened to it so far. It comes
     /// without a frame that takes long: its mip levels and the simulation of `contacts` are made on another thread,
-    /// then each seek() sends a part of its textures to the GPU, some twenty of them 80 MB, and one its vertices. Until
-    /// all is there the present organ is shown, and samples of the tool, set_shape() and set_topology() are for that;
-    /// what else is set meanwhile holds for both. Gravity, vessel parameters or earlier contacts that are set meanwhile
-    /// cost their time again in the frame that shows the organ. Haze, too, is that of `contacts`. The seek() that shows
-    /// it ends organ_coming(); from then on buffer names and the number of vertices are those of the new organ, and it
-    /// is at rest. With EffectsOptions::wait_for_clips that is the next one. A second call replaces an organ that is
-    /// still coming. `organ` is not null. Out of memory ends the process, as in seek(), except in this call itself
-    /// (std::exception): then none comes.
+    /// then each seek() sends a part of its textures to the GPU, some twenty of them 80 MB, and one all its vertices:
+    /// with a software renderer .6 ms for a MB of them. Until all is there the present organ is shown, and samples of
+    /// the tool, set_shape() and set_topology() are for that; what else is set meanwhile holds for both,
+    /// set_contacts(), too: where places differ, set contacts when it is shown. Gravity, vessel parameters or earlier
+    /// contacts that are set meanwhile cost their time again in the frame that shows the organ. Haze, too, is that of
+    /// `contacts`. The seek() that shows it ends organ_coming(); from then on buffer names and the number of vertices
+    /// are those of the new organ, and it is at rest. With EffectsOptions::wait_for_clips that is the next one. A
+    /// second call replaces an organ that is still coming. `organ` is not null. Out of memory ends the process, as in
+    /// seek(), except in this call itself (std::exception): then none comes. Destroying Effects waits for the step that
+    /// the other thread is in.
     void set_organ(std::shared_ptr<const PreparedOrgan> organ, std::span<const ToolContact> contacts = {});
     bool organ_coming() const noexcept;
 
@@ -178,7 +180,8 @@ class LAPFX_API Effects {
     /// scale vertices.
     unsigned bleed_buffer() const noexcept;
     /// Binds the uniform block that bleeding_shader() reads at uniform binding 1, and leaves it bound. Unlike the draw
-    /// calls it changes the host's state on purpose.
+    /// calls it changes the host's state on purpose. The block is that of the organ that is shown: bind it again after
+    /// set_topology() and when an organ of set_organ() is shown; that of an organ that goes is unbound.
     void bind_bleeding() const noexcept;
 
     /// Amounts at the time of the last seek().

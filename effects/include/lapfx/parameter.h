@@ -5,8 +5,7 @@
 //         std::cout << row.key << ' ' << row.unit << '\n';
 //
 // A parameter is one member of a plain struct (preset.h, scene.h; its initialiser is the default) and one row
-// in the table of that struct (effects/<effect>/parameters.cpp). Tables are immutable and may be read from
-// any thread.
+// in the table of that struct. Tables are immutable and may be read from any thread.
 #pragma once
 
 #include <glm/glm.hpp>

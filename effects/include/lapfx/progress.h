@@ -1,6 +1,7 @@
 // How far a long task has come, and whether to continue it.
 //
-//     auto organ = lapfx::prepare_organ(organ, preset.vessels, [&](double share) { bar = share; return !cancelled; });
+//     auto prepared = lapfx::prepare_organ(organ, preset.vessels, [&](double share) { bar = share; return !cancelled;
+//     });
 #pragma once
 
 #include <functional>

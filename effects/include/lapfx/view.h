@@ -19,8 +19,8 @@ struct Lamp {
 /// False colour over the tissue, for tuning: what the effects use but the picture does not show.
 enum class Overlay { none, vessels, fat, bleed };
 
-/// One row for each overlay, in the order of the enumerators. shaders/overlay.glsl draws them, and calls them
-/// OVERLAY_NONE and so on.
+/// One row for each overlay, in the order of the enumerators. The shader overlay.glsl draws them, and calls
+/// them OVERLAY_NONE and so on.
 struct OverlayRow {
     Overlay overlay;
     std::string_view key;           ///< as `lapfx render --overlay` takes it: "vessels"

@@ -98,6 +98,9 @@ TEST_F(UseTest, AnotherOrganTakesThePlaceOfTheFirst) {
     EXPECT_EQ(picture(), before);
     expect_fails(lapfx_effects_set_shape(effects, vertices, shape.data(), nullptr), LAPFX_BAD_INPUT,
                  "the organ has 1681 vertices");
+    expect_fails(lapfx_effects_set_organ(effects, organ, nullptr, 0), LAPFX_MISUSE, "call lapfx_organ_prepare before");
+    expect_ok(lapfx_effects_get_organ_coming(effects, &coming));
+    EXPECT_EQ(coming, 1) << "what is refused changes nothing";
     EXPECT_TRUE(test::wait_until([&] { return coming == 0; },
                                  [&] {
                                      expect_ok(lapfx_effects_seek(effects, 3.0));

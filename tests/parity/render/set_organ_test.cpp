@@ -163,11 +163,17 @@ TEST_F(SetOrganTest, SamplesOfTheToolAreForTheOrganThatIsShown) {
     EXPECT_TRUE(push(time));
     EXPECT_TRUE(push(time + 0.001));
     effects.seek(time);
-    if (effects.organ_coming()) {
-        EXPECT_EQ(effects.contacts().size(), 1U);
-    }
+    ASSERT_TRUE(effects.organ_coming());
+    EXPECT_EQ(effects.contacts().size(), 1U);
+    EXPECT_TRUE(push(time - 1.0));  // too late
     come(effects);
     EXPECT_TRUE(effects.contacts().empty());
+    EXPECT_EQ(effects.amounts().lost_samples, 1U);
+    for (const double at : {time - 2.0, time - 1.95, time - 1.97}) EXPECT_TRUE(push(at));
+    effects.seek(time);
+    ASSERT_EQ(effects.contacts().size(), 1U) << "the clock of samples begins anew";
+    EXPECT_EQ(effects.contacts()[0].time, time - 2.0);
+    EXPECT_EQ(effects.amounts().lost_samples, 2U) << "of both organs";
 }
 
 TEST_F(SetOrganTest, ASecondCallReplacesTheFirst) {

@@ -3,9 +3,11 @@
 #include "gl/program.h"
 #include "gl/state_guard.h"
 #include "lapfx/effects.h"
+#include "lapfx/prepared_organ.h"
 #include "parity/render/scene_fixture.h"
 #include "render/camera.h"
 #include "support/gl_state.h"
+#include "support/wait_until.h"
 
 namespace lapfx {
 namespace {
@@ -203,6 +205,61 @@ TEST_F(StateTest, DrawCallsLeaveTheHostsStateAsTheyFindIt) {
         put_back();
     }
     glDeleteSamplers(1, &sampler);
+}
+
+/// With the host's buffer to read pixels from, its rows, its vertex array and its uniform block, at every stage.
+TEST_F(StateTest, AnOrganThatComesAndOneThatGoesLeaveTheHostsState) {
+    Organ spotted = test::plane(80.0, 20);
+    spotted.images = {{.width = 1000, .height = 1500, .pixels = {}, .name = "spots"}};
+    for (std::size_t i = 0; i < std::size_t{4} * 1000 * 1500; ++i)
+        spotted.images[0].pixels.push_back(static_cast<std::uint8_t>(i % 4 == 3 ? 255 : 100 + i / 4 * 7 % 100));
+    spotted.materials[0].base_color_image = 0;
+    for (std::size_t v = 0; v < spotted.uvs.size(); ++v)
+        spotted.uvs[v] = glm::vec2(spotted.positions[v].x, spotted.positions[v].z) / 80.0f;
+    const auto other = prepare_organ(spotted, preset.vessels);
+    const auto drawn = [&](Effects& one) {
+        clear();
+        glBindFramebuffer(GL_FRAMEBUFFER, whole.name());
+        one.draw_organ(view());
+        return pixels();
+    };
+    Effects wanted(other, preset, {.clip_folders = {}, .wait_for_clips = true});
+    Effects e(test::plane(80.0, 10), preset, {.clip_folders = {}});
+    e.set_contacts(scene.events);
+    e.seek(2.5);
+    wanted.seek(2.5);
+    const std::vector<float> direct = drawn(wanted), former = drawn(e);
+    int seeks = 0;
+    {
+        const gl::Buffer buffer(4096);
+        const gl::VertexArray vertex_array;
+        glBindBufferRange(GL_UNIFORM_BUFFER, 1, buffer.name(), 256, 512);
+        glBindVertexArray(vertex_array.name());
+        glPixelStorei(GL_UNPACK_ROW_LENGTH, 3);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 8);
+        const Elsewhere elsewhere(buffer.name());
+        const test::GlState before = state();
+        const auto expect_same = [&](const char* when) {
+            EXPECT_EQ(test::changes(before, state()), "") << when << " " << seeks;
+        };
+        e.set_organ(other);
+        expect_same("set_organ");
+        EXPECT_TRUE(test::wait_until([&] { return !e.organ_coming(); },
+                                     [&] {
+                                         e.seek(2.5);
+                                         ++seeks;
+                                         expect_same("on its way");
+                                     }));
+        for (int i = 0; i < 10; ++i) {
+            e.seek(2.5);
+            expect_same("the other one goes");
+        }
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    }
+    put_back();
+    EXPECT_GE(seeks, 3);
+    EXPECT_NE(direct, former);
+    EXPECT_EQ(drawn(e), direct);
 }
 
 TEST_F(StateTest, AHostsShaderGetsOneUniformBindingAndAllElseStays) {
