@@ -69,7 +69,7 @@ struct Held {
 
 Cost sample_cost(Effects& effects, const Scene& scene, int seconds, int held_frames, const Held& held) {
     // They are apart, so that the held stroke has the same effect on the organ with any history.
-    const glm::dvec3 centre = scene.events.front().position, aside = scene.events.back().to + glm::dvec3(held.mm, 0, 0);
+    const glm::dvec3 centre = scene.events.front().position, aside = centre + glm::dvec3(held.mm, 0, 0);
     effects.set_contacts(strokes(effects, aside, scene.camera.eye, seconds, held.third));
     double time = seconds + rest;
     effects.seek(time);
