@@ -8,8 +8,6 @@ namespace lapfx {
 
 namespace {
 
-constexpr double farthest = 1e9;  // mm, as of a file
-
 class Check {
   public:
     explicit Check(const Organ& organ) : organ_(organ) {}
@@ -26,16 +24,11 @@ class Check {
                 refuse(place, std::to_string(size) + "; there are " + std::to_string(count) + " positions");
         for (std::size_t i = 0; i < count; ++i)
             for (int k = 0; k < 3; ++k)
-                if (!(std::abs(o.positions[i][k]) <= farthest))
+                if (!(std::abs(o.positions[i][k]) <= organ::farthest))
                     refuse("positions/" + std::to_string(i),
                            std::to_string(o.positions[i][k]) + " is not a number from -1e9 to 1e9");
     }
-    void triangles() const {
-        const std::vector<std::uint32_t>& indices = organ_.indices;
-        if (indices.size() % 3 != 0) refuse("indices", std::to_string(indices.size()) + "; each triangle has three");
-        for (std::size_t i = 0; i < indices.size(); ++i)
-            require_below("indices/" + std::to_string(i), indices[i], organ_.positions.size(), "positions");
-    }
+    void triangles() const { organ::require_corners(organ_.name, organ_.indices, organ_.positions.size()); }
     void parts() const {
         for (std::size_t i = 0; i < organ_.parts.size(); ++i) {
             const Part& part = organ_.parts[i];
@@ -45,14 +38,16 @@ class Check {
                 refuse(place, std::to_string(part.index_count) + " from " + std::to_string(part.first_index) +
                                   " on; there are " + std::to_string(organ_.indices.size()) +
                                   " indices, three for each triangle");
-            require_below(place + "/material", part.material, organ_.materials.size(), "materials");
+            if (part.material < 0 || static_cast<std::size_t>(part.material) >= organ_.materials.size())
+                refuse(place + "/material", std::to_string(part.material) + "; there are " +
+                                                std::to_string(organ_.materials.size()) + " materials");
         }
     }
     void images() const {
         for (std::size_t i = 0; i < organ_.materials.size(); ++i) {
             const std::string place = "materials/" + std::to_string(i);
             for (const int image : {organ_.materials[i].base_color_image, organ_.materials[i].normal_image})
-                if (image != -1) require_below(place, image, organ_.images.size(), "images, and -1 is none");
+                organ::require_image(organ_.name, place, image, organ_.images.size());
         }
         for (std::size_t i = 0; i < organ_.images.size(); ++i) {
             const Image& image = organ_.images[i];
@@ -69,15 +64,26 @@ class Check {
     [[noreturn]] void refuse(const std::string& place, const std::string& reason) const {
         organ::refuse(organ_.name, place, reason);
     }
-    void require_below(const std::string& place, std::int64_t value, std::size_t count, const char* what) const {
-        if (value < 0 || static_cast<std::size_t>(value) >= count)
-            refuse(place, std::to_string(value) + "; there are " + std::to_string(count) + " " + what);
-    }
 
     const Organ& organ_;
 };
 
 }  // namespace
+
+void organ::require_corners(std::string_view name, std::span<const std::uint32_t> indices, std::size_t positions) {
+    const std::string file(name);
+    if (indices.size() % 3 != 0) refuse(file, "indices", std::to_string(indices.size()) + "; each triangle has three");
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        if (indices[i] >= positions)
+            refuse(file, "indices/" + std::to_string(i),
+                   std::to_string(indices[i]) + "; there are " + std::to_string(positions) + " positions");
+}
+
+void organ::require_image(std::string_view name, const std::string& place, int image, std::size_t images) {
+    if (image < -1 || image >= static_cast<int>(images))
+        refuse(std::string(name), place,
+               std::to_string(image) + "; there are " + std::to_string(images) + " images, and -1 is none");
+}
 
 void organ::require_complete(const Organ& organ) {
     const Check check(organ);

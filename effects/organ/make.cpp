@@ -1,4 +1,5 @@
 // make_organ(): an organ of arrays that a host has in memory.
+#include "organ/check.h"
 #include "organ/load.h"
 #include "organ/mend.h"
 
@@ -6,8 +7,8 @@ namespace lapfx {
 
 namespace {
 
-constexpr double farthest = 1e9;     // mm, as of a file
-constexpr double farthest_uv = 1e6;  // likewise
+using organ::farthest;
+constexpr double farthest_uv = 1e6;  // as of a file
 
 class Check {
   public:
@@ -36,14 +37,10 @@ class Check {
         if (indices.empty() || indices.size() % 3 != 0 || indices.size() / 3 > organ::maximum_triangles)
             refuse("indices", std::to_string(indices.size()) + "; three for each of 1 to " +
                                   std::to_string(organ::maximum_triangles) + " triangles are needed");
-        for (std::size_t i = 0; i < indices.size(); ++i)
-            if (indices[i] >= vertices)
-                refuse("indices/" + std::to_string(i),
-                       std::to_string(indices[i]) + "; there are " + std::to_string(vertices) + " positions");
+        organ::require_corners(name_, indices, vertices);
     }
     void image(int index, const char* place, std::size_t images) const {
-        if (index < -1 || index >= static_cast<int>(images))
-            refuse(place, std::to_string(index) + "; there are " + std::to_string(images) + " images, and -1 is none");
+        organ::require_image(name_, place, index, images);
     }
     void material(const Material& m) const {
         const float values[] = {m.base_color.r, m.base_color.g, m.base_color.b, m.base_color.a, m.roughness};
