@@ -9,6 +9,8 @@
 #include "commands/help_layout.h"
 #include "commands/verb.h"
 #include "lapfx/authoring/command_line.h"
+#include "lapfx/authoring/file_guard.h"
+#include "lapfx/authoring/printable.h"
 #include "lapfx/error.h"
 
 namespace {
@@ -39,14 +41,18 @@ int run(int argc, char** argv) {
     lapfx::commands::add_help(app);
     std::vector<std::string> verbs;
     for (CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->group("Commands")->get_name());
-    std::vector<std::string> arguments = lapfx::commands::with_verb({argv + std::min(argc, 1), argv + argc}, verbs);
+    std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+    lapfx::commands::require_values(arguments);
+    arguments = lapfx::commands::with_verb(std::move(arguments), verbs);
+    // A new command is guarded like all others. The editor saves what it has opened.
+    lapfx::guard_files(arguments.front() == "edit" ? lapfx::FileGuard::note : lapfx::FileGuard::refuse);
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
     try {
         app.parse(std::move(arguments));
     } catch (const CLI::Success& done) {  // --help, --version
         return app.exit(done);
     } catch (const CLI::ParseError& wrong) {
-        return fail(2, std::string(wrong.what()) + " (see lapfx help)");
+        return fail(2, lapfx::printable(wrong.what()) + " (see lapfx help)");
     }
     return 0;
 }
@@ -70,6 +76,6 @@ int main(int argc, char** argv) {
         for (const lapfx::Fault& fault : error.faults()) fail(0, fault.text());
         return lapfx::exit_code(error.failure());
     } catch (const std::exception& error) {
-        return fail(1, error.what());
+        return fail(1, lapfx::printable(error.what()));
     }
 }

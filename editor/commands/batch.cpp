@@ -10,6 +10,7 @@
 #include "commands/file_kind.h"
 #include "commands/matched_videos.h"
 #include "commands/options.h"
+#include "commands/say.h"
 #include "commands/shown_scene.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/preset.h"
@@ -33,7 +34,7 @@ struct RunOptions {
 void list(const ListOptions& o) {
     const BatchList found = batch_items(o.folder, o.results);
     for (const BatchItem& item : found.items) std::cout << item.name << '\n';
-    for (const std::string& line : found.notes) note(line);
+    for (const std::string& line : found.notes) say(line);
 }
 
 BatchItem item_of(const RunOptions& o) {
@@ -80,8 +81,8 @@ void collect(const std::string& results) {
     for (const BatchEntry& entry : entries) {
         const std::string state = state_of(entry);
         if (state == "unfinished")
-            note(entry.item + ": is not finished" +
-                 (entry.result && !entry.result->faults.empty() ? ": " + entry.result->faults.front() : ""));
+            say(entry.item + ": is not finished" +
+                (entry.result && !entry.result->faults.empty() ? ": " + entry.result->faults.front() : ""));
         else
             ++(state == "done" ? done : failed);
     }
@@ -130,7 +131,8 @@ void add_run(CLI::App& verb) {
     part->add_option("ITEM", o->item, "A line of the list");
     part->add_option("--number", o->number,
                      "The item by its line in the list, from 1, for job arrays; the folder must not change meanwhile")
-        ->option_text("N");
+        ->option_text("N")
+        ->check(whole_number());
     part->add_option("--into", o->results, "The folder of the results; made where it is missing")
         ->option_text("RESULTS")
         ->required();

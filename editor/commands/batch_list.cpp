@@ -65,7 +65,11 @@ class Walk {
         look_through(top, false);
         while (!links_.empty()) {
             const std::vector<fs::path> links = std::exchange(links_, {});
-            for (const fs::path& link : links) look_through(link, true);
+            for (const fs::path& link : links)
+                if (lies_in(top, link))
+                    look_through(link, true);
+                else
+                    notes.push_back(shown(link.string()) + ": leads out of the folder and is not looked through");
         }
         if (!of_batch_.empty())
             notes.push_back(left_out(top, "folder of results is not looked through:",

@@ -16,6 +16,7 @@
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/pack.h"
+#include "lapfx/authoring/printable.h"
 #include "match/fit/markup.h"
 #include "match/fit/report_pictures.h"
 
@@ -251,7 +252,7 @@ std::string summary(const BatchResult& result) {
 
 /// Told again, with the exit code that it had.
 void tell_done(const BatchItem& item, const BatchResult& result, std::ostream& out) {
-    out << item.name << ": " << (result.faults.empty() ? "done before" : "failed before") << '\n';
+    out << printable(item.name) << ": " << (result.faults.empty() ? "done before" : "failed before") << '\n';
     std::vector<Fault> faults;
     for (const std::string& line : result.faults) faults.push_back({.file = "", .place = "", .reason = line});
     if (!faults.empty()) throw Error(Failure::bad_input, std::move(faults));
@@ -278,7 +279,7 @@ void run_item(const BatchRunOptions& o, const BatchItem& item, std::ostream& out
     std::optional<document::Lock> lock = document::Lock::take(folder / lock_name);
     if (!lock) {
         const std::string holder = document::holder_of(folder / lock_name);
-        out << item.name << ": is being done by " << (holder.empty() ? "another process" : holder) << '\n';
+        out << printable(item.name) << ": is being done by " << (holder.empty() ? "another process" : holder) << '\n';
         return;
     }
     Job job = job_of(o, item);
@@ -308,7 +309,7 @@ void run_item(const BatchRunOptions& o, const BatchItem& item, std::ostream& out
         }
         throw;
     }
-    out << item.name << ": " << summary(result) << '\n';
+    out << printable(item.name) << ": " << summary(result) << '\n';
 }
 
 }  // namespace lapfx::commands

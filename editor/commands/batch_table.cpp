@@ -1,4 +1,5 @@
 #include "commands/batch_table.h"
+#include "lapfx/authoring/printable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,11 @@ class Row {
         if (!first_) csv_ += ',';
         first_ = false;
         ui::append_csv(csv_, cell);
+    }
+    /// A text from outside: a spreadsheet would compute what begins like a formula.
+    void add_text(const std::string& text) {
+        const bool formula = !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
+        add((formula ? "'" : "") + printable(text));
     }
     void add(const std::optional<double>& value) { add(number(value)); }
     void end() { csv_ += '\n'; }
@@ -75,15 +81,15 @@ void add_parameter(Row& row, const BatchResult& result, const std::string& key) 
 void add_entry(std::string& csv, const BatchEntry& entry, const std::set<std::string>& keys) {
     const BatchResult result = entry.result.value_or(BatchResult{});
     Row row(csv);
-    row.add(entry.item);
+    row.add_text(entry.item);
     row.add(entry.item.ends_with(".scene.json") ? "scene" : "video");
     row.add(state_of(entry));
-    row.add(joined(result.faults));
+    row.add_text(joined(result.faults));
     add_amount(row, result.blood), add_amount(row, result.veil);
     row.add(entry.result && result.faults.empty() ? number(result.seconds) : "");
-    row.add(entry.report ? entry.item + '/' + report_name : "");
+    row.add_text(entry.report ? entry.item + '/' + report_name : "");
     row.add(entry.result && result.faults.empty() ? (result.ended_early ? "yes" : "no") : "");
-    row.add(joined(result.notes));
+    row.add_text(joined(result.notes));
     for (const std::string& key : keys) add_parameter(row, result, key);
     row.end();
 }

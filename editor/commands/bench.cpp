@@ -33,8 +33,9 @@ std::string processor() {
 using Bench = BenchReport (*)(const BenchOptions&);
 
 void run(Bench bench, const BenchOptions& options) {
-    for (const std::string& file : {options.json, options.plot, options.frames})
-        if (!file.empty()) check_folder(file);
+    for (const auto& [option, file] :
+         {std::pair{"--json", &options.json}, {"--plot", &options.plot}, {"--frames", &options.frames}})
+        check_output(option, *file);
     BenchReport report = bench(options);
     report.short_form = options.short_form;
     print(report);
@@ -45,7 +46,7 @@ void run(Bench bench, const BenchOptions& options) {
 
 /// The comparison with Dear ImGui is a separate program next to this one, because the product links no other toolkit.
 static void run_bench_ui(const BenchOptions& options) {
-    if (!options.json.empty()) check_folder(options.json);
+    check_output("--json", options.json);
     const std::filesystem::path program =
         std::filesystem::read_symlink("/proc/self/exe").parent_path() / "lapfx_bench_ui";
     if (!std::filesystem::exists(program))

@@ -143,7 +143,6 @@ BenchReport bench_measure(const BenchOptions& options) {
     const Extent& extent = options.short_form ? least : whole;
     for (const std::string& file : options.over)
         const VideoReader opened(file);  // those that cannot be read are told at once
-    if (!options.frames.empty()) check_folder(options.frames);
     const Context context = Context::create(Backend::automatic);
     std::vector<MeasuredPicture> pictures;
     KnownRenders renders(static_cast<std::uint32_t>(options.seed));

@@ -59,7 +59,7 @@ class Lessons {
 
 BenchReport bench_measure_learn(const BenchOptions& options) {
     const Extent& extent = options.short_form ? least : whole;
-    check_folder(options.learn);  // before anything is rendered
+    check_output("--learn", options.learn);  // before anything is rendered
     for (const std::string& file : options.over) const VideoReader opened(file);
     const Context context = Context::create(Backend::automatic);
     KnownRenders renders(static_cast<std::uint32_t>(options.seed), learned_part);

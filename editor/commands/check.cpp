@@ -4,12 +4,14 @@
 #include <iostream>
 
 #include "commands/command.h"
+#include "commands/say.h"
 #include "commands/session.h"
 #include "commands/shown_scene.h"
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/picture.h"
+#include "lapfx/authoring/printable.h"
 #include "lapfx/authoring/smoke_notes.h"
 #include "lapfx/authoring/touch_notes.h"
 #include "lapfx/organ.h"
@@ -68,7 +70,7 @@ void check_files(const std::vector<std::string>& files) {
     for (const std::string& file : files) {
         try {
             if (is_schema(file)) {
-                std::cout << file << ": schema, ok\n";
+                std::cout << printable(file) << ": schema, ok\n";
                 continue;
             }
             const CheckedDocument found = check_document(file);
@@ -79,8 +81,8 @@ void check_files(const std::vector<std::string>& files) {
                 notes = smoke_notes(preset.smoke);
             }
             if (found.kind == "scene") notes = check_scene(load_scene(file), file);
-            std::cout << file << ": " << found.kind << " \"" << found.name << "\", ok\n";
-            for (const std::string& note : notes) std::cerr << "lapfx: note: " << file << ": " << note << '\n';
+            std::cout << printable(file) << ": " << found.kind << " \"" << printable(found.name) << "\", ok\n";
+            for (const std::string& text : notes) note(file + ": " + text);
         } catch (const Error& error) {
             faults.insert(faults.end(), error.faults().begin(), error.faults().end());
         }

@@ -44,17 +44,10 @@ Error refused(const std::string& file, const std::string& reason) {
     return {Failure::bad_input, Fault{.file = file, .place = "", .reason = reason}};
 }
 
-/// Nothing that is written replaces what is read.
-void check_output(const Options& o) {
-    if (o.json.empty()) return;
-    if (fs::path(o.json).extension() != ".json")
+void check_json(const Options& o) {
+    if (!o.json.empty() && fs::path(o.json).extension() != ".json")
         throw wrong_option("--json", "\"" + o.json + "\" does not end in .json");
-    for (const auto& [file, what] : {std::pair{&o.shown, "what is compared"},
-                                     {&o.match.reference, "the reference"},
-                                     {&o.preset, "the file of --preset"}})
-        if (is_same_file(o.json, *file)) throw wrong_option("--json", "\"" + o.json + "\" is " + what);
-    check_folder(o.json);
-    output::require_replaceable(o.json);
+    check_output("--json", o.json);
 }
 
 bool any_measurable(std::span<const match::FrameAmounts> frames, const Window& times) {
@@ -122,8 +115,6 @@ std::vector<match::FrameAmounts> draw(const Options& o, const ShownScene& shown,
 Found compare_scene(const Options& o) {
     const std::vector<std::string> chosen = o.preset.empty() ? std::vector<std::string>() : std::vector{o.preset};
     const ShownScene shown = open_shown(o.shown, chosen, o.settings);
-    if (is_same_file(o.json, shown.scene.folder / shown.scene.preset))
-        throw wrong_option("--json", "\"" + o.json + "\" is the preset of the scene");
     const Window window = window_of(o.match.window, shown.scene.duration, "scene");
     VideoReader video = opened_video(o.match.reference);
     const SceneReference reference = reference_of(o.match, shown.scene);
@@ -235,7 +226,7 @@ Found compare(const Options& o) {
 }
 
 void run(const Options& o) {
-    check_output(o);
+    check_json(o);
     const std::vector<Limit> limits = limits_of(o.at_most);
     const Found found = compare(o);
     if (!o.json.empty()) write_file(o.json, json_of(o, found, limits));

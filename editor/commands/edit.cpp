@@ -17,7 +17,9 @@
 #include "commands/dump.h"
 #include "commands/headless_editor.h"
 #include "commands/options.h"
+#include "commands/say.h"
 #include "commands/session.h"
+#include "lapfx/authoring/file_guard.h"
 #include "lapfx/authoring/formats.h"
 #include "output/files.h"
 #include "panels/panels.h"
@@ -48,7 +50,7 @@ glm::ivec2 size_of(const Options& o) {
 app::Opened open_all(const std::vector<std::string>& files, std::vector<std::string>& videos) {
     app::Opened opened = app::open_sample(data_folder());
     videos = app::open_files(opened, files);
-    for (const std::string& warning : opened.warnings) std::cerr << "lapfx: warning: " << warning << '\n';
+    for (const std::string& warning : opened.warnings) warn(warning);
     return opened;
 }
 
@@ -68,11 +70,11 @@ void set_up(app::Editor& editor, app::Opened opened, const Options& o) {
 
 /// The editor as a picture, and the tree of its widgets.
 void write_files(const Options& o) {
+    guard_files(FileGuard::refuse);  // nobody saves anything here
     const glm::ivec2 size = size_of(o);
     if (!o.screenshot.empty()) check_picture_name("--screenshot", o.screenshot);
-    for (const std::string& file : {o.screenshot, o.dump}) {
-        if (!file.empty()) check_folder(file);
-    }
+    check_output("--screenshot", o.screenshot);
+    check_output("--dump", o.dump);
     std::vector<std::string> videos;
     app::Opened opened = open_all(o.files, videos);
     const auto early = app::load_early(opened.content.scene, opened.content.preset, clip_folders());
@@ -130,7 +132,7 @@ class HeapKeeper {
 };
 
 void show_window(const Options& o) {
-    if (!o.dump_on_close.empty()) check_folder(o.dump_on_close);
+    check_output("--dump-on-close", o.dump_on_close);
     std::vector<std::string> videos;
     app::Opened opened = open_all(o.files, videos);
     const auto early = app::load_early(opened.content.scene, opened.content.preset, clip_folders());

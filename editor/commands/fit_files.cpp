@@ -57,20 +57,11 @@ void check_names(const FitFiles& files) {
         if (file.empty()) continue;
         if (!file.ends_with(ending))
             throw wrong_option(option, "\"" + file + "\" does not end in " + std::string(ending));
-        check_folder(file);
+        check_output(option, file);
     }
 }
 
 void check_files(const FitFiles& files, const ShownScene& shown) {
-    std::vector<fs::path> taken = read_files(files, shown.scene);
-    for (const auto& [option, file, ending] : written(files)) {
-        if (file.empty()) continue;
-        for (const fs::path& other : taken)
-            if (will_be_same_file(file, other))
-                throw wrong_option(option, "\"" + file + "\" is another file of this fit, " + other.string());
-        output::require_replaceable(file);
-        taken.emplace_back(file);
-    }
     check_clips(files, shown.presets.front());
 }
 

@@ -1,4 +1,5 @@
 #include "commands/fit_run.h"
+#include "commands/say.h"
 
 #include <chrono>
 #include <filesystem>
@@ -195,7 +196,7 @@ FitRun run_fit(const FitOptions& given) {
     const SceneReference reference = reference_of(o.match, shown.scene);
     (void)common_time(o.match.reference, video, o.files.scene, window, reference.offset);
     if (shown.scene.events.empty() && files.fitted_scene.empty())
-        note(o.files.scene + ": /events is empty, so nothing smokes or bleeds; with --fitted-scene tools are added");
+        say(o.files.scene + ": /events is empty, so nothing smokes or bleeds; with --fitted-scene tools are added");
     Steps steps(o.budget);
     match::MeasureOptions options = measure_options(o.match, reference, video.info().size);
     match::PeakColors peaks(window.from + reference.offset, window.to + reference.offset);

@@ -95,9 +95,8 @@ class Still {
 
 void make_files(const Options& o) {
     const glm::ivec2 size = parse_size(o.size);
-    for (const std::string& file : {o.screenshot, o.dump}) {
-        if (!file.empty()) check_folder(file);
-    }
+    check_output("--screenshot", o.screenshot);
+    check_output("--dump", o.dump);
     if (!o.screenshot.empty()) check_picture_name("--screenshot", o.screenshot);
     Still still(o, size);
     if (!o.dump.empty()) write_dump(o.dump, still.tree());
@@ -110,7 +109,7 @@ void show_window(const Options& o) {
     ui::ImageStore images;
     gallery::State state(images);
     set_up(state, o);
-    if (!o.dump_on_close.empty()) check_folder(o.dump_on_close);
+    check_output("--dump-on-close", o.dump_on_close);
     window::UiWindow window({.title = "lapfx gallery",
                              .size = parse_size(o.size),
                              .scale = o.scale,

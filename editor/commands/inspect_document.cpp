@@ -5,6 +5,7 @@
 #include "commands/inspect.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/printable.h"
 #include "lapfx/error.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
@@ -15,7 +16,7 @@ namespace {
 
 void row(const char* name, const std::string& value) {
     std::cout << "  " << name << std::string(20 - std::min<std::size_t>(std::string_view(name).size(), 19), ' ')
-              << value << '\n';
+              << printable(value) << '\n';
 }
 
 void show_preset(const Preset& preset) {
@@ -60,7 +61,7 @@ void show_scene(const Scene& scene) {
 
 void inspect_document(const std::filesystem::path& file) {
     const CheckedDocument found = check_document(file);  // every fault, before anything is shown
-    std::cout << file.string() << ": " << found.kind << '\n';
+    std::cout << printable(file.string()) << ": " << found.kind << '\n';
     if (found.kind == "preset")
         show_preset(load_preset(file));
     else

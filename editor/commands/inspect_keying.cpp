@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/inspect.h"
+#include "commands/say.h"
+#include "lapfx/authoring/printable.h"
 #include "lapfx/authoring/suggest.h"
 #include "lapfx/preset.h"
 
@@ -35,18 +37,17 @@ std::string preset_lines(const KeyingSuggestion& found) {
 void inspect_keying(const std::filesystem::path& file) {
     const KeyingSuggestion found = suggest_keying(file);
     if (found.alpha) {  // nothing to paste: it would have no effect
-        std::cout << "  keying              " << found.reason << '\n';
+        std::cout << "  keying              " << printable(found.reason) << '\n';
         return;
     }
     const bool doubtful = found.confidence < 0.5;
     char text[32];
     std::snprintf(text, sizeof text, "%.2f", found.confidence);
-    std::cout << "  keying              " << found.reason << '\n'
+    std::cout << "  keying              " << printable(found.reason) << '\n'
               << "  confidence          " << text << (doubtful ? ", check it before use\n" : "\n")
               << preset_lines(found);
     if (doubtful)
-        std::cerr << "lapfx: warning: " << file.string()
-                  << ": this keying is a guess; check the clip with it before you use it in a preset\n";
+        warn(file.string() + ": this keying is a guess; check the clip with it before you use it in a preset");
 }
 
 }  // namespace lapfx::commands

@@ -7,6 +7,7 @@
 #include "commands/progress.h"
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/picture.h"
+#include "lapfx/authoring/printable.h"
 
 namespace lapfx::commands {
 
@@ -33,7 +34,7 @@ double rounded_down(double time) {
 void inspect_image(const std::filesystem::path& file) {
     const ImageFile found = read_image(file);
     constexpr const char* kinds[] = {"", "grey", "grey and alpha", "colour", "colour and alpha"};
-    std::cout << file.string() << ": image\n"
+    std::cout << printable(file.string()) << ": image\n"
               << "  size                " << found.image.width << "x" << found.image.height << '\n'
               << "  channels            " << kinds[std::min(found.channels, 4)] << ", " << found.bits << " bit\n";
 }
@@ -46,7 +47,7 @@ void inspect_video(const std::filesystem::path& file) {
         std::snprintf(text, sizeof text, format, value);
         return std::string(text);
     };
-    std::cout << file.string() << ": video\n"
+    std::cout << printable(file.string()) << ": video\n"
               << "  size                " << report.size.x << "x" << report.size.y << '\n'
               << "  frames per second   " << number("%.6g", report.frames_per_second)
               << (report.variable_frame_rate ? ", the average of a variable rate\n" : "\n")  //
@@ -60,7 +61,7 @@ void inspect_video(const std::filesystem::path& file) {
               << "  duration            " << number("%.3f s", report.duration) << '\n'
               << "  codec               " << report.codec << '\n'
               << "  pixel format        " << report.pixel_format << (report.alpha ? ", with opacity\n" : "\n");
-    if (!report.warning.empty()) std::cout << "  warning             " << report.warning << '\n';
+    if (!report.warning.empty()) std::cout << "  warning             " << printable(report.warning) << '\n';
 }
 
 }  // namespace lapfx::commands

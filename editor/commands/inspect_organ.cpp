@@ -3,6 +3,7 @@
 
 #include "commands/inspect.h"
 #include "lapfx/authoring/organ_report.h"
+#include "lapfx/authoring/printable.h"
 #include "lapfx/authoring/tissue_report.h"
 #include "lapfx/refine.h"
 #include "lapfx/tissue.h"
@@ -14,7 +15,7 @@ namespace {
 void row(const char* name, const std::string& value) {
     char text[64];
     std::snprintf(text, sizeof text, "  %-20s", name);
-    std::cout << text << value << '\n';
+    std::cout << text << printable(value) << '\n';
 }
 
 std::string text_of(const char* format, double value) {
@@ -97,7 +98,7 @@ void inspect_organ(const std::filesystem::path& file) {
     const Organ organ = load_organ(file);
     const OrganReport report = lapfx::report(organ);
     const glm::dvec3 size = report.maximum - report.minimum;
-    std::cout << file.string() << ": mesh\n";
+    std::cout << printable(file.string()) << ": mesh\n";
     row("vertices", std::to_string(report.vertices));
     row("triangles", std::to_string(report.triangles));
     row("in the file", counts_text(organ.counts));

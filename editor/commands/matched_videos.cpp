@@ -1,4 +1,5 @@
 #include "commands/matched_videos.h"
+#include "commands/say.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,15 +64,11 @@ match::MeasureOptions measure_options(const MatchOptions& options, const SceneRe
     return made;
 }
 
-void note(const std::string& text) {
-    std::cerr << "lapfx: " << text << '\n';
-}
-
 VideoReader opened_video(const std::string& file) {
     if (file.empty())
         throw Error(Failure::bad_input, Fault{.file = "", .place = "", .reason = "the name of a video is empty"});
     VideoReader video(file);
-    if (!video.info().warning.empty()) note(file + ": " + video.info().warning);
+    if (!video.info().warning.empty()) say(file + ": " + video.info().warning);
     return video;
 }
 
@@ -86,7 +83,7 @@ match::Measurement measured_video(VideoReader& video, const std::string& file, m
                                   const lapfx::Progress& progress) {
     try {
         match::Measurement found = match::measure(video, options, progress);
-        for (const std::string& line : found.notes) note(file + ": " + line);
+        for (const std::string& line : found.notes) say(file + ": " + line);
         return found;
     } catch (const Error& error) {
         std::vector<Fault> faults = error.faults();
@@ -99,8 +96,8 @@ match::Measurement measured_video(VideoReader& video, const std::string& file, m
 void note_cover(const std::string& file, const Window& covered, const Window& window, const std::string& done) {
     constexpr double much = 0.5;  // s
     if (covered.from <= window.from + much && covered.to >= window.to - much) return;
-    note(file + ": covers only " + match::seconds_text(covered.from) + " to " + match::seconds_text(covered.to) +
-         "; the rest is not " + done);
+    say(file + ": covers only " + match::seconds_text(covered.from) + " to " + match::seconds_text(covered.to) +
+        "; the rest is not " + done);
 }
 
 Window common_time(const std::string& file, const VideoReader& reference, const std::string& shown,

@@ -40,8 +40,6 @@ SceneReference reference_of(const MatchOptions& options, const Scene& scene);
 /// How that reference is measured; `size`: of its pictures. Throws Error (bad_input).
 match::MeasureOptions measure_options(const MatchOptions& options, const SceneReference& reference, glm::ivec2 size);
 
-/// A line on stderr.
-void note(const std::string& text);
 /// Opens it and prints what is unusual about it. Throws Error (bad_input) that names it.
 VideoReader opened_video(const std::string& file);
 

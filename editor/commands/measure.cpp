@@ -10,6 +10,7 @@
 #include "commands/measured_part.h"
 #include "commands/options.h"
 #include "commands/progress.h"
+#include "commands/say.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/video.h"
 #include "match/counted.h"
@@ -168,45 +169,31 @@ match::Measurement measure(VideoReader& video, const Options& o) {
     }
 }
 
-/// Nothing that is written replaces what is read.
 void check_outputs(const Options& o) {
-    namespace fs = std::filesystem;
-    const std::string extension = fs::path(o.output).extension().string();
+    const std::string extension = std::filesystem::path(o.output).extension().string();
     if (extension != ".csv" && extension != ".json")
         throw wrong_option("--output", "\"" + o.output + "\" ends neither in .csv nor in .json");
-    std::error_code none;
-    if (!o.json.empty() && fs::path(o.json).extension() != ".json")
+    if (!o.json.empty() && std::filesystem::path(o.json).extension() != ".json")
         throw wrong_option("--json", "\"" + o.json + "\" does not end in .json");
-    for (const std::string& mask : o.masks)
-        for (const auto& [option, file] : {std::pair{"--output", &o.output}, {"--json", &o.json}, {"--plot", &o.plot}})
-            if (!file->empty() && fs::equivalent(*file, mask, none))
-                throw wrong_option(option, "\"" + *file + "\" is the file of --mask");
-    if (!o.plot.empty() && fs::equivalent(o.plot, o.video, none))
-        throw wrong_option("--plot", "\"" + o.plot + "\" is the picture that is measured");
-    if (o.overlay.empty()) return;
-    if (!output::is_video_name(o.overlay))
+    if (!o.plot.empty()) check_picture_name("--plot", o.plot);
+    if (!o.overlay.empty() && !output::is_video_name(o.overlay))
         throw wrong_option("--overlay", "\"" + o.overlay + "\" is not the name of a video, such as out.mp4");
-    if (fs::equivalent(o.overlay, o.video, none))
-        throw wrong_option("--overlay", "\"" + o.overlay + "\" is the video that is measured");
+    for (const auto& [option, file] :
+         {std::pair{"--output", &o.output}, {"--json", &o.json}, {"--plot", &o.plot}, {"--overlay", &o.overlay}})
+        check_output(option, *file);
 }
 
 void run(const Options& o) {
     check_outputs(o);
-    check_folder(o.output);
-    if (!o.json.empty()) check_folder(o.json);
-    if (!o.plot.empty()) {
-        check_picture_name("--plot", o.plot);
-        check_folder(o.plot);
-    }
     VideoReader video(o.video);
-    if (!video.info().warning.empty()) std::cerr << "lapfx: " << o.video << ": " << video.info().warning << '\n';
+    if (!video.info().warning.empty()) say(o.video + ": " + video.info().warning);
     const match::Measurement found = measure(video, o);
     const bool json = std::filesystem::path(o.output).extension() == ".json";
     write_file(o.output, json ? match::json_of(found) : match::csv_of(found));
     if (!o.json.empty()) write_file(o.json, match::json_of(found));
     if (!o.plot.empty()) output::write_png(o.plot, match::plot_of(found));
     print(found);
-    for (const std::string& note : found.notes) std::cerr << "lapfx: " << o.video << ": " << note << '\n';
+    for (const std::string& text : found.notes) say(o.video + ": " + text);
 }
 
 /// A row of the scene's qualifier of blood, as an option: its limits and its help.

@@ -10,6 +10,7 @@
 
 #include "commands/options.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/file_guard.h"
 #include "lapfx/error.h"
 
 namespace lapfx::commands {
@@ -75,6 +76,7 @@ std::vector<match::Part> masks_of_file(const std::string& file, glm::ivec2 size)
     const auto refuse = [&file](const std::string& place, const std::string& reason) {
         throw Error(Failure::bad_input, Fault{.file = file, .place = place, .reason = reason});
     };
+    note_read(file);
     const nlohmann::json all = nlohmann::json::parse(read_file(file, longest_file), nullptr, false);
     if (!all.is_array()) refuse("", "is no JSON list of polygons, [[[x,y],...],...]");
     std::vector<std::vector<double>> polygons;

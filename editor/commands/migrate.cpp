@@ -5,6 +5,8 @@
 #include "commands/command.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/file_guard.h"
+#include "lapfx/authoring/printable.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
 
@@ -19,8 +21,9 @@ void migrate(const std::string& file) {
     const CheckedDocument found = check_document(file);
     const std::string now = found.kind == "preset" ? write_preset(load_preset(file)) : write_scene(load_scene(file));
     const bool same = read_file(file, longest) == now;
+    allow_rewriting(file);
     if (!same) write_file(file, now);
-    std::cout << file << ": " << found.kind << " \"" << found.name
+    std::cout << printable(file) << ": " << found.kind << " \"" << printable(found.name)
               << (same ? "\" is already as this version writes it\n" : "\" rewritten in the current version\n");
 }
 

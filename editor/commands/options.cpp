@@ -7,11 +7,15 @@
 #include <iostream>
 #include <regex>
 
+#include "commands/say.h"
+#include "lapfx/authoring/file_guard.h"
 #include "lapfx/authoring/formats.h"
 #include "lapfx/authoring/organ_report.h"
 #include "lapfx/authoring/preview.h"
 #include "lapfx/authoring/smoke_notes.h"
 #include "lapfx/authoring/touch_notes.h"
+#include "output/files.h"
+#include "output/render_job.h"
 
 namespace lapfx::commands {
 
@@ -25,8 +29,7 @@ glm::ivec2 parse_size(const std::string& text) {
     if (!std::regex_match(text, match, pattern))
         throw wrong_option("--size", "\"" + text + "\" is not WIDTHxHEIGHT in pixels, such as 1280x1024");
     const glm::ivec2 size(std::stoi(match[1]), std::stoi(match[2]));
-    if (size.x < 1 || size.y < 1 || size.x > 16384 || size.y > 16384)
-        throw wrong_option("--size", "\"" + text + "\" is outside 1x1 to 16384x16384");
+    if (const std::string fault = output::size_fault(size); !fault.empty()) throw wrong_option("--size", fault);
     return size;
 }
 
@@ -67,35 +70,32 @@ void check_picture_name(const std::string& option, const std::string& file) {
         throw wrong_option(option, "\"" + file + "\" is not a .png");
 }
 
-void check_folder(const std::filesystem::path& output) {
-    const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
-    std::error_code error;
-    if (!std::filesystem::is_directory(folder, error))
-        throw Error(Failure::runtime, Fault{.file = output.string(), .place = "", .reason = "its folder is missing"});
+void check_output(const std::string& option, const std::filesystem::path& output) {
+    if (output.empty()) return;
+    output::require_replaceable(output);
+    claim_output(option, output);
 }
 
 void print_warnings(const Preview& preview) {
-    for (const std::string& warning : report(preview.organ()).warnings)
-        std::cerr << "lapfx: warning: " << warning << '\n';
+    for (const std::string& warning : report(preview.organ()).warnings) warn(warning);
 }
 
 void print_plate_note(const Scene& scene, const Preview& preview) {
-    if (scene.plate.use) std::cerr << "lapfx: note: plate: " << preview.organ().name << '\n';
+    if (scene.plate.use) note("plate: " + preview.organ().name);
 }
 
 void print_smoke_notes(const Scene& scene, const Preset& preset) {
     if (std::none_of(scene.events.begin(), scene.events.end(), [](const ToolContact& c) { return c.hot(); })) return;
-    for (const std::string& note : smoke_notes(preset.smoke)) std::cerr << "lapfx: note: " << note << '\n';
+    for (const std::string& text : smoke_notes(preset.smoke)) note(text);
 }
 
 void print_touch_notes(const Scene& scene, const Preview& preview) {
-    for (const std::string& note : touch_notes(preview.organ(), scene.events))
-        std::cerr << "lapfx: note: " << note << '\n';
+    for (const std::string& text : touch_notes(preview.organ(), scene.events)) note(text);
 }
 
 void print_clip_warnings(const Preview& preview) {
     for (const ClipStatus& clip : preview.clips())
-        if (!clip.warning.empty()) std::cerr << "lapfx: warning: " << clip.file << ": " << clip.warning << '\n';
+        if (!clip.warning.empty()) warn(clip.file + ": " + clip.warning);
 }
 
 void warn_after_end(const Scene& scene, double at) {

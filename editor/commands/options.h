@@ -19,7 +19,7 @@ namespace lapfx::commands {
 /// Wrong use (bad_input) of an option, such as --size.
 Error wrong_option(const std::string& option, const std::string& reason);
 
-/// `text` as in 1280x1024. Throws Error (bad_input) outside 1x1 to 16384x16384.
+/// `text` as in 1280x1024. Throws Error (bad_input) for a size that a frame cannot have.
 glm::ivec2 parse_size(const std::string& text);
 
 /// Refuses "nan" and "inf", which CLI::Range accepts.
@@ -31,8 +31,10 @@ CLI::Validator whole_number();
 /// Throws Error (bad_input) where a picture cannot have that name: it is a PNG.
 void check_picture_name(const std::string& option, const std::string& file);
 
-/// Checks before the work that the file's folder exists. Throws Error (runtime).
-void check_folder(const std::filesystem::path& output);
+/// Checks a file that `option` has the command write, before the work; none if it is empty. Throws Error: runtime for a
+/// folder that is not there or what may not be replaced, bad_input for a file that is read or is the output of another
+/// option (file_guard.h).
+void check_output(const std::string& option, const std::filesystem::path& output);
 
 /// Prints on stderr what the user should know about the scene and would not see in the picture.
 void print_warnings(const Preview& preview);

@@ -68,7 +68,7 @@ void run(const Options& o) {
     const glm::ivec2 size = parse_size(o.size);
     const Backend backend = parse_backend(o.backend);
     check_picture_name("-o", o.output);
-    check_folder(o.output);
+    check_output("-o", o.output);
     app::ThumbnailMaker::limit_process(0);
     try {
         const app::FileKind kind = app::kind_of(o.file);

@@ -5,6 +5,7 @@
 #include "commands/session.h"
 #include "commands/shown_scene.h"
 #include "lapfx/authoring/command_line.h"
+#include "lapfx/authoring/file_guard.h"
 #include "lapfx/authoring/formats.h"
 #include "output/render_job.h"
 
@@ -64,8 +65,9 @@ void run(const Options& o) {
     const Backend backend = parse_backend(o.backend);
     output::RenderOptions options = render_options(o);
     require_sound(options, o.from + 1.0);  // before anything is loaded, and again with the length of the scene
-    check_folder(o.output);
-    if (!o.amounts.empty()) check_folder(o.amounts);
+    check_output("-o", o.output);
+    check_output("--amounts", o.amounts);
+    for (const std::filesystem::path& file : output::LayerFiles::names(o.layers)) claim_output("--layers", file);
     const std::vector<std::string> chosen = o.preset.empty() ? std::vector<std::string>() : std::vector{o.preset};
     const ShownScene shown = open_shown(o.scene, chosen, o.settings);
     const Scene& scene = shown.scene;

@@ -110,7 +110,7 @@ void run(const Options& o) {
     const glm::ivec2 cell = parse_size(o.size);
     const Backend backend = parse_backend(o.backend);
     check_picture_name("-o", o.output);
-    check_folder(o.output);
+    check_output("-o", o.output);
     const ShownScene shown = open_shown(o.scene, o.presets, o.settings);
     const Scene& scene = shown.scene;
     const std::vector<Row> rows = rows_of(o, shown);

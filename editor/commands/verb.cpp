@@ -55,6 +55,20 @@ Error unknown_word(const std::string& word, const std::string& what, std::span<c
     return refused(word, "is not a " + what, known);
 }
 
+void require_values(std::span<const std::string> arguments) {
+    std::string before;
+    for (const std::string& argument : arguments) {
+        const bool unset = argument.starts_with("--") && argument.find('=') == argument.size() - 1;
+        if (argument.empty() || unset)
+            throw Error(Failure::bad_input, Fault{.file = "",
+                                                  .place = unset ? argument.substr(0, argument.size() - 1)
+                                                           : before.starts_with('-') ? before
+                                                                                     : "",
+                                                  .reason = "\"\" is empty; a value is needed here"});
+        before = argument;
+    }
+}
+
 std::vector<std::string> with_verb(std::vector<std::string> arguments, std::span<const std::string> verbs) {
     const auto is_verb = [&](const std::string& word) {
         return std::find(verbs.begin(), verbs.end(), word) != verbs.end();

@@ -14,6 +14,10 @@ namespace lapfx::commands {
 /// file.
 std::vector<std::string> with_verb(std::vector<std::string> arguments, std::span<const std::string> verbs);
 
+/// Throws Error (bad_input) for an argument that is empty, or `--option=` with nothing behind it: an unset variable of
+/// a shell is no wish to do without what the option names.
+void require_values(std::span<const std::string> arguments);
+
 /// `"shet" is not a command or topic of help; nearest is sheet (see lapfx help)`. `known` has at least one word.
 Error unknown_word(const std::string& word, const std::string& what, std::span<const std::string> known);
 

@@ -7,6 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "lapfx/authoring/file_guard.h"
 #include "lapfx/authoring/formats.h"
 
 namespace lapfx::output {
@@ -42,6 +43,7 @@ Error cannot_write(const fs::path& path, const std::string& reason) {
 }
 
 void require_replaceable(const fs::path& path) {
+    require_not_read(path);
     std::error_code error;
     const fs::file_status status = fs::symlink_status(path, error);
     if (fs::exists(status)) {

@@ -12,7 +12,7 @@ namespace lapfx::output {
 
 namespace {
 
-constexpr const char* names[] = {"view_%04d.png", "blood_%04d.png", "veil_%04d.png"};
+constexpr const char* picture_names[] = {"view_%04d.png", "blood_%04d.png", "veil_%04d.png"};
 constexpr const char* amounts_name = "amounts.csv";
 
 template <typename Value>
@@ -38,8 +38,15 @@ LayerFiles::LayerFiles(std::filesystem::path folder, double fps, glm::ivec2 size
                           .reason = "cannot make this folder: " + (error ? error.message() : "it is a file")});
     require_replaceable(folder_ / amounts_name);
     for (std::size_t i = 0; i < pictures_.size(); ++i)
-        pictures_[i] = make_png_files(folder_ / names[i], fps, size, count);
+        pictures_[i] = make_png_files(folder_ / picture_names[i], fps, size, count);
     amounts_ = "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags\n";
+}
+
+std::vector<std::filesystem::path> LayerFiles::names(const std::filesystem::path& folder) {
+    if (folder.empty()) return {};
+    std::vector<std::filesystem::path> all{folder / amounts_name};
+    for (const char* const name : picture_names) all.push_back(folder / name);
+    return all;
 }
 
 LayerFiles::~LayerFiles() {

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "lapfx/authoring/preview.h"
 #include "output/frame_files.h"
@@ -27,6 +28,9 @@ class LayerFiles {
     ~LayerFiles();
     LayerFiles(const LayerFiles&) = delete;
     LayerFiles& operator=(const LayerFiles&) = delete;
+
+    /// The files in that folder, numbered ones by their patterns; none if `folder` is empty.
+    static std::vector<std::filesystem::path> names(const std::filesystem::path& folder);
 
     void add(double time, const Layers& layers);
     bool check();    ///< as FrameFiles::check

@@ -11,6 +11,7 @@ namespace lapfx::output {
 namespace {
 
 constexpr int longest_side = 16'384;
+constexpr double most_pixels = 8192.0 * 8192.0;  // 4 GB of a frame
 constexpr double longest_time = 86'400, most_frames = 1e6;
 
 /// A number as a person writes it.
@@ -18,6 +19,10 @@ std::string text_of(double value) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%g", value);
     return text.data();
+}
+
+std::string text_of(glm::ivec2 size) {
+    return std::to_string(size.x) + "x" + std::to_string(size.y);
 }
 
 class Faults {
@@ -37,11 +42,10 @@ class Faults {
 };
 
 void check_size(const RenderOptions& o, Faults& faults) {
-    const std::string size = std::to_string(o.size.x) + "x" + std::to_string(o.size.y);
-    if (o.size.x < 1 || o.size.y < 1 || o.size.x > longest_side || o.size.y > longest_side)
-        faults.add("--size", size + " is outside 1x1 to 16384x16384");
+    if (const std::string fault = size_fault(o.size); !fault.empty())
+        faults.add("--size", fault);
     else if (kind_named(o.output) == OutputKind::video && (o.size.x % 2 != 0 || o.size.y % 2 != 0))
-        faults.add("--size", size + ": the sides of a video must be even");
+        faults.add("--size", text_of(o.size) + ": the sides of a video must be even");
 }
 
 void check_times(const RenderOptions& o, double duration, Faults& faults) {
@@ -96,6 +100,14 @@ std::string amounts_line(double time, const Amounts& a) {
 
 }  // namespace
 
+std::string size_fault(glm::ivec2 size) {
+    if (size.x < 1 || size.y < 1 || size.x > longest_side || size.y > longest_side)
+        return text_of(size) + " is outside 1x1 to 16384x16384";
+    if (static_cast<double>(size.x) * size.y > most_pixels)
+        return text_of(size) + " has more pixels than a frame can have: at most as many as 8192x8192";
+    return {};
+}
+
 std::vector<Fault> check(const RenderOptions& options, double duration) {
     Faults faults;
     check_size(options, faults);
@@ -118,18 +130,19 @@ RenderJob::RenderJob(const Scene& scene, const Preset& preset, RenderOptions opt
     if (std::vector<Fault> faults = check(options_, scene.duration); !faults.empty())
         throw Error(Failure::bad_input, std::move(faults));
     times_ = frame_times(options_, scene.duration);
-    if (!options_.output.empty())
-        files_ = make_frame_files(options_.output, options_.fps, options_.size, static_cast<int>(times_.size()));
-    if (!options_.amounts.empty()) require_replaceable(options_.amounts);
-    if (!options_.layers.empty())
-        layers_ =
-            std::make_unique<LayerFiles>(options_.layers, options_.fps, options_.size, static_cast<int>(times_.size()));
+    // What it reads is known before the first file is begun (file_guard.h).
     preview_ =
         std::make_unique<Preview>(scene, preset, loaded.organ ? loaded.organ : prepare_organ(scene, preset.vessels),
                                   PreviewOptions{.clip_folders = options_.clip_folders,
                                                  .wait_for_clips = true,
                                                  .overlay = options_.overlay,
                                                  .clip_cache = loaded.clips});
+    if (!options_.output.empty())
+        files_ = make_frame_files(options_.output, options_.fps, options_.size, static_cast<int>(times_.size()));
+    if (!options_.amounts.empty()) require_replaceable(options_.amounts);
+    if (!options_.layers.empty())
+        layers_ =
+            std::make_unique<LayerFiles>(options_.layers, options_.fps, options_.size, static_cast<int>(times_.size()));
     amounts_ = "time_s,blood_area_mm2,blood_volume_mm3,wounds,bleeding_wounds,haze,burnt_area_mm2,emission\n";
 }
 

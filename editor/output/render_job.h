@@ -39,6 +39,8 @@ struct RenderOptions {
     std::vector<std::filesystem::path> clip_folders{};
 };
 
+/// Why a frame cannot have this size, pixels; empty: it can. A frame keeps 60 bytes of a pixel in memory.
+std::string size_fault(glm::ivec2 size);
 /// What is wrong with the options for a scene that is `duration` s long. Places are the options of `lapfx render`:
 /// "--size", "-o".
 std::vector<Fault> check(const RenderOptions& options, double duration);

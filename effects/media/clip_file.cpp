@@ -6,6 +6,7 @@
 
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/file_guard.h"
 
 namespace lapfx::media {
 
@@ -91,6 +92,7 @@ std::optional<ImageSequence> find_sequence(const fs::path& pattern, int maximum)
     while (sequence->first <= maximum_first && !is_file(sequence->file(0))) ++sequence->first;
     while (sequence->count < maximum && is_file(sequence->file(sequence->count))) ++sequence->count;
     if (sequence->count == 0) return std::nullopt;
+    note_read(pattern);
     return sequence;
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/file_guard.h"
 #include "lapfx/authoring/picture.h"
 #include "lapfx/error.h"
 #include "media/jpeg.h"
@@ -87,6 +88,7 @@ std::string decode_image(std::span<const std::uint8_t> file, Image& image) {
 namespace lapfx {
 
 ImageFile read_image(const std::filesystem::path& path) {
+    note_read(path);
     const std::string bytes = read_file(path, std::size_t{1} << 30);
     ImageFile made;
     media::ImageFacts facts;

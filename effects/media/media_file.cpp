@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lapfx/authoring/file_guard.h"
 #include "media/clip_file.h"
 #include "media/image.h"
 #include "media/matroska.h"
@@ -38,6 +39,7 @@ int refuse_other_file(AVFormatContext*, AVIOContext**, const char*, int, AVDicti
 MediaFile::MediaFile(const std::filesystem::path& path) : path_(path) {
     be_quiet();
     require_clip_file(path);
+    note_read(path);
     // Does not wait, in case a pipe has replaced the file since.
     descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor_ < 0) throw bad_clip(path, "cannot be read");

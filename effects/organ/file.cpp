@@ -8,6 +8,7 @@ extern "C" {
 #include <cctype>
 #include <fstream>
 
+#include "lapfx/authoring/file_guard.h"
 #include "organ/raw.h"
 
 namespace lapfx::organ {
@@ -55,6 +56,7 @@ Bytes read_file(const fs::path& path, const std::string& name, const std::string
     if (size > maximum_file_size)
         refuse(name, place, "has " + std::to_string(size) + " bytes, more than the limit of 2 GiB");
 
+    note_read(path);
     Bytes bytes(size);
     std::ifstream in(path, std::ios::binary);
     if (!in) refuse(name, place, "cannot be opened for reading");

@@ -12,6 +12,7 @@
 #include <random>
 
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/file_guard.h"
 #include "lapfx/error.h"
 
 namespace lapfx {
@@ -99,6 +100,7 @@ int make(const fs::path& path, Beside::Kind kind) {
 }  // namespace
 
 Beside::Beside(const fs::path& target, Kind kind, std::string_view extension) {
+    require_not_read(target);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
     drop_left_behind(folder);
     for (int attempt = 0; attempt < most_attempts; ++attempt) {

@@ -3,6 +3,7 @@
 #include <cctype>
 
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/file_guard.h"
 #include "lapfx/error.h"
 
 namespace lapfx {
@@ -57,6 +58,7 @@ fs::path named_path(const fs::path& folder, std::string_view name, Reach reach, 
     const fs::path path = fs::path(name).lexically_normal();
     if (reach == Reach::anywhere) {
         if (has_scheme(name)) refuse(shown + " is a URL; only plain files are read");
+        note_read(folder / path);
         return folder / path;
     }
     if (has_scheme(name)) outside("is a URL");
@@ -64,6 +66,7 @@ fs::path named_path(const fs::path& folder, std::string_view name, Reach reach, 
     if (leaves(path)) outside("leads out of the folder");
     const fs::path base = folder.empty() ? fs::path(".") : folder;
     if (const std::string reason = led_out(base, base / path); !reason.empty()) outside(reason);
+    note_read(folder / path);
     return folder / path;
 }
 

@@ -2,6 +2,7 @@
 
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/file_guard.h"
 #include "preset/document.h"
 #include "preset/tables.h"
 #include "preset/text.h"
@@ -52,6 +53,7 @@ Preset parse_preset(std::string_view json, const std::string& name, const std::f
 }
 
 Preset load_preset(const std::filesystem::path& path) {
+    note_read(path);
     return parse_preset(read_file(path, preset::longest_document), path.string(), path.parent_path());
 }
 

@@ -3,6 +3,7 @@
 
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/file_guard.h"
 #include "lapfx/preset.h"
 #include "preset/document.h"
 #include "preset/tables.h"
@@ -410,7 +411,13 @@ Scene parse_scene(std::string_view json, const std::string& name, const std::fil
 }
 
 Scene load_scene(const std::filesystem::path& path) {
-    return parse_scene(read_file(path, preset::longest_document), path.string(), path.parent_path());
+    note_read(path);
+    Scene scene = parse_scene(read_file(path, preset::longest_document), path.string(), path.parent_path());
+    // Not all of them are opened by whoever shows the scene, and yet they are what it needs.
+    for (const std::string& file :
+         {scene.organ.file, scene.organ.texture, scene.tool.file, scene.preset, scene.reference.file})
+        if (!file.empty()) note_read(scene.folder / file);
+    return scene;
 }
 
 std::string write_scene(const Scene& scene) {

@@ -84,6 +84,7 @@ def check_refused(lapfx, folder):
         (["collect", "empty"], "holds no results"), (["run", "videos", "--into", "results"], "ITEM: is missing"),
         ([*one, "--number", "1"], "one of them"), (["run", "videos", "--number", "99", "--into", "results"], "1 to 12"),
         (["run", "videos", "--number", "0", "--into", "results"], "1 to 12"),
+        (["run", "videos", "--number", "-1", "--into", "results"], '"-1" is not a whole number'),
         (["run", "videos", "../whole.mp4", "--into", "results"], "is not a path below"),
         (["run", "videos", "./clip_1.mp4", "--into", "results"], "is not a path below"),
         (["run", "videos", "none.mp4", "--into", "results"], "is no file of"),

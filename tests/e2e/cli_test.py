@@ -42,6 +42,7 @@ def document(kind, **values):
 FILES = {
     "scene.json": json.dumps(SCENE),
     "organ.obj": ORGAN,
+    "hostile \x1b[31m.obj": "o liver\x1b]0;title\x07\nusemtl skin\u202egnp\n" + ORGAN,
     "good.json": document("preset", bleeding={"speed": 2.0}),
     "low.json": document("preset", bleeding={"speed": -3}),
     "typo.json": document("preset", bleeding={"sped": 2.0}),
@@ -153,6 +154,10 @@ INPUT = [
     Case("inspect: missing", ("inspect", "missing.glb"), 2, "missing.glb"),
     Case("inspect: folder", ("inspect", "folder"), 2, "folder"),
     Case("inspect: not a mesh", ("inspect", "words.glb"), 2, "words.glb"),
+    Case("render: larger than a frame can be", ("render", "scene.json", "--size", "16384x16384", "--at", "0", "-o",
+         "out.png"), 2, says="at most as many as 8192x8192"),
+    Case("inspect: names that drive a terminal", ("inspect", "hostile \x1b[31m.obj"), 0,
+         prints=r"(?s)hostile \\x1b\[31m\.obj: mesh\n[ -~\n]*liver\\x1b\]0;title\\x07, material skin\\u202egnp[ -~\n]*"),
     Case("inspect: good", ("inspect", "organ.obj"), 0, prints=r"(?s).*\b2\b.*"),
 ]
 

@@ -169,7 +169,7 @@ def check_refused(lapfx, scene, video, folder):
         (["--budget", "0"], "--budget"),
         (["--seed", "x"], "--seed"),
         (["--fitted-scene", os.path.join(folder, "scene.json")], "does not end in .scene.json"),
-        (["--fitted-scene", scene], "is another file of this fit"),
+        (["--fitted-scene", scene], "is a file that is read here"),
         (["--csv", video], "does not end in .csv"),
         (["--csv", os.path.join(folder, "none.json")], "does not end in .csv"),
         (["--report", os.path.join(folder, "none.json")], "does not end in .html"),
@@ -178,7 +178,7 @@ def check_refused(lapfx, scene, video, folder):
         code, said, told = run(lapfx, *whole, *extra)
         assert code == 2 and expected in told and said == "", (extra, code, said, told)
     code, said, told = run(lapfx, *whole[:-1], scene)
-    assert code == 2 and "is another file of this fit" in told, (code, said, told)
+    assert code == 2 and "is a file that is read here" in told, (code, said, told)
     for changed, expected in ((2, "no.scene.json"), (4, "no.mp4"), (6, "fitted.txt")):
         arguments = [*whole]
         arguments[changed - 1] = os.path.join(folder, expected)

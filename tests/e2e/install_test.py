@@ -23,7 +23,11 @@ def installed(build, folder):
     at_first, prefix = os.path.join(folder, "first"), os.path.join(folder, "moved here")
     for old in (at_first, prefix):
         shutil.rmtree(old, ignore_errors=True)
+    # As after editor/start, which does not build all that is installed.
+    os.remove(os.path.join(build, "pages", "lapfx"))
     run("cmake", "--install", build, "--prefix", at_first)
+    pages = os.path.join(at_first, "share", "bash-completion", "completions", "lapfx")
+    assert os.path.isfile(pages), "what is missing in the build folder is not built when it is installed"
     os.rename(at_first, prefix)
     return prefix
 

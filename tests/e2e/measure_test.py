@@ -106,7 +106,7 @@ def check_overlay(lapfx, reference, folder):
     nowhere = os.path.join(folder, "nowhere", "over.mp4")
     code, said, told = run(lapfx, spot, "-o", out, "--overlay", nowhere)
     assert code == 1 and said == "" and told.count("\n") == 1 and nowhere in told, (code, said, told)
-    for name, line in (("over.txt", "is not the name of a video"), (spot, "is the video that is measured")):
+    for name, line in (("over.txt", "is not the name of a video"), (spot, "is a file that is read here")):
         code, said, told = run(lapfx, spot, "-o", out, "--overlay", name)
         assert code == 2 and told.count("\n") == 1 and "--overlay: " in told and line in told, (code, told)
     code, _, told = run(lapfx, spot, "--roi", "0,0,4,4", "-o", out, "--overlay", overlay + ".mp4")
@@ -159,7 +159,7 @@ def check_faults(lapfx, reference, folder):
         ([reference, "--view", "1,2", "-o", out], '--view: "1,2" is not x,y,r'),
         ([reference, "--mask", "nowhere.json", "-o", out], "nowhere.json"),
         ([reference, "--json", "out.csv", "-o", out], '--json: "out.csv" does not end in .json'),
-        ([reference, "--mask", polygons, "--json", polygons, "-o", out], '" is the file of --mask'),
+        ([reference, "--mask", polygons, "--json", polygons, "-o", out], '" is a file that is read here'),
         ([reference, "--mask", "0,0,1,1", "-o", out], '--mask: "0,0,1,1" is not x,y of 3 to 32 corners'),
         ([reference, "--mask", "0,0,1,1,1,x", "-o", out], '--mask: "0,0,1,1,1,x" is not x,y,x,y,x,y'),
         ([reference, "--mask", "0,0,9000,20,3,3", "-o", out],

@@ -59,7 +59,7 @@ def check_refused(lapfx, scene, video, folder):
     os.symlink(fitted, link)
     for report, code, expected in ((os.path.join(folder, "report.htm"), 2, "does not end in .html"),
                                    (os.path.join(folder, "none", "report.html"), 1, "folder is missing"),
-                                   (taken, 2, "is another file of this fit"), (link, 1, "not a plain file")):
+                                   (taken, 2, "is a file that is read here"), (link, 1, "not a plain file")):
         done, said, told = run(lapfx, "fit", scene, "--reference", video, "-o", fitted, "--csv", table,
                                "--report", report)
         assert done == code and expected in told and said == "", (report, done, said, told)

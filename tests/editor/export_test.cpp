@@ -12,6 +12,7 @@
 #include "editor/support/editor_test.h"
 #include "editor/support/held_jobs.h"
 #include "lapfx/authoring/documents.h"
+#include "lapfx/authoring/file_guard.h"
 #include "support/folders.h"
 #include "support/wait_until.h"
 #include "ui/core/tree.h"
@@ -75,6 +76,22 @@ TEST_F(ExportTest, ProposesWhatIsShownBesideThePreset) {
     EXPECT_EQ(ui().value("New export/Form/From"), 2);
     EXPECT_EQ(editor().exports().frames(), 25);
     EXPECT_EQ(ui::faults_of(ui().ui().tree()), std::vector<std::string>{});
+}
+
+TEST_F(ExportTest, WhatWasOpenedIsNotReplaced) {
+    guard_files(FileGuard::note);  // as the program does
+    const std::string file = path("operation.mp4");
+    std::ofstream(file) << "a surgery video";
+    note_read(file);
+    open_dialog("export.video");
+    set_file(file);
+    EXPECT_EQ(editor().exports().fault_at("-o"), "is a file that was opened here; choose another name");
+    set_file(path("new.mp4"));
+    EXPECT_EQ(editor().exports().fault_at("-o"), "");
+    form().amounts = true, form().amounts_file = file;
+    ui().frame();
+    EXPECT_EQ(editor().exports().fault_at("--amounts"), "is a file that was opened here; choose another name");
+    guard_files(FileGuard::off);
 }
 
 TEST_F(ExportTest, TellsInPlaceWhatIsWrongAndLetsNothingBegin) {

@@ -14,6 +14,7 @@
 #include "app/preview/looking.h"
 #include "app/preview/preview_host.h"
 #include "app/preview/timeline.h"
+#include "lapfx/authoring/file_guard.h"
 #include "lapfx/authoring/formats.h"
 #include "lapfx/authoring/prepared_scene.h"
 #include "output/files.h"
@@ -26,6 +27,7 @@ namespace {
 
 constexpr double step_budget = 0.03;  // s of a frame of the UI
 constexpr glm::ivec2 thumbnail_size{320, 256};
+constexpr const char* opened_here = "is a file that was opened here; choose another name";
 
 /// "a picture is a .png", "a video is an .mp4, .mov, .mkv or .avi"
 std::string wanted_name(OutputKind kind) {
@@ -258,6 +260,8 @@ void Exports::look_at_form() {
             faults_.push_back(fault("-o", "there is no folder " + folder.string()));
         else if (!document::is_writable_folder(folder))
             faults_.push_back(fault("-o", folder.string() + " cannot be written to"));
+        else if (form.renders() && (is_read(file) || is_read(first)))
+            faults_.push_back(fault("-o", opened_here));
     }
     if (!form.renders()) return check_preset_file(faults_);
     if (output::kind_named(file) != form.what()) faults_.push_back(fault("-o", wanted_name(form.what())));
@@ -266,6 +270,8 @@ void Exports::look_at_form() {
     std::error_code error;
     if (form.amounts && !document::is_writable_folder(fs::absolute(form.amounts_file, error).parent_path()))
         faults_.push_back(fault("--amounts", "its folder is missing or cannot be written to"));
+    else if (form.amounts && is_read(form.amounts_file))
+        faults_.push_back(fault("--amounts", opened_here));
     if (document_.scene().organ.file.empty()) faults_.push_back(fault("scene", "there is no organ to draw"));
     for (const Fault& found : document_.preset_faults()) faults_.push_back(fault("preset", found.text()));
 }

@@ -10,6 +10,7 @@
 #include "app/reference/reference.h"
 #include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/file_guard.h"
 #include "output/files.h"
 
 namespace lapfx::app {
@@ -235,6 +236,9 @@ bool Measuring::stale() const {
 void Measuring::write(MeasureFile kind, const fs::path& path) {
     if (!found_) return;
     try {
+        if (is_read(path))
+            throw Error(Failure::bad_input,
+                        Fault{.file = path.string(), .place = "", .reason = "was opened here; choose another name"});
         if (kind == MeasureFile::png)
             output::write_png(path, match::plot_of(*found_));
         else

@@ -147,5 +147,15 @@ TEST(BatchEntriesTest, AreTheFoldersOfItems) {
                                    "week/b.mp4 failed"));
 }
 
+TEST(BatchTableTest, NoTextIsAFormula) {
+    BatchResult result = failed();
+    result.notes = {"+1", "-2"}, result.faults = {"@SUM(A1)"};
+    const std::string csv = table_csv({{"=HYPERLINK(x).mp4", result, true}, {"b\xff\x1b.mp4", {}}});
+    EXPECT_THAT(csv, HasSubstr("\n'=HYPERLINK(x).mp4,video,failed,'@SUM(A1),"));
+    EXPECT_THAT(csv, HasSubstr(",'=HYPERLINK(x).mp4/report.html,"));
+    EXPECT_THAT(csv, HasSubstr(",'+1; -2\n"));
+    EXPECT_THAT(csv, HasSubstr("\nb\\xff\\x1b.mp4,video,"));
+}
+
 }  // namespace
 }  // namespace lapfx::commands

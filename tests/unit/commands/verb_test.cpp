@@ -49,5 +49,23 @@ TEST(Verb, AWrongOneIsToldWithTheNearest) {
     EXPECT_NE(refused({std::string(1 << 20, 'x')}), "taken") << "a hostile one costs no minutes";
 }
 
+TEST(Verb, AnEmptyValueIsNoneThatWasLeftOut) {
+    const auto empty = [](const std::vector<std::string>& arguments) {
+        try {
+            require_values(arguments);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.failure(), Failure::bad_input);
+            return error.faults().front().text();
+        }
+        return std::string("taken");
+    };
+    EXPECT_EQ(empty({"measure", "v.mp4", "-o", ""}), "-o: \"\" is empty; a value is needed here");
+    EXPECT_EQ(empty({"measure", "v.mp4", "--json", "", "-o", "a.csv"}),
+              "--json: \"\" is empty; a value is needed here");
+    EXPECT_EQ(empty({"measure", "--baseline=", "-o", "a.csv"}), "--baseline: \"\" is empty; a value is needed here");
+    EXPECT_EQ(empty({"inspect", ""}), "\"\" is empty; a value is needed here");
+    EXPECT_EQ(empty({"render", "s", "--set", "name=", "--set=name=", "--", "a="}), "taken") << "the value is \"name=\"";
+}
+
 }  // namespace
 }  // namespace lapfx::commands

@@ -106,6 +106,9 @@ std::vector<std::string> faults(const RenderOptions& options) {
 TEST(RenderOptionsTest, EachFaultNamesItsOption) {
     EXPECT_THAT(faults({.output = "a.mp4"}), IsEmpty());
     EXPECT_THAT(faults({.at = 3, .output = "a.png"}), IsEmpty());
+    EXPECT_THAT(faults({.size = {16384, 4098}, .output = "a.mp4"}),
+                ElementsAre("--size: 16384x4098 has more pixels than a frame can have: at most as many as 8192x8192"));
+    EXPECT_THAT(faults({.size = {16384, 4096}, .output = "a.mp4"}), IsEmpty());
     EXPECT_THAT(faults({.size = {0, 5}, .output = "a.mp4"}), ElementsAre("--size: 0x5 is outside 1x1 to 16384x16384"));
     EXPECT_THAT(faults({.size = {641, 480}, .output = "a.mp4"}),
                 ElementsAre("--size: 641x480: the sides of a video must be even"));
