@@ -157,7 +157,7 @@ INPUT = [
     Case("render: larger than a frame can be", ("render", "scene.json", "--size", "16384x16384", "--at", "0", "-o",
          "out.png"), 2, says="at most as many as 8192x8192"),
     Case("inspect: names that drive a terminal", ("inspect", "hostile \x1b[31m.obj"), 0,
-         prints=r"(?s)hostile \\x1b\[31m\.obj: mesh\n[ -~\n]*liver\\x1b\]0;title\\x07, material skin\\u202egnp[ -~\n]*"),
+         prints=r"(?s)hostile \\x1b\[31m\.obj: mesh\n[ -~\n]*liver\\x1b\]0;title\\x07: 2 [ -~\n]*skin\\u202egnp is not[ -~\n]*"),
     Case("inspect: good", ("inspect", "organ.obj"), 0, prints=r"(?s).*\b2\b.*"),
 ]
 
