@@ -75,7 +75,10 @@ void Body::send_density(const bleeding::TissueDensity& density) {
     std::vector<render::DensityPicture> pictures(density.images());
     for (std::size_t i = 0; i < pictures.size(); ++i)
         if (const bleeding::DensityMap* map = density.map(static_cast<int>(i)))
-            pictures[i] = {.size = map->size(), .values = map->values()};
+            pictures[i] = {.size = map->size(),
+                           .values = map->values(),
+                           .wrap_u = map->layout().beyond.u,
+                           .wrap_v = map->layout().beyond.v};
     organ_gpu_.send_density(pictures, density.vertex_values());
 }
 

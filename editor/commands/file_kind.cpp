@@ -43,8 +43,10 @@ FileKind kind_by_content(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::string head(16, '\0');
     in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    if (const FileFormat* const format = format_beginning(head)) return kind_of(*format);
-    const std::size_t first = head.find_first_not_of(" \t\r\n");
+    const std::size_t mark = head.starts_with("\xef\xbb\xbf") ? 3 : 0;
+    if (const FileFormat* const format = format_beginning(std::string_view(head).substr(mark))) return kind_of(*format);
+    if (const std::string why = why_not_read(file); !why.empty()) refuse(file, why);
+    const std::size_t first = head.find_first_not_of(" \t\r\n", mark);
     if (first != std::string::npos && head[first] == '{') return FileKind::document;
     if (is_text(file)) refuse(file, "is a text, but not a preset, a scene or a mesh");
     return FileKind::video;

@@ -61,6 +61,16 @@ std::string image_text(const Organ& organ, int image) {
     return image < 0 ? "none" : organ.images[static_cast<std::size_t>(image)].name;
 }
 
+/// Nothing where it repeats both ways, as most do.
+std::string wrap_text(const Image& image) {
+    const auto word = [](Wrap wrap) {
+        return std::string(wrap == Wrap::clamp ? "clamped" : wrap == Wrap::mirror ? "mirrored" : "repeated");
+    };
+    if (image.wrap_u == Wrap::repeat && image.wrap_v == Wrap::repeat) return "";
+    return ", " + word(image.wrap_u) +
+           (image.wrap_u == image.wrap_v ? "" : " along u and " + word(image.wrap_v) + " along v");
+}
+
 void print_materials(const Organ& organ) {
     row("materials", std::to_string(organ.materials.size()));
     for (const Material& material : organ.materials)
@@ -69,7 +79,8 @@ void print_materials(const Organ& organ) {
                     text_of("%.2f", material.roughness) + (material.double_sided ? ", double sided" : ""));
     row("textures", std::to_string(organ.images.size()));
     for (const Image& image : organ.images)
-        row("", image.name + ": " + std::to_string(image.width) + "x" + std::to_string(image.height));
+        row("",
+            image.name + ": " + std::to_string(image.width) + "x" + std::to_string(image.height) + wrap_text(image));
 }
 
 /// What the colours show about the tissue, with default parameters.

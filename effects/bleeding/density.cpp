@@ -38,6 +38,20 @@ glm::vec3 factor_of(const Organ& organ, int image) {
     return glm::vec3(1.0f);
 }
 
+/// A coordinate within the one or two repetitions that differ.
+float within(float place, bool any, Wrap wrap) {
+    if (!any || wrap == Wrap::clamp) return glm::clamp(place, 0.0f, 1.0f);
+    const float period = wrap == Wrap::mirror ? 2.0f : 1.0f;
+    return place - period * std::floor(place / period);
+}
+
+/// The texel of that number among `count`, where it may lie beyond them.
+std::size_t texel_at(int index, int count, bool any, Wrap wrap) {
+    if (!any || wrap == Wrap::clamp) return static_cast<std::size_t>(std::clamp(index, 0, count - 1));
+    const int period = wrap == Wrap::mirror ? 2 * count : count, inside = (index % period + period) % period;
+    return static_cast<std::size_t>(inside < count ? inside : period - 1 - inside);
+}
+
 /// A function of a* and b* for every value that they have in 8 bits.
 template <class F>
 std::vector<float> chroma_table(const F& f) {
@@ -185,8 +199,8 @@ std::shared_ptr<const DensityMap::Made> DensityMap::make(const VesselParameters&
     source_->weigh(image, weights, red);
     stages.reach(0.1);
     cv::Mat near, around;
-    side_by_side([&] { near = TextureBlur(weights, texels(near_share * p.vessel_width), layout.repeats)(red); },
-                 [&] { around = TextureBlur(weights, texels(around_share * p.vessel_width), layout.repeats)(red); });
+    side_by_side([&] { near = TextureBlur(weights, texels(near_share * p.vessel_width), layout.beyond)(red); },
+                 [&] { around = TextureBlur(weights, texels(around_share * p.vessel_width), layout.beyond)(red); });
     stages.reach(0.5);
 
     static const auto blood = chroma_table([](double a, double b) { return bloodiness(a, b); });
@@ -198,7 +212,7 @@ std::shared_ptr<const DensityMap::Made> DensityMap::make(const VesselParameters&
     cv::Mat colored, colored_around;
     if (p.vessel_tolerance > 0.0) {
         colored = source_->colored(image, weights, p);
-        colored_around = TextureBlur(weights, texels(around_share * p.vessel_width), layout.repeats)(colored);
+        colored_around = TextureBlur(weights, texels(around_share * p.vessel_width), layout.beyond)(colored);
     }
     cv::parallel_for_(cv::Range(0, size.height), [&](const cv::Range& rows) {
         for (int y = rows.start; y < rows.end; ++y) {
@@ -222,7 +236,7 @@ std::shared_ptr<const DensityMap::Made> DensityMap::make(const VesselParameters&
     made->of = p;
     made->shows_vessels = surface > 0.0 && cv::sum(vessels)[0] >= least_vessels * surface;
     stages.reach(0.6);
-    const TextureBlur smooth(weights, texels(p.smoothing), layout.repeats);
+    const TextureBlur smooth(weights, texels(p.smoothing), layout.beyond);
     cv::Mat planes[2];
     side_by_side([&] { planes[0] = smooth(vessels); }, [&] { planes[1] = smooth(fat); });
     stages.reach(0.9);
@@ -240,9 +254,7 @@ void DensityMap::count(const VesselParameters& p, TissueHistogram& histogram) co
     const Converted image = source_->convert();
     cv::Mat weights, red;
     source_->weigh(image, weights, red);
-    const auto blurred = [&](double mm) {
-        return TextureBlur(weights, mm * layout.texels_per_mm, layout.repeats)(red);
-    };
+    const auto blurred = [&](double mm) { return TextureBlur(weights, mm * layout.texels_per_mm, layout.beyond)(red); };
     const cv::Mat near = blurred(near_share * p.vessel_width), around = blurred(around_share * p.vessel_width);
     static const auto hues = chroma_table([](double a, double b) { return hue_of(a, b); });
     static const auto colored = chroma_table([](double a, double b) { return std::hypot(a, b); });
@@ -261,19 +273,16 @@ void DensityMap::count(const VesselParameters& p, TissueHistogram& histogram) co
 
 glm::vec2 DensityMap::sample(glm::vec2 uv) const noexcept {
     if (!(std::isfinite(uv.x) && std::isfinite(uv.y)) || values().empty()) return glm::vec2(0.0f);
-    const TextureLayout& layout = source_->layout;
+    const Beyond& beyond = source_->layout.beyond;
     const std::vector<Density>& values = made_->values;
     const glm::ivec2 size = source_->size;
-    const glm::vec2 inside = layout.repeats ? uv - glm::floor(uv) : glm::clamp(uv, 0.0f, 1.0f);
+    const glm::vec2 inside(within(uv.x, beyond.any, beyond.u), within(uv.y, beyond.any, beyond.v));
     const glm::vec2 at = inside * glm::vec2(size) - 0.5f;
     const glm::vec2 low = glm::floor(at), part = at - low;
-    const auto within = [&](float place, int step, int count) {
-        const int index = static_cast<int>(place) + step;
-        return static_cast<std::size_t>(layout.repeats ? (index + count) % count : std::clamp(index, 0, count - 1));
-    };
     const auto texel = [&](int x, int y) {
-        return glm::vec2(
-            values[within(low.y, y, size.y) * static_cast<std::size_t>(size.x) + within(low.x, x, size.x)]);
+        const std::size_t row = texel_at(static_cast<int>(low.y) + y, size.y, beyond.any, beyond.v);
+        const std::size_t column = texel_at(static_cast<int>(low.x) + x, size.x, beyond.any, beyond.u);
+        return glm::vec2(values[row * static_cast<std::size_t>(size.x) + column]);
     };
     return glm::mix(glm::mix(texel(0, 0), texel(1, 0), part.x), glm::mix(texel(0, 1), texel(1, 1), part.x), part.y) /
            255.0f;

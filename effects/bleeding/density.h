@@ -71,8 +71,8 @@ class DensityMap {
     /// Pixels are not included.
     std::size_t shared_memory() const;
     std::size_t own_memory() const;
-    /// Vessels and fat, 0..1, bilinear. Beyond an edge it reads the other side if the texture repeats, otherwise the
-    /// edge. NaN gives 0.
+    /// Vessels and fat, 0..1, bilinear. Beyond an edge it reads what the texture shows there, or the edge if texture
+    /// coordinates stay within 0..1. NaN gives 0.
     glm::vec2 sample(glm::vec2 uv) const noexcept;
 
   private:

@@ -4,14 +4,15 @@
 #include <glm/glm.hpp>
 #include <opencv2/core.hpp>
 
+#include "bleeding/texture_layout.h"
+
 namespace lapfx::bleeding {
 
 /// Means of values where the weights are above 0.
 class TextureBlur {
   public:
-    /// `weights`: CV_32F, 0..1. `deviation`: along x and y; less than 0.3 texels counts as 0.3. Beyond the edges there
-    /// is nothing, or with `repeats` the other side of the texture.
-    TextureBlur(const cv::Mat& weights, glm::dvec2 deviation, bool repeats);
+    /// `weights`: CV_32F, 0..1. `deviation`: along x and y; less than 0.3 texels counts as 0.3.
+    TextureBlur(const cv::Mat& weights, glm::dvec2 deviation, const Beyond& beyond);
 
     /// `weighted`: values times their weights, CV_32F, finite, the size of the weights. Far from all weight the result
     /// is near 0.
@@ -27,7 +28,7 @@ class TextureBlur {
     cv::Mat blur(const cv::Mat& values) const;
 
     cv::Size size_;
-    bool repeats_;
+    Beyond beyond_;
     Axis x_, y_;
     cv::Mat blurred_;  // the weights at reduced size
 };

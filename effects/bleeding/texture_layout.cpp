@@ -59,21 +59,22 @@ void fill(const Corners& triangle, cv::Mat& used) {
 TextureLayout layout_of(const Organ& organ, int image) {
     const Image& pixels = organ.images[static_cast<std::size_t>(image)];
     TextureLayout layout;
+    layout.beyond = {.any = false, .u = pixels.wrap_u, .v = pixels.wrap_v};
     glm::dvec2 sum(0.0);
     double area = 0.0;
     for_each_triangle(organ, image, [&](const Corners& triangle) {
         const glm::dvec3 found = stretch(triangle);
         sum += glm::dvec2(found) * found.z;
         area += found.z;
-        // A little past the edge is how some exporters write 1; it does not repeat the texture.
+        // A little past the edge is how some exporters write 1; it does not leave the texture.
         for (const glm::dvec2& uv : triangle.uv)
-            if (uv.x < -0.01 || uv.y < -0.01 || uv.x > 1.01 || uv.y > 1.01) layout.repeats = true;
+            if (uv.x < -0.01 || uv.y < -0.01 || uv.x > 1.01 || uv.y > 1.01) layout.beyond.any = true;
     });
     const glm::dvec2 found = sum / area * glm::dvec2(pixels.width, pixels.height);
     if (area > 0.0 && std::isfinite(found.x + found.y)) layout.texels_per_mm = found;
     layout.used.assign(static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height),
-                       layout.repeats ? std::uint8_t{255} : std::uint8_t{0});
-    if (layout.repeats) return layout;
+                       layout.beyond.any ? std::uint8_t{255} : std::uint8_t{0});
+    if (layout.beyond.any) return layout;
     cv::Mat used(pixels.height, pixels.width, CV_8U, layout.used.data());
     for_each_triangle(organ, image, [&](const Corners& triangle) { fill(triangle, used); });
     return layout;

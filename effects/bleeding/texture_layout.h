@@ -9,9 +9,15 @@
 
 namespace lapfx::bleeding {
 
+/// What lies beyond the edges of a texture.
+struct Beyond {
+    bool any = false;  ///< texture coordinates leave 0..1; else nothing does, whatever the modes say
+    Wrap u = Wrap::repeat, v = Wrap::repeat;
+};
+
 struct TextureLayout {
-    glm::dvec2 texels_per_mm{0.0};   ///< along u and v: means over the surface by area; 0 if unknown
-    bool repeats = false;            ///< its left edge continues at its right one: texture coordinates leave 0..1
+    glm::dvec2 texels_per_mm{0.0};  ///< along u and v: means over the surface by area; 0 if unknown
+    Beyond beyond;
     std::vector<std::uint8_t> used;  ///< per texel, row by row from the top: 255 on the surface, else 0
 };
 

@@ -60,8 +60,8 @@ Texture::Texture(const TextureDescription& d) : size_(d.size), layers_(d.layers)
     const GLenum minify = d.filter == GL_NEAREST ? GL_NEAREST : mipmaps ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR;
     glTextureParameteri(name(), GL_TEXTURE_MIN_FILTER, static_cast<GLint>(minify));
     glTextureParameteri(name(), GL_TEXTURE_MAG_FILTER, static_cast<GLint>(d.filter));
-    glTextureParameteri(name(), GL_TEXTURE_WRAP_S, static_cast<GLint>(d.wrap));
-    glTextureParameteri(name(), GL_TEXTURE_WRAP_T, static_cast<GLint>(d.wrap));
+    glTextureParameteri(name(), GL_TEXTURE_WRAP_S, static_cast<GLint>(d.wrap_u));
+    glTextureParameteri(name(), GL_TEXTURE_WRAP_T, static_cast<GLint>(d.wrap_v));
 }
 
 void Texture::upload(GLenum format, const void* pixels, int layer) const {

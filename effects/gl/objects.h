@@ -67,7 +67,7 @@ struct TextureDescription {
     int samples = 0;  ///< 0: an ordinary texture, otherwise multisample
     int layers = 0;   ///< 0: GL_TEXTURE_2D, otherwise the number of layers of a GL_TEXTURE_2D_ARRAY
     GLenum filter = GL_LINEAR;
-    GLenum wrap = GL_CLAMP_TO_EDGE;
+    GLenum wrap_u = GL_CLAMP_TO_EDGE, wrap_v = GL_CLAMP_TO_EDGE;
 };
 
 /// Rows of a mip level, from the top.

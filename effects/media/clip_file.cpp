@@ -135,7 +135,8 @@ fs::path find_clip(const std::string& file, const fs::path& preset_folder, std::
     std::string looked_in = (preset_folder.empty() ? fs::path(".") : preset_folder).string();
     if (fs::path(file).filename() == fs::path(file))
         for (const fs::path& folder : search_path) {
-            if (is_file(folder / file) || find_sequence(folder / file, 1)) return folder / file;
+            const fs::path path = named_path(folder, file, Reach::anywhere, file);
+            if (is_file(path) || find_sequence(path, 1)) return path;
             looked_in += ", " + (folder.empty() ? fs::path(".") : folder).string();
         }
     throw bad_clip(file, "no such clip; looked in " + looked_in);

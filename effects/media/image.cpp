@@ -22,7 +22,7 @@ bool begins(std::span<const std::uint8_t> file, std::string_view mark) {
 }
 
 /// WebP and BMP through FFmpeg: OpenCV's reader writes to stderr.
-bool decode_with_ffmpeg(std::span<const std::uint8_t> file, AVCodecID id, Image& image, ImageFacts& facts) {
+bool decode_with_ffmpeg(std::span<const std::uint8_t> file, AVCodecID id, Image& image, ImageFacts& facts, int factor) {
     const AVCodec* codec = avcodec_find_decoder(id);
     if (codec == nullptr) return false;
     const libav::Codec context(libav::made(avcodec_alloc_context3(codec)));
@@ -37,12 +37,14 @@ bool decode_with_ffmpeg(std::span<const std::uint8_t> file, AVCodecID id, Image&
         return false;
     const auto format = static_cast<AVPixelFormat>(frame->format);
     const AVPixFmtDescriptor* about = av_pix_fmt_desc_get(format);
-    const libav::Scaler scaler(sws_getContext(frame->width, frame->height, format, frame->width, frame->height,
-                                              AV_PIX_FMT_RGBA, SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT,
-                                              nullptr, nullptr, nullptr));
+    const int width = (frame->width + factor - 1) / factor, height = (frame->height + factor - 1) / factor;
+    const int filter = factor > 1 ? SWS_AREA : SWS_BICUBIC;
+    const libav::Scaler scaler(sws_getContext(frame->width, frame->height, format, width, height, AV_PIX_FMT_RGBA,
+                                              filter | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr, nullptr,
+                                              nullptr));
     if (about == nullptr || !scaler) return false;
-    image.width = frame->width;
-    image.height = frame->height;
+    image.width = width;
+    image.height = height;
     image.pixels.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
     std::uint8_t* const into[] = {image.pixels.data()};
     const int stride[] = {4 * image.width};
@@ -65,22 +67,29 @@ std::string size_fault(const ImageSize& size) {
 
 }  // namespace
 
-std::string decode_image(std::span<const std::uint8_t> file, Image& image, ImageFacts& facts) {
+int shrink_factor(const ImageSize& size, int longest) {
+    int factor = 1;
+    while (std::max(size.width, size.height) > std::int64_t{longest} * factor) factor *= 2;
+    return factor;
+}
+
+std::string decode_image(std::span<const std::uint8_t> file, Image& image, ImageFacts& facts, int longest) {
     ImageSize size;
     if (!image_size(file, size)) return "not a PNG, JPEG, WebP or BMP image";
     if (std::string fault = size_fault(size); !fault.empty()) return fault;
     if (file.size() > (std::size_t{1} << 30)) return "is larger than 1 GiB";
     be_quiet();
-    const bool decoded = begins(file, "\x89PNG")        ? decode_png(file, image, facts)
-                         : begins(file, "\xff\xd8\xff") ? decode_jpeg(file, image, facts)
-                         : begins(file, "BM")           ? decode_with_ffmpeg(file, AV_CODEC_ID_BMP, image, facts)
-                                                        : decode_with_ffmpeg(file, AV_CODEC_ID_WEBP, image, facts);
+    const int by = shrink_factor(size, longest);
+    const bool decoded = begins(file, "\x89PNG")        ? decode_png(file, image, facts, by)
+                         : begins(file, "\xff\xd8\xff") ? decode_jpeg(file, image, facts, by)
+                         : begins(file, "BM")           ? decode_with_ffmpeg(file, AV_CODEC_ID_BMP, image, facts, by)
+                                                        : decode_with_ffmpeg(file, AV_CODEC_ID_WEBP, image, facts, by);
     return decoded ? "" : "cannot be decoded";
 }
 
-std::string decode_image(std::span<const std::uint8_t> file, Image& image) {
+std::string decode_image(std::span<const std::uint8_t> file, Image& image, int longest) {
     ImageFacts facts;
-    return decode_image(file, image, facts);
+    return decode_image(file, image, facts, longest);
 }
 
 }  // namespace lapfx::media

@@ -27,9 +27,14 @@ struct ImageFacts {
     int bits = 0;      ///< for one value
 };
 
+/// By how much an image is shrunk while it is read, so that no side is longer than `longest`: 1, or a power of two.
+int shrink_factor(const ImageSize& size, int longest);
+
 /// Decodes a whole image file into `image`, whose name stays. Returns the reason of a failure, or an empty string.
-/// Writes nothing to stderr.
-std::string decode_image(std::span<const std::uint8_t> file, Image& image, ImageFacts& facts);
-std::string decode_image(std::span<const std::uint8_t> file, Image& image);
+/// Writes nothing to stderr. An image with a side longer than `longest` is shrunk while it is read, to means over
+/// squares of shrink_factor() pixels: never is there memory for all of them.
+std::string decode_image(std::span<const std::uint8_t> file, Image& image, ImageFacts& facts,
+                         int longest = maximum_image_side);
+std::string decode_image(std::span<const std::uint8_t> file, Image& image, int longest = maximum_image_side);
 
 }  // namespace lapfx::media

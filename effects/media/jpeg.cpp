@@ -51,7 +51,7 @@ void to_rgba(std::uint8_t* pixel, std::size_t count, bool inverted) {
 
 }  // namespace
 
-bool decode_jpeg(std::span<const std::uint8_t> file, Image& image, ImageFacts& facts) {
+bool decode_jpeg(std::span<const std::uint8_t> file, Image& image, ImageFacts& facts, int factor) {
     Reader reader;
     jpeg_decompress_struct& about = reader.about;
     // What libjpeg refuses comes back here. Nothing that has a destructor lies between here and there.
@@ -67,6 +67,8 @@ bool decode_jpeg(std::span<const std::uint8_t> file, Image& image, ImageFacts& f
     facts = {.channels = about.num_components, .bits = about.data_precision};
     const bool inks = about.jpeg_color_space == JCS_CMYK || about.jpeg_color_space == JCS_YCCK;
     about.out_color_space = inks ? JCS_CMYK : JCS_EXT_RGBA;
+    about.scale_num = 1;
+    about.scale_denom = static_cast<unsigned>(factor);
     jpeg_start_decompress(&about);
     const std::size_t width = about.output_width, height = about.output_height;
     image.width = static_cast<int>(width);

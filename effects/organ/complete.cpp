@@ -88,6 +88,11 @@ void make_uvs(Organ& organ, const Missing& missing) {
         const char* why = there      ? "its texture coordinates cover no area; new ones were made"
                           : textured ? "has a texture, but no texture coordinates; they were made"
                                      : nullptr;
+        for (const int image : {material.base_color_image, material.normal_image})
+            if (image >= 0) {
+                Image& repeated = organ.images[static_cast<std::size_t>(image)];
+                repeated.wrap_u = repeated.wrap_v = Wrap::repeat;  // they leave 0..1 everywhere
+            }
         if (why) organ.warnings.push_back("part " + (part.name.empty() ? std::to_string(p) : part.name) + ": " + why);
         for (std::uint32_t i = part.first_index; i < part.first_index + part.index_count; ++i) {
             const std::uint32_t v = organ.indices[i];

@@ -33,6 +33,44 @@ std::string kind_of(fs::file_type type) {
     }
 }
 
+constexpr std::uint32_t not_a_character = 0xfffd;
+
+void append_utf8(std::string& out, std::uint32_t c) {
+    const auto put = [&](std::uint32_t byte) { out += static_cast<char>(byte); };
+    if (c < 0x80) return put(c);
+    if (c < 0x800) {
+        put(0xc0 | c >> 6);
+    } else {
+        if (c < 0x10000) {
+            put(0xe0 | c >> 12);
+        } else {
+            put(0xf0 | c >> 18);
+            put(0x80 | (c >> 12 & 0x3f));
+        }
+        put(0x80 | (c >> 6 & 0x3f));
+    }
+    put(0x80 | (c & 0x3f));
+}
+
+/// Of either byte order; half a pair becomes U+FFFD.
+std::string utf8_of_utf16(std::string_view bytes, bool big_endian) {
+    std::string out;
+    const auto unit = [&](std::size_t at) -> std::uint32_t {
+        const auto a = static_cast<std::uint8_t>(bytes[at]), b = static_cast<std::uint8_t>(bytes[at + 1]);
+        return big_endian ? std::uint32_t{a} << 8 | b : std::uint32_t{b} << 8 | a;
+    };
+    const auto is_half = [](std::uint32_t c, std::uint32_t first) { return c >= first && c < first + 0x400; };
+    for (std::size_t at = 0; at + 1 < bytes.size(); at += 2) {
+        std::uint32_t c = unit(at);
+        if (is_half(c, 0xd800) && at + 3 < bytes.size() && is_half(unit(at + 2), 0xdc00)) {
+            at += 2;
+            c = 0x10000 + ((c - 0xd800) << 10) + (unit(at) - 0xdc00);
+        }
+        append_utf8(out, is_half(c, 0xd800) || is_half(c, 0xdc00) ? not_a_character : c);
+    }
+    return out;
+}
+
 int digit(char c, int base) {
     int value = -1;
     if (c >= '0' && c <= '9') value = c - '0';
@@ -63,6 +101,14 @@ Bytes read_file(const fs::path& path, const std::string& name, const std::string
     in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
     if (static_cast<std::uintmax_t>(in.gcount()) != size) refuse(name, place, "cannot be read to its end");
     return bytes;
+}
+
+std::string_view text_of(const Bytes& bytes, std::string& storage) {
+    std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.starts_with("\xef\xbb\xbf")) return text.substr(3);
+    const bool big_endian = text.starts_with("\xfe\xff");
+    if (!big_endian && !text.starts_with("\xff\xfe")) return text;
+    return storage = utf8_of_utf16(text.substr(2), big_endian);
 }
 
 std::string percent_decoded(std::string_view uri) {

@@ -15,6 +15,10 @@ using Bytes = std::vector<std::uint8_t>;
 /// maximum_file_size. Faults use `name` for the file and `place` for where it is named.
 Bytes read_file(const std::filesystem::path& path, const std::string& name, const std::string& place = {});
 
+/// The text of a file as UTF-8, without the byte order mark that some programs write first; a file whose mark says
+/// UTF-16 is converted into `storage`. A file without a mark is its own text.
+std::string_view text_of(const Bytes& bytes, std::string& storage);
+
 /// "%20" and the like of a URI.
 std::string percent_decoded(std::string_view uri);
 

@@ -62,9 +62,10 @@ constexpr MeshFormat rows[] = {
               .content = Content::mesh,
               .extensions = ply,
               .signatures = ply_begins,
-              .holds = "vertex colours and texture coordinates"},
+              .holds = "colours of vertices or faces, texture coordinates, textures that its comments name"},
      .unit = millimetres,
-     .read = alone<read_ply>},
+     .read = read_ply,
+     .pack = pack_ply},
     {.file = {.name = "STL", .content = Content::mesh, .extensions = stl, .holds = "triangles alone, text or binary"},
      .unit = millimetres,
      .read = alone<read_stl>},
@@ -89,8 +90,10 @@ const MeshFormat* row_of(const FileFormat* format) {
 
 const MeshFormat& mesh_format(const fs::path& path, const std::string& file, const Bytes& bytes) {
     const std::string_view begin{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-    if (const MeshFormat* const row = row_of(format_beginning(begin))) return *row;
+    const std::string_view unmarked = begin.substr(begin.starts_with("\xef\xbb\xbf") ? 3 : 0);
+    if (const MeshFormat* const row = row_of(format_beginning(unmarked))) return *row;
     const MeshFormat* const row = row_of(format_named(path));
+    if (const std::string why = row == nullptr ? why_not_read(path, begin) : ""; !why.empty()) refuse(file, "", why);
     if (row == nullptr) refuse(file, "", "is not a mesh that can be read: " + listed(Content::mesh));
     if (row->signed_always)
         refuse(file, "",

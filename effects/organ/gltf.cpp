@@ -6,6 +6,7 @@
 #include "organ/gltf_codecs.h"
 #include "organ/gltf_material.h"
 #include "organ/gltf_nodes.h"
+#include "organ/gltf_skin.h"
 
 namespace lapfx::organ {
 
@@ -77,7 +78,9 @@ void unpack(GltfDocument& document, tinygltf::Primitive& primitive, const UvUse&
     const tinygltf::ExtensionMap packed = std::exchange(primitive.extensions, {});
     std::erase_if(primitive.attributes, [&](const auto& attribute) {
         const std::string& name = attribute.first;
-        return name != "POSITION" && name != "NORMAL" && name != "TANGENT" && name != "COLOR_0" && name != uv_name(use);
+        const bool of_skin = name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_");
+        return name != "POSITION" && name != "NORMAL" && name != "TANGENT" && name != "COLOR_0" &&
+               name != uv_name(use) && !(of_skin && !document.model.skins.empty());
     });
     for (const auto& [name, object] : packed)
         if (const GltfCodec* const codec = find_codec(name); codec != nullptr && codec->decode_primitive != nullptr)
@@ -128,7 +131,6 @@ void warn_of_rest(const GltfDocument& document, std::vector<std::string>& warnin
     const tinygltf::Model& model = document.model;
     if (model.nodes.empty() && !model.meshes.empty())
         warnings.push_back("the file has no nodes: all its meshes are used, each at its own coordinates");
-    if (document.has_skins) warnings.push_back("the file has a skeleton: the surface is shown as it was modelled");
     const bool morphs = std::any_of(model.meshes.begin(), model.meshes.end(), [](const tinygltf::Mesh& mesh) {
         return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
                            [](const tinygltf::Primitive& primitive) { return !primitive.targets.empty(); });
@@ -147,10 +149,13 @@ RawOrgan read_gltf(const std::filesystem::path& path, const std::string& file, c
     organ.warnings = std::move(document.warnings);
     warn_of_rest(document, organ.warnings);
     const std::vector<UvUse> uses = read_materials(document, organ);
-    std::size_t left_out = 0, total = 0;
+    std::size_t left_out = 0, total = 0, hidden_nodes = 0;
     std::vector<char> shown(document.model.meshes.size(), 0);
+    Skins skins(document);
     for (const MeshInstance& instance : mesh_instances(document)) {
         shown[static_cast<std::size_t>(instance.mesh)] = 1;
+        hidden_nodes += instance.hidden;
+        if (instance.hidden) continue;
         tinygltf::Mesh& mesh = document.model.meshes[static_cast<std::size_t>(instance.mesh)];
         for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
             if (!draws_triangles(mesh.primitives[i])) {
@@ -164,17 +169,28 @@ RawOrgan read_gltf(const std::filesystem::path& path, const std::string& file, c
             part.name = !mesh.name.empty() ? mesh.name : instance.node;
             total += part.indices.size() / 3;
             if (total > maximum_triangles) refuse(file, "", "has more than 20 million triangles");
-            transform(part, instance.to_world);
+            if (instance.skin < 0 || !skins.pose(instance.skin, mesh.primitives[i], place, part))
+                transform(part, instance.to_world);
             organ.parts.push_back(std::move(part));
         }
     }
     organ.files.insert(organ.files.begin(), document.files.begin(), document.files.end());
+    if (skins.any())
+        organ.warnings.push_back(
+            std::string("the file has a skeleton: the surface is shown ") +
+            (skins.moved() ? "in the pose that its joints have in the file" : "as it was modelled"));
     if (organ.unreadable > 0)
         organ.warnings.push_back(counted(organ.unreadable, "primitive ends", "primitives end") +
                                  " within a triangle, which is left out");
     const auto hidden = static_cast<std::size_t>(std::count(shown.begin(), shown.end(), 0));
     if (hidden > 0) organ.warnings.push_back(counted(hidden, "mesh is", "meshes are") + " not in the scene; left out");
-    organ.holds = shown.empty()  ? "no mesh"
+    if (hidden_nodes > 0)
+        organ.warnings.push_back(counted(hidden_nodes, "node is", "nodes are") +
+                                 " hidden in the file (KHR_node_visibility); left out with " +
+                                 (hidden_nodes == 1 ? "its mesh" : "their meshes"));
+    organ.holds = shown.empty() ? "no mesh"
+                  : hidden_nodes > 0 && organ.parts.empty()
+                      ? counted(hidden_nodes, "mesh", "meshes") + " in hidden nodes only"
                   : left_out > 0 ? counted(left_out, "primitive", "primitives") + " of points or lines only"
                   : hidden > 0   ? counted(hidden, "mesh", "meshes") + ", none in the scene"
                                  : "no surface";

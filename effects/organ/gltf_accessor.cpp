@@ -44,6 +44,8 @@ std::size_t components_of(int type) {
             return 3;
         case TINYGLTF_TYPE_VEC4:
             return 4;
+        case TINYGLTF_TYPE_MAT4:
+            return 16;
         default:
             return 0;
     }
@@ -130,8 +132,9 @@ const tinygltf::Accessor& checked(const GltfDocument& document, int index, const
     return accessor;
 }
 
-/// The elements that replace those of the view, one by one.
-void substitute(GltfDocument& document, const tinygltf::Accessor& accessor, FloatArray& array, const std::string& at) {
+/// Calls `put` with the number of each element that replaces one of the view, and its bytes.
+template <class Put>
+void substitute(GltfDocument& document, const tinygltf::Accessor& accessor, const std::string& at, const Put& put) {
     const auto& sparse = accessor.sparse;
     const std::string place = at + "/sparse";
     if (sparse.count < 0 || static_cast<std::size_t>(sparse.count) > accessor.count || sparse.indices.byteOffset < 0 ||
@@ -144,15 +147,12 @@ void substitute(GltfDocument& document, const tinygltf::Accessor& accessor, Floa
     const Elements values =
         elements_in(document, sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), count,
                     accessor.componentType, components, false, place + "/values");
-    const std::size_t size = bytes_per_value(accessor.componentType);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t target = index_at(indices.bytes.data() + i * indices.stride, indices.type);
         if (target >= accessor.count)
             refuse(document.file, place,
                    "index " + std::to_string(target) + " is not below the count " + std::to_string(accessor.count));
-        for (std::size_t c = 0; c < components; ++c)
-            array.values[target * components + c] =
-                value_at(values.bytes.data() + i * values.stride + c * size, values.type, accessor.normalized);
+        put(target, values.bytes.data() + i * values.stride);
     }
 }
 
@@ -168,16 +168,17 @@ FloatArray read_floats(GltfDocument& document, int index, const std::string& pla
     const std::size_t components = components_of(accessor.type), size = bytes_per_value(accessor.componentType);
     FloatArray array{static_cast<int>(components), {}};
     array.values.assign(accessor.count * components, 0.0f);  // without a view: zeros
+    const auto put = [&](std::size_t element, const std::uint8_t* bytes) {
+        for (std::size_t c = 0; c < components; ++c)
+            array.values[element * components + c] =
+                value_at(bytes + c * size, accessor.componentType, accessor.normalized);
+    };
     if (accessor.bufferView >= 0) {
         const Elements elements = elements_in(document, accessor.bufferView, accessor.byteOffset, accessor.count,
                                               accessor.componentType, components, true, at);
-        float* out = array.values.data();
-        for (std::size_t i = 0; i < accessor.count; ++i)
-            for (std::size_t c = 0; c < components; ++c)
-                *out++ = value_at(elements.bytes.data() + i * elements.stride + c * size, elements.type,
-                                  accessor.normalized);
+        for (std::size_t i = 0; i < accessor.count; ++i) put(i, elements.bytes.data() + i * elements.stride);
     }
-    if (accessor.sparse.isSparse) substitute(document, accessor, array, at);
+    if (accessor.sparse.isSparse) substitute(document, accessor, at, put);
     return array;
 }
 
@@ -186,13 +187,18 @@ std::vector<std::uint32_t> read_indices(GltfDocument& document, int index, const
     const std::string at = "/accessors/" + std::to_string(index);
     if (!is_index_type(accessor.componentType) || accessor.type != TINYGLTF_TYPE_SCALAR)
         refuse(document.file, at, "cannot be indices: they are unsigned scalars of 8, 16 or 32 bits");
-    if (accessor.bufferView < 0 || accessor.sparse.isSparse)
-        refuse(document.file, at, "indices need a buffer view and cannot be sparse");
-    const Elements elements = elements_in(document, accessor.bufferView, accessor.byteOffset, accessor.count,
-                                          accessor.componentType, 1, true, at);
-    std::vector<std::uint32_t> indices(accessor.count);
-    for (std::size_t i = 0; i < accessor.count; ++i)
-        indices[i] = index_at(elements.bytes.data() + i * elements.stride, elements.type);
+    if (accessor.bufferView < 0 && !accessor.sparse.isSparse)
+        refuse(document.file, at, "indices need a buffer view or sparse values");
+    std::vector<std::uint32_t> indices(accessor.count);  // without a view: zeros
+    const auto put = [&](std::size_t element, const std::uint8_t* bytes) {
+        indices[element] = index_at(bytes, accessor.componentType);
+    };
+    if (accessor.bufferView >= 0) {
+        const Elements elements = elements_in(document, accessor.bufferView, accessor.byteOffset, accessor.count,
+                                              accessor.componentType, 1, true, at);
+        for (std::size_t i = 0; i < accessor.count; ++i) put(i, elements.bytes.data() + i * elements.stride);
+    }
+    if (accessor.sparse.isSparse) substitute(document, accessor, at, put);
     return indices;
 }
 

@@ -11,9 +11,10 @@ namespace {
 using nlohmann::json;
 
 /// Members that are whole numbers everywhere in the parts that an organ is read from.
-constexpr std::string_view whole_numbers[] = {"buffer",     "bufferView",    "byteLength", "byteOffset",
-                                              "byteStride", "componentType", "count",      "material",
-                                              "mesh",       "mode",          "scene",      "source"};
+constexpr std::string_view whole_numbers[] = {
+    "buffer",   "bufferView", "byteLength", "byteOffset", "byteStride", "componentType", "count",
+    "material", "mesh",       "mode",       "scene",      "source",     "skin",          "inverseBindMatrices",
+    "sampler",  "wrapS",      "wrapT",      "magFilter",  "minFilter"};
 
 std::string shown(const json& value) {
     const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
@@ -143,7 +144,7 @@ void check_structure(const json& document, const std::string& file) {
         }
     };
     const auto nothing_else = [](const json&, const std::string&) {};
-    for (const char* key : {"buffers", "images", "textures"}) each(key, nothing_else);
+    for (const char* key : {"buffers", "images", "samplers", "textures"}) each(key, nothing_else);
     each("bufferViews", [&](const json& entry, const std::string& place) {
         check_there(entry, {"buffer", "byteLength"}, place, file);
     });
@@ -153,6 +154,7 @@ void check_structure(const json& document, const std::string& file) {
     });
     each("meshes", [&](const json& entry, const std::string& place) { check_primitives(entry, place, file); });
     each("nodes", [&](const json& entry, const std::string& place) { check_indices(entry, "children", place, file); });
+    each("skins", [&](const json& entry, const std::string& place) { check_indices(entry, "joints", place, file); });
     each("scenes", [&](const json& entry, const std::string& place) { check_indices(entry, "nodes", place, file); });
     list(document, "materials", "", file);
 }

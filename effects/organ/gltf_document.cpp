@@ -22,6 +22,7 @@ constexpr int maximum_depth = 64;
 /// Read in full, or safe to leave out: the surface is the same without them. Besides these the codecs (gltf_codecs.h).
 constexpr const char* known_extensions[] = {"EXT_texture_webp",
                                             "KHR_mesh_quantization",
+                                            "KHR_node_visibility",
                                             "KHR_texture_transform",
                                             "KHR_materials_pbrSpecularGlossiness",
                                             "KHR_materials_unlit",
@@ -131,10 +132,11 @@ void check_head(const json& document, const std::string& file) {
 
 Bytes data_uri(std::string_view uri, const std::string& file, const std::string& place) {
     const std::size_t comma = uri.find(',');
+    if (comma == std::string_view::npos) refuse(file, place, "is a data URI without a comma before its data");
+    const std::string data = percent_decoded(uri.substr(comma + 1));
+    if (!uri.substr(0, comma).ends_with(";base64")) return {data.begin(), data.end()};
     Bytes bytes;
-    if (comma == std::string_view::npos || !uri.substr(0, comma).ends_with(";base64") ||
-        !decode_base64(uri.substr(comma + 1), bytes))
-        refuse(file, place, "is a data URI that is not valid base64");
+    if (!decode_base64(data, bytes)) refuse(file, place, "is a data URI that is not valid base64");
     return bytes;
 }
 
@@ -211,14 +213,15 @@ std::string first_line(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }
 
-struct PackedIndices {
+struct IndicesWithoutView {
     std::size_t mesh, primitive;
     int accessor;
 };
 
-/// tinygltf wants bytes for all indices, so it does not get those that a codec unpacks with their primitive.
-std::vector<PackedIndices> take_packed_indices(json& document) {
-    std::vector<PackedIndices> taken;
+/// tinygltf wants a buffer view for all indices, so it does not get those that a codec unpacks with their primitive,
+/// nor those that are zeros with sparse substitutions.
+std::vector<IndicesWithoutView> take_indices_without_view(json& document) {
+    std::vector<IndicesWithoutView> taken;
     if (!document.contains("meshes")) return taken;
     const json none = json::array();
     const json& accessors = document.contains("accessors") ? document["accessors"] : none;
@@ -228,18 +231,13 @@ std::vector<PackedIndices> take_packed_indices(json& document) {
         if (!mesh.contains("primitives")) continue;
         for (std::size_t p = 0; p < mesh["primitives"].size(); ++p) {
             json& primitive = mesh["primitives"][p];
-            if (!primitive.contains("indices") || !primitive.contains("extensions")) continue;
+            if (!primitive.contains("indices")) continue;
             const auto accessor = primitive["indices"].get<std::int64_t>();
             if (accessor < 0 || accessor >= static_cast<std::int64_t>(accessors.size()) ||
                 accessors[static_cast<std::size_t>(accessor)].contains("bufferView"))
                 continue;
-            for (const auto& [name, object] : primitive["extensions"].items()) {
-                const GltfCodec* const codec = find_codec(name);
-                if (codec == nullptr || codec->decode_primitive == nullptr) continue;
-                taken.push_back({m, p, static_cast<int>(accessor)});
-                primitive.erase("indices");
-                break;
-            }
+            taken.push_back({m, p, static_cast<int>(accessor)});
+            primitive.erase("indices");
         }
     }
     return taken;
@@ -275,12 +273,11 @@ GltfDocument read_gltf_document(const std::filesystem::path& path, const std::st
     check_structure(structure, file);
     const json buffers = taken_out(structure, "buffers", file);
     const json images = taken_out(structure, "images", file);
-    document.has_skins = structure.contains("skins");
-    for (const char* unused : {"animations", "cameras", "samplers", "skins", "extensions"}) structure.erase(unused);
+    for (const char* unused : {"animations", "cameras", "extensions"}) structure.erase(unused);
     mend_materials(structure, document.warnings);
-    const std::vector<PackedIndices> packed = take_packed_indices(structure);
+    const std::vector<IndicesWithoutView> taken = take_indices_without_view(structure);
     run_tinygltf(document, structure);
-    for (const PackedIndices& indices : packed)
+    for (const IndicesWithoutView& indices : taken)
         document.model.meshes[indices.mesh].primitives[indices.primitive].indices = indices.accessor;
     read_buffers(document, buffers, chunks.binary);
     read_images(document, images);

@@ -22,9 +22,8 @@ struct GltfDocument {
     tinygltf::Model model;                     ///< with our buffers[].data, images[].uri and images[].bufferView
     std::vector<std::filesystem::path> files;  ///< further files that were read, for buffers
     std::vector<std::string> warnings;         ///< parts that were removed from it
-    bool has_skins = false;
-    std::map<int, Bytes> decoded;  ///< buffer views that were compressed, by index
-    std::size_t unpacked = 0;      ///< bytes that a codec has made of primitives
+    std::map<int, Bytes> decoded;              ///< buffer views that were compressed, by index
+    std::size_t unpacked = 0;                  ///< bytes that a codec has made of primitives
 
     /// The bytes of a buffer view, decompressed where needed. Throws Error when it is not there or not in its
     /// buffer.

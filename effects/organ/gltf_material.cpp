@@ -1,6 +1,6 @@
 #include "organ/gltf_material.h"
 
-#include "media/image.h"
+#include <compare>
 
 namespace lapfx::organ {
 
@@ -43,29 +43,58 @@ UvUse uv_use(int set, const ExtensionMap& extensions) {
     return use;
 }
 
-/// Reads each image once, however many materials use it.
+struct Wraps {
+    Wrap u = Wrap::repeat, v = Wrap::repeat;
+    auto operator<=>(const Wraps&) const = default;
+};
+
+/// Reads each image once, however many materials use it. One that textures continue in different ways is there for
+/// each.
 class Images {
   public:
-    Images(GltfDocument& document, RawOrgan& organ)
-        : document_(document), organ_(organ), known_(document.model.images.size(), unread) {}
+    Images(GltfDocument& document, RawOrgan& organ) : document_(document), organ_(organ) {}
 
     /// Index into RawOrgan::images of a texture's image, or -1.
     int of_texture(int texture, const std::string& place) {
         if (texture < 0) return -1;
         if (static_cast<std::size_t>(texture) >= document_.model.textures.size())
             refuse(document_.file, place, "texture " + std::to_string(texture) + " is not in the file");
-        const int source = source_of(document_.model.textures[static_cast<std::size_t>(texture)]);
+        const tinygltf::Texture& from = document_.model.textures[static_cast<std::size_t>(texture)];
+        const std::string at = "/textures/" + std::to_string(texture);
+        const int source = source_of(from);
         if (source < 0) return -1;
-        if (static_cast<std::size_t>(source) >= known_.size())
-            refuse(document_.file, "/textures/" + std::to_string(texture),
-                   "image " + std::to_string(source) + " is not in the file");
-        int& index = known_[static_cast<std::size_t>(source)];
-        if (index == unread) index = read(source);
-        return index;
+        if (static_cast<std::size_t>(source) >= document_.model.images.size())
+            refuse(document_.file, at, "image " + std::to_string(source) + " is not in the file");
+        const Wraps wraps = wraps_of(from.sampler, at);
+        const auto first = known_.lower_bound({source, Wraps{}});
+        const auto [place_of, is_new] = known_.try_emplace({source, wraps}, -1);
+        if (!is_new) return place_of->second;
+        const bool is_read = first != known_.end() && first->first.first == source;
+        place_of->second = is_read ? copy_image(organ_, first->second) : read(source);
+        if (place_of->second >= 0) {
+            Image& image = organ_.images[static_cast<std::size_t>(place_of->second)];
+            image.wrap_u = wraps.u;
+            image.wrap_v = wraps.v;
+        }
+        return place_of->second;
     }
 
   private:
-    static constexpr int unread = -2;
+    Wraps wraps_of(int sampler, const std::string& place) {
+        if (sampler < 0) return {};
+        if (static_cast<std::size_t>(sampler) >= document_.model.samplers.size())
+            refuse(document_.file, place + "/sampler", "sampler " + std::to_string(sampler) + " is not in the file");
+        const tinygltf::Sampler& from = document_.model.samplers[static_cast<std::size_t>(sampler)];
+        const auto wrap = [&](int mode, const char* key) {
+            if (mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return Wrap::clamp;
+            if (mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT) return Wrap::mirror;
+            if (mode != TINYGLTF_TEXTURE_WRAP_REPEAT)
+                organ_.warnings.push_back("/samplers/" + std::to_string(sampler) + "/" + key + " is " +
+                                          std::to_string(mode) + ", expected 33071, 33648 or 10497; repeated");
+            return Wrap::repeat;
+        };
+        return {.u = wrap(from.wrapS, "wrapS"), .v = wrap(from.wrapT, "wrapT")};
+    }
 
     static int source_of(const tinygltf::Texture& texture) {
         const auto webp = texture.extensions.find("EXT_texture_webp");
@@ -85,7 +114,7 @@ class Images {
         Bytes storage;
         std::string fault;
         const std::span<const std::uint8_t> bytes = document_.image_bytes(source, storage, fault);
-        if (fault.empty()) fault = media::decode_image(bytes, image);
+        if (fault.empty()) fault = decode_texture(bytes, image, organ_.warnings);
         if (const std::filesystem::path file = document_.image_file(source); !file.empty())
             (fault.empty() ? organ_.files : organ_.unread_files).push_back(file);
         if (!fault.empty()) {
@@ -99,7 +128,7 @@ class Images {
 
     GltfDocument& document_;
     RawOrgan& organ_;
-    std::vector<int> known_;  ///< glTF image to RawOrgan image; -1 = unreadable
+    std::map<std::pair<int, Wraps>, int> known_;  ///< glTF image to RawOrgan image; -1 = unreadable
 };
 
 glm::vec4 color(const std::vector<double>& factor) {
@@ -122,6 +151,21 @@ void specular_glossiness(const Value& extension, Material& material, TextureUse&
     if (texture.Has("index") && texture.Get("index").IsInt()) base.texture = texture.Get("index").GetNumberAsInt();
     if (texture.Has("texCoord") && texture.Get("texCoord").IsInt())
         base.uv.set = texture.Get("texCoord").GetNumberAsInt();
+}
+
+/// Materials that the file wants see-through, by their mode.
+void warn_of_alpha(const std::vector<tinygltf::Material>& materials, std::vector<std::string>& warnings) {
+    constexpr std::size_t most_named = 5;
+    for (const char* mode : {"MASK", "BLEND"}) {
+        std::size_t count = 0;
+        std::string names;
+        for (const tinygltf::Material& material : materials)
+            if (material.alphaMode == mode && ++count <= most_named)
+                names += (count > 1 ? ", " : "") + (material.name.empty() ? "(unnamed)" : material.name);
+        if (count > 0)
+            warnings.push_back(counted(count, "material has", "materials have") + " the alpha mode " + mode + " (" +
+                               names + (count > most_named ? ", ..." : "") + "); drawn opaque");
+    }
 }
 
 UvUse read_material(const tinygltf::Material& from, int index, Images& images, RawOrgan& organ) {
@@ -168,6 +212,7 @@ std::vector<UvUse> read_materials(GltfDocument& document, RawOrgan& organ) {
     int index = 0;
     for (const tinygltf::Material& material : document.model.materials)
         uses.push_back(read_material(material, index++, images, organ));
+    warn_of_alpha(document.model.materials, organ.warnings);
     return uses;
 }
 

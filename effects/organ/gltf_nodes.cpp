@@ -55,10 +55,18 @@ std::vector<int> start_nodes(const GltfDocument& document) {
     return model.scenes[static_cast<std::size_t>(std::max(model.defaultScene, 0))].nodes;
 }
 
+bool is_hidden(const tinygltf::Node& node) {
+    const auto found = node.extensions.find("KHR_node_visibility");
+    if (found == node.extensions.end() || !found->second.IsObject() || !found->second.Has("visible")) return false;
+    const tinygltf::Value& visible = found->second.Get("visible");
+    return visible.IsBool() && !visible.Get<bool>();
+}
+
 struct Visit {
     int node;
     std::size_t depth;
     glm::dmat4 parent;
+    bool hidden;
 };
 
 /// A node may have several parents (the specification forbids it, but viewers show it at each), so a short file can
@@ -70,7 +78,7 @@ class Walk {
     explicit Walk(const GltfDocument& document) : document_(document), model_(document.model) {}
 
     std::vector<MeshInstance> run() {
-        push(start_nodes(document_), 1, glm::dmat4(1.0));
+        push(start_nodes(document_), {.node = -1, .depth = 1, .parent = glm::dmat4(1.0), .hidden = false});
         for (std::size_t visits = 0; !stack_.empty(); ++visits) {
             if (visits == most_visits) refuse(document_.file, "/nodes", "lead to more than a million instances");
             const Visit visit = stack_.back();
@@ -82,8 +90,11 @@ class Walk {
 
   private:
     /// The last one first, so that they leave the stack in order.
-    void push(const std::vector<int>& nodes, std::size_t depth, const glm::dmat4& parent) {
-        for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) stack_.push_back({*node, depth, parent});
+    void push(const std::vector<int>& nodes, Visit visit) {
+        for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
+            visit.node = *node;
+            stack_.push_back(visit);
+        }
     }
 
     void enter(const Visit& visit) {
@@ -95,8 +106,11 @@ class Walk {
         const glm::dmat4 matrix = visit.parent * local_matrix(node, visit.node, document_.file);
         if (node.mesh >= static_cast<int>(model_.meshes.size()) || node.mesh < -1)
             refuse(document_.file, place + "/mesh", "mesh " + std::to_string(node.mesh) + " is not in the file");
-        if (node.mesh >= 0) instances_.push_back({node.mesh, node.name, matrix});
-        push(node.children, visit.depth + 1, matrix);
+        const bool hidden = visit.hidden || is_hidden(node);
+        if (node.mesh >= 0)
+            instances_.push_back(
+                {.mesh = node.mesh, .node = node.name, .to_world = matrix, .skin = node.skin, .hidden = hidden});
+        push(node.children, {.node = -1, .depth = visit.depth + 1, .parent = matrix, .hidden = hidden});
     }
 
     const GltfDocument& document_;
@@ -111,8 +125,37 @@ std::vector<MeshInstance> mesh_instances(const GltfDocument& document) {
     if (!document.model.nodes.empty()) return Walk(document).run();
     std::vector<MeshInstance> instances;
     for (std::size_t i = 0; i < document.model.meshes.size(); ++i)
-        instances.push_back({static_cast<int>(i), document.model.meshes[i].name, glm::dmat4(1.0)});
+        instances.push_back({.mesh = static_cast<int>(i), .node = document.model.meshes[i].name});
     return instances;
+}
+
+std::vector<glm::dmat4> node_places(const GltfDocument& document) {
+    const std::vector<tinygltf::Node>& nodes = document.model.nodes;
+    constexpr int none = -1;
+    std::vector<int> parent(nodes.size(), none);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (const int child : nodes[i].children)
+            if (child >= 0 && static_cast<std::size_t>(child) < nodes.size())
+                parent[static_cast<std::size_t>(child)] = static_cast<int>(i);
+    std::vector<glm::dmat4> places(nodes.size(), glm::dmat4(1.0));
+    std::vector<char> known(nodes.size(), 0);
+    std::vector<int> up;  // from a node to the first that is known
+    for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
+        up.clear();
+        int node = i;
+        for (; node != none && !known[static_cast<std::size_t>(node)]; node = parent[static_cast<std::size_t>(node)]) {
+            if (up.size() == nodes.size())
+                refuse(document.file, "/nodes/" + std::to_string(node), "is its own ancestor");
+            up.push_back(node);
+        }
+        for (; !up.empty(); node = up.back(), up.pop_back()) {
+            const auto below = static_cast<std::size_t>(up.back());
+            const glm::dmat4 above = node == none ? glm::dmat4(1.0) : places[static_cast<std::size_t>(node)];
+            places[below] = above * local_matrix(nodes[below], up.back(), document.file);
+            known[below] = 1;
+        }
+    }
+    return places;
 }
 
 }  // namespace lapfx::organ

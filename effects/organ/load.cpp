@@ -1,7 +1,6 @@
 // load_organ(): chooses the reader and the unit, then mends and completes.
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "media/image.h"
 #include "organ/formats.h"
 #include "organ/load.h"
 #include "organ/mend.h"
@@ -24,15 +23,42 @@ void give_texture(Organ& organ, const std::filesystem::path& path, std::vector<o
     const std::string file = path.string();
     const auto bytes = std::make_shared<const organ::Bytes>(organ::read_file(path, file));
     Image image;
-    if (const std::string fault = media::decode_image(*bytes, image); !fault.empty()) organ::refuse(file, "", fault);
     image.name = path.filename().string();
-    for (Material& material : organ.materials) material.base_color_image = static_cast<int>(organ.images.size());
+    if (const std::string fault = organ::decode_texture(*bytes, image, organ.warnings); !fault.empty())
+        organ::refuse(file, "", fault);
+    for (Material& material : organ.materials) {
+        if (material.base_color_image >= 0) {
+            const Image& replaced = organ.images[static_cast<std::size_t>(material.base_color_image)];
+            image.wrap_u = replaced.wrap_u;
+            image.wrap_v = replaced.wrap_v;
+        }
+        material.base_color_image = static_cast<int>(organ.images.size());
+    }
     if (encoded != nullptr) {
         encoded->resize(organ.images.size());
         encoded->push_back(bytes);
     }
     organ.images.push_back(std::move(image));
     organ.files.push_back(path);
+}
+
+/// 3D Slicer writes into the header of a mesh which way its axes point. Empty: the header does not say so.
+std::string space_warning(const organ::Bytes& bytes) {
+    struct Space {
+        std::string_view name;
+        const char *axes, *turn;
+    };
+    constexpr Space spaces[] = {
+        {"SPACE=LPS", "x points to the patient's left, y to the back, z to the head", "-90, 0, 0"},
+        {"SPACE=RAS", "x points to the patient's right, y to the front, z to the head", "-90, 180, 0"}};
+    const std::string_view header(reinterpret_cast<const char*>(bytes.data()),
+                                  std::min<std::size_t>(bytes.size(), 512));
+    for (const Space& space : spaces)
+        if (header.find(space.name) != std::string_view::npos)
+            return "its header says " + std::string(space.name) + ": " + space.axes +
+                   "; it is drawn as it is stored, and a rotation of " + space.turn +
+                   " degrees makes the patient stand and face the view";
+    return {};
 }
 
 }  // namespace
@@ -63,6 +89,8 @@ Organ organ::load(const std::filesystem::path& path, const OrganOptions& options
         const MeshFormat& format = mesh_format(path, file, bytes);
         unit = format.unit;
         raw = format.read(path, file, bytes);
+        const std::string space = options.rotation == glm::dvec3(0.0) ? space_warning(bytes) : "";
+        if (!space.empty()) raw.warnings.push_back(space);
     }
     stages.reach(0.7);
     const double scale = options.scale > 0.0 ? options.scale : unit;

@@ -4,12 +4,11 @@
 #include <set>
 #include <sstream>
 
-#include "lapfx/authoring/file.h"
-#include "media/image.h"
 #include "organ/file.h"
 #include "organ/obj_text.h"
 #include "organ/pack.h"
 #include "organ/soup.h"
+#include "organ/texture_files.h"
 
 namespace lapfx::organ {
 
@@ -28,8 +27,15 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// Skips the options of a map statement up to the file name: "-s 1 1 1 -bm 0.5 my texture.png".
-void skip_options(std::istringstream& line, float& bump) {
+/// What the options of a map statement say.
+struct MapOptions {
+    float bump = 1.0F;
+    Wrap wrap = Wrap::repeat;
+};
+
+/// Reads them, up to the file name: "-s 1 1 1 -bm 0.5 my texture.png".
+MapOptions read_options(std::istringstream& line) {
+    MapOptions options;
     std::string word;
     std::streampos before = line.tellg();
     while (line >> word && word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1]))) {
@@ -37,19 +43,21 @@ void skip_options(std::istringstream& line, float& bump) {
         for (int i = 0; i < values; ++i) {
             before = line.tellg();
             std::string value;
-            if (!(line >> value)) return;  // it names no file
+            if (!(line >> value)) return options;  // it names no file
             // -o, -s and -t may have fewer numbers than three.
             const bool number = !value.empty() && value.find_first_not_of("+-.0123456789eE") == std::string::npos;
             if (i > 0 && values == 3 && !number) {
                 line.seekg(before);
                 break;
             }
-            if (word == "-bm" && number) bump = std::strtof(value.c_str(), nullptr);
+            if (word == "-bm" && number) options.bump = std::strtof(value.c_str(), nullptr);
+            if (word == "-clamp") options.wrap = lower(value) == "on" ? Wrap::clamp : Wrap::repeat;
         }
         before = line.tellg();
     }
     line.clear();
     line.seekg(before);
+    return options;
 }
 
 /// The file name that follows them.
@@ -59,38 +67,9 @@ std::string map_name(std::istringstream& line) {
     return trimmed(rest.substr(0, rest.find(" #")));  // a comment, not a "#" within the name
 }
 
-std::string map_file(std::istringstream& line, float& bump) {
-    skip_options(line, bump);
-    return map_name(line);
-}
-
-/// The path relative to the OBJ. For a path that leads elsewhere, which was right on the machine that wrote it, the
-/// last name is looked for next to the OBJ. Throws Error.
-fs::path texture_path(const fs::path& folder, std::string name) {
-    std::replace(name.begin(), name.end(), '\\', '/');
-    try {
-        return named_path(folder, name);
-    } catch (const Error&) {
-        const std::string last = fs::path(name).filename().string();
-        std::error_code error;
-        if (last.empty() || last == name || !fs::exists(folder / last, error)) throw;
-        return named_path(folder, last);
-    }
-}
-
-/// Empty, or why it is not a texture.
-std::string decode_texture(const fs::path& path, const std::string& name, Image& image, Encoded& encoded) {
-    try {
-        encoded = std::make_shared<const Bytes>(read_file(path, name));
-        return media::decode_image(*encoded, image);
-    } catch (const Error& error) {
-        return error.faults().front().reason;
-    }
-}
-
 class Library {
   public:
-    Library(fs::path folder, RawOrgan& organ) : folder_(std::move(folder)), organ_(organ) {}
+    Library(fs::path folder, RawOrgan& organ) : organ_(organ), textures_(std::move(folder), organ) {}
 
     void read(const std::string& text) {
         const char end_of_line = line_end(text);
@@ -128,21 +107,22 @@ class Library {
             // Phong's exponent as a roughness, converted as most readers do.
             if (words >> value && value >= 0.0f) material.roughness = std::sqrt(2.0f / (value + 2.0f));
         } else if (key == "map_kd") {
-            float unused = 1.0f;
-            material.base_color_image = image(map_file(words, unused));
+            const MapOptions options = read_options(words);
+            material.base_color_image = textures_.read(map_name(words), options.wrap);
         } else if (key == "norm" || key == "map_kn") {
-            material.normal_image = image(map_file(words, material.normal_scale));
+            const MapOptions options = read_options(words);
+            material.normal_image = textures_.read(map_name(words), options.wrap);
+            material.normal_scale = options.bump;
         } else if (key == "map_bump" || key == "bump" || key == "map_normal") {
-            float strength = 1.0f;
-            const std::string name = map_file(words, strength);  // which sets the strength
-            bump(material, name, strength);
+            const MapOptions options = read_options(words);
+            bump(material, map_name(words), options);
         }
     }
 
     /// According to the specification "bump" is a height map, but most files mean a normal map. The pixels show which.
-    void bump(Material& material, const std::string& name, float strength) {
+    void bump(Material& material, const std::string& name, const MapOptions& options) {
         if (material.normal_image >= 0) return;
-        const int index = image(name);
+        const int index = textures_.read(name, options.wrap);
         if (index < 0) return;
         const auto [known, is_new] = is_normal_map_.try_emplace(index, false);
         if (is_new) {
@@ -152,7 +132,7 @@ class Library {
         }
         if (!known->second) return;
         material.normal_image = index;
-        material.normal_scale = strength;
+        material.normal_scale = options.bump;
     }
 
     static bool is_normal_map(const Image& pixels) {
@@ -162,40 +142,8 @@ class Library {
         return bluish * 2 > count;
     }
 
-    /// -1: there is none. Each file is read once, whatever its names, and gives one warning.
-    int image(const std::string& name) {
-        if (name.empty()) return -1;
-        if (const auto known = images_.find(name); known != images_.end()) return known->second;
-        int& index = images_[name] = -1;
-        const auto leave_out = [&](const std::string& fault) {
-            organ_.warnings.push_back("texture " + name + ": " + fault + "; it is left out");
-        };
-        try {
-            const fs::path path = texture_path(folder_, name);
-            const auto [same, is_new] = by_path_.try_emplace(path, -1);
-            if (!is_new) return index = same->second;
-            Image image;
-            image.name = name;
-            Encoded encoded;
-            const std::string fault = decode_texture(path, name, image, encoded);
-            (fault.empty() ? organ_.files : organ_.unread_files).push_back(path);
-            if (!fault.empty()) {
-                leave_out(fault);
-                return -1;
-            }
-            organ_.images.push_back(std::move(image));
-            organ_.encoded.push_back(std::move(encoded));
-            return index = same->second = static_cast<int>(organ_.images.size()) - 1;
-        } catch (const Error& error) {
-            leave_out(error.faults().front().reason);
-            return -1;
-        }
-    }
-
-    fs::path folder_;
     RawOrgan& organ_;
-    std::map<std::string, int> images_;
-    std::map<fs::path, int> by_path_;
+    TextureFiles textures_;
     std::map<int, bool> is_normal_map_;  ///< of images that "bump" names
     int current_ = -1;
 };
@@ -212,12 +160,13 @@ void read_mtl(const std::vector<std::string>& libraries, const fs::path& folder,
             organ.warnings.push_back("material library " + name + ": " + reason);
         };
         try {
-            const fs::path path = named_path(folder, name);
+            const fs::path path = file_beside(folder, name);
             if (!paths.insert(path).second) continue;
             try {
                 const Bytes bytes = read_file(path, name);
                 const std::size_t before = organ.materials.size();
-                library.read(std::string(bytes.begin(), bytes.end()));
+                std::string storage;
+                library.read(std::string(text_of(bytes, storage)));
                 const bool any = organ.materials.size() > before;
                 (any ? organ.files : organ.unread_files).push_back(path);
                 if (!any) leave_out("contains no material");
@@ -250,14 +199,13 @@ std::string pack_mtl(const std::string& text, Packing& packing) {
         if (key == "newmtl") out += line + '\n';
         if (plain.contains(key)) out += trimmed(line.substr(0, line.find('#'))) + '\n';
         if (!key.starts_with("map_") && !maps.contains(key)) continue;
-        float unused = 1.0F;
-        skip_options(words, unused);
+        read_options(words);
         const std::streamoff options_end = words.tellg();
         const std::string name = map_name(words);
         if (name.empty()) continue;
         const std::string options = line.substr(0, static_cast<std::size_t>(options_end)) + ' ';
         try {
-            const std::string packed = packing.add_picture(texture_path(packing.folder(), name));
+            const std::string packed = packing.add_picture(file_beside(packing.folder(), name));
             if (!packed.empty()) out += options + packed + '\n';
         } catch (const Error&) {
             continue;  // it leads out of the folder, so the line is removed

@@ -76,7 +76,8 @@ void settle_colors(Soup& soup) {
 }  // namespace
 
 RawOrgan read_obj(const std::filesystem::path& path, const std::string& file, const Bytes& bytes) {
-    const std::string_view source(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    std::string storage;
+    const std::string_view source = text_of(bytes, storage);
     if (source.find('\0') != std::string_view::npos) refuse(file, "", "is not an OBJ: it is not a text file");
     ObjText text = read_obj_text(source);
     RawOrgan organ;

@@ -73,7 +73,7 @@ class Reader {
         } else if (key == "o" || key == "g") {
             if (!trimmed(rest).empty()) name_ = trimmed(rest);
         } else if (key == "mtllib") {
-            out_.libraries.emplace_back(trimmed(rest));
+            for (std::string& name : libraries_of(line)) out_.libraries.push_back(std::move(name));
         }
     }
 
@@ -184,8 +184,21 @@ char line_end(std::string_view text) {
     return text.find('\n') == std::string_view::npos ? '\r' : '\n';
 }
 
-std::string_view library_of(std::string_view line) {
-    return next_word(line) == "mtllib" ? trimmed(line) : std::string_view();
+std::vector<std::string> libraries_of(std::string_view line) {
+    std::vector<std::string> names;
+    if (next_word(line) != "mtllib") return names;
+    while (!(line = trimmed(line)).empty()) {
+        std::string_view rest = line;
+        for (bool ends = false; !ends && !rest.empty();) {
+            const std::string_view word = next_word(rest);
+            std::string ending(word.substr(word.size() - std::min<std::size_t>(word.size(), 4)));
+            for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+            ends = ending == ".mtl";
+        }
+        names.emplace_back(trimmed(line.substr(0, line.size() - rest.size())));
+        line = rest;
+    }
+    return names;
 }
 
 ObjText read_obj_text(std::string_view source) {

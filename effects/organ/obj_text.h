@@ -39,7 +39,8 @@ ObjText read_obj_text(std::string_view source);
 /// programs wrote it.
 char line_end(std::string_view text);
 
-/// The name in a whole line if that is the statement mtllib, as read_obj_text() reads it; empty if not.
-std::string_view library_of(std::string_view line);
+/// The names in a whole line if that is the statement mtllib, as read_obj_text() reads them; empty if not. A name may
+/// hold spaces: where there are several, each but the last ends in ".mtl".
+std::vector<std::string> libraries_of(std::string_view line);
 
 }  // namespace lapfx::organ

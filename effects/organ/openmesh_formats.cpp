@@ -15,10 +15,6 @@ namespace {
 
 constexpr std::size_t stl_header = 84, stl_triangle = 50;
 
-std::string_view text_of(const Bytes& bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 /// "nan" and "inf" stop a number reader, and the rest would be read as something else. Instead they become a large
 /// number, whose triangles mend() leaves out.
 void replace_words_for_not_finite(std::string& text) {
@@ -64,6 +60,12 @@ std::array<glm::vec3, 3> corners_at(const std::string& stl, std::size_t facet) {
 
 void set_corners(std::string& stl, std::size_t facet, const std::array<glm::vec3, 3>& corners) {
     std::memcpy(stl.data() + stl_header + facet * stl_triangle + sizeof(glm::vec3), corners.data(), sizeof corners);
+}
+
+/// OpenMesh reads as many facets as the header counts.
+void set_count(std::string& stl, std::size_t facets) {
+    const auto count = static_cast<std::uint32_t>(facets);
+    std::memcpy(stl.data() + stl_header - sizeof count, &count, sizeof count);
 }
 
 /// OpenMesh joins corners with an ordered map, which a NaN would break, and hides facets with two equal corners from
@@ -135,8 +137,7 @@ class BinaryOf {
             text.remove_prefix(std::min(text.find_first_of("\r\n"), text.size() - 1) + 1);
         }
         end_facet();
-        const auto count = static_cast<std::uint32_t>(facets_);
-        std::memcpy(stl_.data() + stl_header - sizeof count, &count, sizeof count);
+        set_count(stl_, facets_);
     }
     std::size_t facets() const { return facets_; }
     std::string take() { return std::move(stl_); }
@@ -177,21 +178,43 @@ class BinaryOf {
     bool within_ = false;    ///< a facet
 };
 
-RawOrgan read_binary_stl(const std::string& file, const Bytes& bytes, std::size_t triangles) {
-    const std::size_t need = stl_header + triangles * stl_triangle;
-    if (bytes.size() < need)
+/// The count of the header, unless the file goes on after it for whole triangles: some programs never fill it in, or
+/// only for the first of several parts.
+RawOrgan read_binary_stl(const std::string& file, const Bytes& bytes, std::size_t counted_triangles) {
+    if (bytes.size() < stl_header) refuse(file, "", "truncated: the file ends within the header of an STL");
+    const std::size_t length = bytes.size() - stl_header, whole = length / stl_triangle;
+    if (counted_triangles > whole)
         refuse(file, "",
-               "truncated: " + std::to_string(triangles) + " triangles need " + std::to_string(need) +
-                   " bytes, the file has " + std::to_string(bytes.size()));
-    return read_facets(file, std::string(text_of(bytes).substr(0, need)), triangles);
+               "truncated: " + std::to_string(counted_triangles) + " triangles need " +
+                   std::to_string(stl_header + counted_triangles * stl_triangle) + " bytes, the file has " +
+                   std::to_string(bytes.size()));
+    const bool all = counted_triangles == 0 || length % stl_triangle == 0;
+    const std::size_t triangles = all ? whole : counted_triangles, need = stl_header + triangles * stl_triangle;
+    std::string stl(reinterpret_cast<const char*>(bytes.data()), need);
+    set_count(stl, triangles);
+    RawOrgan organ = read_facets(file, std::move(stl), triangles);
+    const std::string by_header = "its header counts " + counted(counted_triangles, "triangle", "triangles");
+    if (triangles > counted_triangles)
+        organ.warnings.push_back(by_header + ", but the file has " + std::to_string(triangles) + ": all were read");
+    else if (whole > triangles)
+        organ.warnings.push_back(by_header + ": " + std::to_string(bytes.size() - need) +
+                                 " bytes that follow them were not read");
+    return organ;
 }
 
-RawOrgan read_text_stl(const std::string& file, const Bytes& bytes) {
-    const std::string_view text = text_of(bytes);
-    if (text.find('\0') != std::string_view::npos) refuse(file, "", "is neither a binary nor a text STL");
+RawOrgan read_text_stl(const std::string& file, std::string_view text) {
     if (!ends_whole(text)) refuse(file, "", "truncated: the file ends within a facet");
     BinaryOf binary(text);
     return read_facets(file, binary.take(), binary.facets());
+}
+
+/// A text begins with the word solid, in any case; the header of a binary file may do so too.
+bool is_text_stl(std::string_view text) {
+    constexpr std::string_view first_word = "solid";
+    const std::string_view begin = text.substr(0, 64);
+    const auto found = std::search(begin.begin(), begin.end(), first_word.begin(), first_word.end(),
+                                   [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+    return found != begin.end() && text.find('\0') == std::string_view::npos;
 }
 
 }  // namespace
@@ -199,16 +222,15 @@ RawOrgan read_text_stl(const std::string& file, const Bytes& bytes) {
 RawOrgan read_stl(const std::string& file, const Bytes& bytes) {
     std::uint32_t triangles = 0;
     if (bytes.size() >= stl_header) std::memcpy(&triangles, bytes.data() + 80, 4);
-    // The header of a binary file may also start with "solid"; its length decides.
+    // A binary file may look like a text, but then its length fits exactly.
     const bool exact = bytes.size() >= stl_header && bytes.size() == stl_header + std::size_t{triangles} * stl_triangle;
-    if (!exact && text_of(bytes).substr(0, 64).find("solid") != std::string_view::npos)
-        return read_text_stl(file, bytes);
-    if (bytes.size() < stl_header) refuse(file, "", "truncated: the file ends within the header of an STL");
-    return read_binary_stl(file, bytes, triangles);
+    std::string storage;
+    const std::string_view text = exact ? std::string_view() : text_of(bytes, storage);
+    return is_text_stl(text) ? read_text_stl(file, text) : read_binary_stl(file, bytes, triangles);
 }
 
 RawOrgan read_off(const std::string& file, const Bytes& bytes) {
-    std::string text(text_of(bytes));
+    std::string storage, text(text_of(bytes, storage));
     if (text.find('\0') != std::string::npos) refuse(file, "", "is not a text OFF");
     replace_words_for_not_finite(text);
     text += '\n';

@@ -68,7 +68,7 @@ std::string organ::Packing::add_picture(const fs::path& file) {
     try {
         Bytes bytes = read_file(file, file.string());
         Image decoded;
-        if (media::decode_image(bytes, decoded).empty()) {
+        if (media::decode_image(bytes, decoded, longest_texture).empty()) {
             const std::string_view extension = picture_extension(bytes);
             return add(PackedKind::picture, file, extension, std::move(bytes));
         }

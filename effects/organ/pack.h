@@ -47,6 +47,8 @@ class Packing {
 Bytes pack_obj(const Bytes& bytes, Packing& packing);
 /// The text of a material library; empty: the file is not one.
 std::string pack_mtl(const std::string& text, Packing& packing);
+/// A PLY whose comments name the textures packed with it.
+Bytes pack_ply(const Bytes& bytes, const std::string& file, Packing& packing);
 /// A .gltf or .glb; the same bytes if it names no other file.
 Bytes pack_gltf(const Bytes& bytes, const std::string& file, Packing& packing);
 

@@ -3,10 +3,10 @@
 #include <string>
 #include <string_view>
 
-#include "lapfx/authoring/file.h"
 #include "lapfx/error.h"
 #include "organ/obj_text.h"
 #include "organ/pack.h"
+#include "organ/texture_files.h"
 
 namespace lapfx::organ {
 
@@ -15,11 +15,12 @@ namespace {
 /// Its name in the pack; empty: the library cannot be read.
 std::string pack_library(const std::string& name, Packing& packing) {
     try {
-        const std::filesystem::path path = named_path(packing.folder(), name);
+        const std::filesystem::path path = file_beside(packing.folder(), name);
         if (const auto known = packing.known(PackedKind::library, path)) return *known;
         packing.leave_out(PackedKind::library, path);  // unless it can be read
         const Bytes bytes = read_file(path, name);
-        const std::string text = pack_mtl(std::string(bytes.begin(), bytes.end()), packing);
+        std::string storage;
+        const std::string text = pack_mtl(std::string(text_of(bytes, storage)), packing);
         if (!text.empty()) return packing.add(PackedKind::library, path, ".mtl", Bytes(text.begin(), text.end()));
     } catch (const Error&) {  // loading tells why
     }
@@ -46,7 +47,8 @@ std::string_view next_statement(std::string_view& rest, char end_of_line, std::s
 }  // namespace
 
 Bytes pack_obj(const Bytes& bytes, Packing& packing) {
-    std::string_view rest(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    std::string storage;
+    std::string_view rest = text_of(bytes, storage);
     const char end_of_line = line_end(rest);
     Bytes out;
     out.reserve(bytes.size());
@@ -54,14 +56,13 @@ Bytes pack_obj(const Bytes& bytes, Packing& packing) {
     std::map<std::string, std::string> names;  ///< names of libraries in the pack, by their old names
     for (std::string joined; !rest.empty();) {
         const std::string_view statement = next_statement(rest, end_of_line, joined);
-        const std::string library(library_of(joined));
-        if (library.empty()) {
-            put(statement);
-            continue;
+        const std::vector<std::string> libraries = libraries_of(joined);
+        if (libraries.empty()) put(statement);
+        for (const std::string& library : libraries) {
+            const auto [known, is_new] = names.try_emplace(library);
+            if (is_new) known->second = pack_library(library, packing);
+            if (!known->second.empty()) put("mtllib " + known->second + end_of_line);
         }
-        const auto [known, is_new] = names.try_emplace(library);
-        if (is_new) known->second = pack_library(library, packing);
-        if (!known->second.empty()) put("mtllib " + known->second + end_of_line);
     }
     return out;
 }

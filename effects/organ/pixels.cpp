@@ -27,7 +27,7 @@ PixelList of_base_colors(const Organ& organ, const Make& make) {
 std::shared_ptr<const Image> decoded(const Encoded& encoded) {
     try {
         const auto image = std::make_shared<Image>();
-        if (media::decode_image(*encoded, *image).empty()) return image;
+        if (media::decode_image(*encoded, *image, longest_texture).empty()) return image;
     } catch (const std::exception&) {
         return nullptr;
     }
@@ -35,6 +35,20 @@ std::shared_ptr<const Image> decoded(const Encoded& encoded) {
 }
 
 }  // namespace
+
+std::string decode_texture(std::span<const std::uint8_t> file, Image& image, std::vector<std::string>& warnings) {
+    std::string fault = media::decode_image(file, image, longest_texture);
+    media::ImageSize size;
+    if (!fault.empty() || !media::image_size(file, size)) return fault;
+    const auto text = [](std::int64_t width, std::int64_t height) {
+        return std::to_string(width) + "x" + std::to_string(height);
+    };
+    if (size.width != image.width || size.height != image.height)
+        warnings.push_back("texture " + image.name + ": its " + text(size.width, size.height) +
+                           " pixels were shrunk to " + text(image.width, image.height) +
+                           " while it was read; no side is longer than " + std::to_string(longest_texture));
+    return fault;
+}
 
 Pixels::Pixels(Image image, Encoded encoded)
     : encoded_(std::move(encoded)),

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,14 @@ namespace lapfx::organ {
 
 /// The whole file that an image was decoded from (media/image.h); null: it came from elsewhere.
 using Encoded = std::shared_ptr<const std::vector<std::uint8_t>>;
+
+/// A texture with a longer side is shrunk while it is read: no preview shows more of it, and the largest that a file
+/// may have would take gigabytes.
+constexpr int longest_texture = 8192;
+
+/// Decodes the file of a texture into `image`, which has its name, and appends a line to `warnings` if it was shrunk.
+/// Returns the reason of a failure, or an empty string.
+std::string decode_texture(std::span<const std::uint8_t> file, Image& image, std::vector<std::string>& warnings);
 
 class Pixels {
   public:

@@ -4,8 +4,10 @@
 #include <charconv>
 #include <cstring>
 
+#include "organ/pack.h"
 #include "organ/ply_header.h"
 #include "organ/soup.h"
+#include "organ/texture_files.h"
 
 namespace lapfx::organ {
 
@@ -102,6 +104,31 @@ int find_any(const PlyElement& element, std::initializer_list<std::string_view> 
     return -1;
 }
 
+/// Where an element has its colour.
+class ColorColumns {
+  public:
+    explicit ColorColumns(const PlyElement& element)
+        : element_(element),
+          columns_{find_any(element, {"red", "diffuse_red", "r"}), find_any(element, {"green", "diffuse_green", "g"}),
+                   find_any(element, {"blue", "diffuse_blue", "b"}), find_any(element, {"alpha", "a"})} {}
+
+    bool any() const { return columns_[0] >= 0 && columns_[1] >= 0 && columns_[2] >= 0; }
+    /// Linear.
+    glm::vec4 of(const std::vector<double>& values) const {
+        glm::vec4 srgb(1.0f);
+        for (int c = 0; c < 4; ++c) {
+            const auto column = static_cast<std::size_t>(columns_[static_cast<std::size_t>(c)]);
+            if (columns_[static_cast<std::size_t>(c)] >= 0)
+                srgb[c] = static_cast<float>(values[column] / color_range(element_.properties[column].type));
+        }
+        return linear_color(srgb);
+    }
+
+  private:
+    const PlyElement& element_;
+    std::array<int, 4> columns_;
+};
+
 class PlyReader {
   public:
     PlyReader(const std::string& file, const PlyHeader& header, std::string_view data)
@@ -121,6 +148,8 @@ class PlyReader {
             else
                 skip(element);
         }
+        if (!soup_.face_colors.empty()) soup_.face_colors.resize(soup_.faces(), glm::vec4(1.0f));
+        if (!soup_.face_part.empty()) soup_.face_part.resize(soup_.faces(), 0);
         return std::move(soup_);
     }
 
@@ -155,10 +184,7 @@ class PlyReader {
         const std::array<int, 3> normal{element.find("nx"), element.find("ny"), element.find("nz")};
         const std::array<int, 2> uv{find_any(element, {"s", "u", "texture_u"}),
                                     find_any(element, {"t", "v", "texture_v"})};
-        const std::array<int, 3> color{find_any(element, {"red", "diffuse_red", "r"}),
-                                       find_any(element, {"green", "diffuse_green", "g"}),
-                                       find_any(element, {"blue", "diffuse_blue", "b"})};
-        const int alpha = find_any(element, {"alpha", "a"});
+        const ColorColumns color(element);
         if (!all<glm::vec3>(position)) refuse(file_, "", "its vertices have no x, y and z");
         for (std::size_t i = 0; i < element.count; ++i) {
             row(element);
@@ -166,14 +192,7 @@ class PlyReader {
             soup_.positions.emplace_back(at(position[0]), at(position[1]), at(position[2]));
             if (all<glm::vec3>(normal)) soup_.normals.emplace_back(at(normal[0]), at(normal[1]), at(normal[2]));
             if (all<glm::vec2>(uv)) soup_.uvs.emplace_back(at(uv[0]), at(uv[1]));
-            if (all<glm::vec3>(color)) {
-                const auto channel = [&](int column) {
-                    const PlyType type = element.properties[static_cast<std::size_t>(column)].type;
-                    return static_cast<float>(values_[static_cast<std::size_t>(column)] / color_range(type));
-                };
-                soup_.colors.push_back(linear_color(
-                    {channel(color[0]), channel(color[1]), channel(color[2]), alpha >= 0 ? channel(alpha) : 1.0f}));
-            }
+            if (color.any()) soup_.colors.push_back(color.of(values_));
         }
     }
 
@@ -190,23 +209,37 @@ class PlyReader {
 
     void faces(const PlyElement& element) {
         const int list = find_any(element, {"vertex_indices", "vertex_index"});
-        const int uvs = element.find("texcoord");
+        const int uvs = element.find("texcoord"), texture = element.find("texnumber");
+        const ColorColumns color(element);
         if (list < 0 || !element.properties[static_cast<std::size_t>(list)].is_list)
             refuse(file_, "", "its faces have no list of vertices");
         for (std::size_t i = 0; i < element.count; ++i) {
             face_uvs_.clear();
-            std::size_t begin = soup_.corners.size();
+            const std::size_t begin = soup_.corners.size();
+            values_.assign(element.properties.size(), 0.0);
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
                 const PlyProperty& property = element.properties[p];
                 if (static_cast<int>(p) == list)
                     corners(property, element.name == "tristrips");
                 else if (static_cast<int>(p) == uvs && property.is_list)
                     texcoords(property);
-                else
+                else if (property.is_list)
                     skip_property(property);
+                else
+                    values_[p] = numbers_.next(property.type);
             }
             attach_uvs(begin);
+            if (color.any()) soup_.face_colors.resize(soup_.faces(), color.of(values_));
+            if (texture >= 0)
+                soup_.face_part.resize(soup_.faces(), part_of(values_[static_cast<std::size_t>(texture)]));
         }
+    }
+
+    /// One part for each texture, and one more for faces without one.
+    std::uint32_t part_of(double texture) const {
+        const std::size_t count = header_.textures.size();
+        const bool is_one = texture >= 0.0 && texture < static_cast<double>(count);
+        return static_cast<std::uint32_t>(is_one ? static_cast<std::size_t>(texture) : count);
     }
 
     void corners(const PlyProperty& property, bool strips) {
@@ -268,13 +301,42 @@ class PlyReader {
 
 }  // namespace
 
-RawOrgan read_ply(const std::string& file, const Bytes& bytes) {
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+RawOrgan read_ply(const std::filesystem::path& path, const std::string& file, const Bytes& bytes) {
+    std::string storage;
+    const std::string_view text = text_of(bytes, storage);
     const PlyHeader header = read_ply_header(file, text);
     const Soup soup = PlyReader(file, header, text.substr(header.size)).read();
     RawOrgan organ;
-    add_parts(soup, {}, organ);
+    TextureFiles textures(path.parent_path(), organ);
+    std::vector<RawPart> parts;
+    for (const PlyTexture& texture : header.textures) {
+        parts.emplace_back().material = static_cast<int>(organ.materials.size());
+        Material material;
+        material.name = texture.name;
+        material.base_color_image = textures.read(texture.name);
+        organ.materials.push_back(std::move(material));
+    }
+    if (!soup.face_part.empty()) parts.emplace_back();
+    add_parts(soup, std::move(parts), organ);
     return organ;
+}
+
+Bytes pack_ply(const Bytes& bytes, const std::string& file, Packing& packing) {
+    std::string storage, out;
+    const std::string_view text = text_of(bytes, storage);
+    std::size_t done = 0;
+    for (const PlyTexture& texture : read_ply_header(file, text).textures) {
+        out += text.substr(done, texture.at - done);
+        done = texture.at + texture.name.size();
+        std::string packed;
+        try {
+            packed = packing.add_picture(file_beside(packing.folder(), texture.name));
+        } catch (const Error&) {  // loading tells why
+        }
+        out += packed.empty() ? packing.unused(texture.name) : packed;  // faces count the textures
+    }
+    out += text.substr(done);
+    return {out.begin(), out.end()};
 }
 
 }  // namespace lapfx::organ

@@ -11,8 +11,9 @@
 
 namespace lapfx::organ {
 
-/// x y z, nx ny nz, texture coordinates (s t, u v, texture_u texture_v), colours (red green blue alpha) and the faces'
-/// vertex lists; everything else is skipped. Throws Error: malformed header, truncated, malformed number.
-RawOrgan read_ply(const std::string& file, const Bytes& bytes);
+/// x y z, nx ny nz, texture coordinates (s t, u v, texture_u texture_v), colours (red green blue alpha), the faces'
+/// vertex lists, texture coordinates, colours and numbers of textures, and the textures that comments name; everything
+/// else is skipped. Throws Error: malformed header, truncated, malformed number.
+RawOrgan read_ply(const std::filesystem::path& path, const std::string& file, const Bytes& bytes);
 
 }  // namespace lapfx::organ

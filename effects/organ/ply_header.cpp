@@ -42,7 +42,11 @@ class HeaderReader {
         bool format_read = false;
         while (true) {
             const std::vector<std::string> words = next();
-            if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
+            if (words.empty() || words[0] == "obj_info") continue;
+            if (words[0] == "comment") {
+                if (words.size() > 2 && words[1] == "TextureFile") texture();
+                continue;
+            }
             if (words[0] == "end_header") break;
             if (words[0] == "format") {
                 format(words);
@@ -69,9 +73,18 @@ class HeaderReader {
         const std::size_t end = text_.find(line_end_, at_);
         ++line_;
         if (end == std::string_view::npos || end - at_ > 4096) wrong("truncated: the header has no end_header");
-        const std::string_view line = text_.substr(at_, end - at_);
+        line_text_ = text_.substr(at_, end - at_);
         at_ = end + 1;
-        return words_of(line);
+        return words_of(line_text_);
+    }
+
+    /// The rest of the line, which may hold spaces.
+    void texture() {
+        constexpr std::string_view key = "TextureFile", spaces = " \t\r";
+        const std::size_t first = line_text_.find_first_not_of(spaces, line_text_.find(key) + key.size());
+        const std::size_t last = line_text_.find_last_not_of(spaces);
+        header_.textures.push_back({.name = std::string(line_text_.substr(first, last + 1 - first)),
+                                    .at = static_cast<std::size_t>(line_text_.data() - text_.data()) + first});
     }
 
     PlyType type(const std::string& name) const {
@@ -120,7 +133,7 @@ class HeaderReader {
     }
 
     const std::string& file_;
-    std::string_view text_;
+    std::string_view text_, line_text_;
     char line_end_ = '\n';
     std::size_t at_ = 0, line_ = 0;
     PlyHeader header_;

@@ -26,9 +26,16 @@ struct PlyElement {
     int find(std::string_view property) const;
 };
 
+/// "comment TextureFile my skin.png", as MeshLab writes it.
+struct PlyTexture {
+    std::string name;
+    std::size_t at = 0;  ///< byte at which the name begins
+};
+
 struct PlyHeader {
     PlyCoding coding = PlyCoding::text;
     std::vector<PlyElement> elements;
+    std::vector<PlyTexture> textures;
     std::size_t size = 0;  ///< bytes up to the data
 };
 

@@ -9,34 +9,49 @@ glm::vec3 unit_or_zero(const glm::dvec3& v) {
     return std::isfinite(length) && length > 1e-30 ? glm::vec3(v / length) : glm::vec3(0.0f);
 }
 
-/// Whether it mirrors.
 template <class Mesh>
-bool move(Mesh& mesh, const glm::dmat4& matrix) {
-    const glm::dmat3 linear(matrix);
-    const double determinant = glm::determinant(linear);
-    // Cofactors: the inverse transpose times the determinant. They exist for a flattening matrix too.
-    const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                               glm::cross(linear[0], linear[1]));
-    const double side = determinant < 0.0 ? -1.0 : 1.0;
-    for (glm::vec3& p : mesh.positions) p = glm::vec3(glm::dvec3(matrix * glm::dvec4(p, 1.0)));
-    for (glm::vec3& n : mesh.normals) n = unit_or_zero(side * (cofactors * glm::dvec3(n)));
-    for (glm::vec4& t : mesh.tangents) {
-        const glm::vec3 direction = unit_or_zero(linear * glm::dvec3(t));
-        t = glm::vec4(direction, t.w * static_cast<float>(side));
-    }
-    return determinant < 0.0;
+void move(Mesh& mesh, const AffineMap& map) {
+    for (glm::vec3& p : mesh.positions) p = map.point(p);
+    for (glm::vec3& n : mesh.normals) n = map.normal(n);
+    for (glm::vec4& t : mesh.tangents) t = map.tangent(t);
 }
 
 }  // namespace
 
+AffineMap::AffineMap(const glm::dmat4& matrix)
+    : matrix_(matrix),
+      linear_(matrix),
+      // The inverse transpose times the determinant. They exist for a flattening matrix too.
+      cofactors_(glm::cross(linear_[1], linear_[2]), glm::cross(linear_[2], linear_[0]),
+                 glm::cross(linear_[0], linear_[1])),
+      side_(glm::determinant(linear_) < 0.0 ? -1.0 : 1.0) {}
+
+glm::vec3 AffineMap::normal(const glm::vec3& n) const {
+    return unit_or_zero(side_ * (cofactors_ * glm::dvec3(n)));
+}
+
+glm::vec4 AffineMap::tangent(const glm::vec4& t) const {
+    return {unit_or_zero(linear_ * glm::dvec3(t)), t.w * static_cast<float>(side_)};
+}
+
 void transform(RawPart& part, const glm::dmat4& matrix) {
-    if (move(part, matrix))
+    const AffineMap map(matrix);
+    move(part, map);
+    if (map.mirrors())
         for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3)
             std::swap(part.indices[i + 1], part.indices[i + 2]);
 }
 
 void transform(Organ& organ, const glm::dmat4& matrix) {
-    move(organ, matrix);
+    move(organ, AffineMap(matrix));
+}
+
+int copy_image(RawOrgan& organ, int image) {
+    if (image < 0) return -1;
+    const auto i = static_cast<std::size_t>(image);
+    organ.images.push_back(Image(organ.images[i]));
+    organ.encoded.push_back(Encoded(organ.encoded[i]));
+    return static_cast<int>(organ.images.size()) - 1;
 }
 
 std::string counted(std::size_t count, const char* one, const char* many) {

@@ -43,10 +43,28 @@ struct RawOrgan {
     std::size_t without_area = 0;  ///< likewise, because two corners are equal
 };
 
+/// An affine map of points and of what lies on a surface.
+class AffineMap {
+  public:
+    explicit AffineMap(const glm::dmat4& matrix);
+    glm::vec3 point(const glm::vec3& p) const { return glm::vec3(glm::dvec3(matrix_ * glm::dvec4(p, 1.0))); }
+    glm::vec3 normal(const glm::vec3& n) const;
+    glm::vec4 tangent(const glm::vec4& t) const;
+    bool mirrors() const { return side_ < 0.0; }
+
+  private:
+    glm::dmat4 matrix_;
+    glm::dmat3 linear_, cofactors_;
+    double side_;
+};
+
 /// Applies an affine map; if it mirrors, the triangles are reversed, so that they still face outwards.
 void transform(RawPart& part, const glm::dmat4& matrix);
 /// The same for an organ whose triangles need not be reversed.
 void transform(Organ& organ, const glm::dmat4& matrix);
+
+/// The index of a copy of an image; -1 of -1.
+int copy_image(RawOrgan& organ, int image);
 
 /// "1 vertex", "12 vertices".
 std::string counted(std::size_t count, const char* one, const char* many);

@@ -8,14 +8,14 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
 
-/// Copies the vertices of one part, once for each pair of position and texture coordinate.
+/// Copies the vertices of one part, once for each position, texture coordinate and colour of a face.
 class PartBuilder {
   public:
     PartBuilder(const Soup& soup, RawPart& part, std::vector<std::uint32_t>& first_copy)
         : soup_(soup), part_(part), first_copy_(first_copy) {}
 
-    /// The part's vertex for a corner of the soup.
-    std::uint32_t vertex(std::size_t corner) {
+    /// The part's vertex for a corner of the soup, in a face of that colour.
+    std::uint32_t vertex(std::size_t corner, const glm::vec4& color) {
         const std::uint32_t position = soup_.corners[corner];
         if (position >= soup_.positions.size()) return none;
         glm::vec2 uv(0.0f);
@@ -31,16 +31,20 @@ class PartBuilder {
         }
         const glm::vec2 flipped(uv.x, 1.0f - uv.y);
         std::uint32_t copy = first_copy_[position];
-        while (copy != none && part_.uvs[copy] != flipped) copy = next_copy_[copy];
-        return copy != none ? copy : add(position, flipped);
+        const auto differs = [&] {
+            return part_.uvs[copy] != flipped || (colors_faces() && part_.colors[copy] != color);
+        };
+        while (copy != none && differs()) copy = next_copy_[copy];
+        return copy != none ? copy : add(position, flipped, color);
     }
 
-    std::uint32_t add(std::uint32_t position, glm::vec2 uv) {
+    std::uint32_t add(std::uint32_t position, glm::vec2 uv, const glm::vec4& color = glm::vec4(1.0f)) {
         const auto copy = static_cast<std::uint32_t>(part_.positions.size());
         part_.positions.push_back(soup_.positions[position]);
         part_.uvs.push_back(uv);
         if (!soup_.normals.empty()) part_.normals.push_back(soup_.normals[position]);
         if (!soup_.colors.empty()) part_.colors.push_back(soup_.colors[position]);
+        if (colors_faces()) part_.colors.push_back(color);
         next_copy_.push_back(first_copy_[position]);
         sources_.push_back(position);
         first_copy_[position] = copy;
@@ -52,8 +56,9 @@ class PartBuilder {
         ring_.clear();
         vertices_.clear();
         bool whole = true;
+        const glm::vec4 color = colors_faces() ? soup_.face_colors[face] : glm::vec4(1.0f);
         for (std::size_t corner = begin; corner < end; ++corner) {
-            const std::uint32_t v = vertex(corner);
+            const std::uint32_t v = vertex(corner, color);
             whole &= v != none;
             vertices_.push_back(v);
             ring_.push_back(v == none ? glm::vec3(0.0f) : part_.positions[v]);
@@ -73,6 +78,8 @@ class PartBuilder {
     }
 
   private:
+    bool colors_faces() const { return soup_.colors.empty() && !soup_.face_colors.empty(); }
+
     const Soup& soup_;
     RawPart& part_;
     std::vector<std::uint32_t>& first_copy_;  ///< soup position to part vertex

@@ -19,6 +19,7 @@ struct Soup {
     std::vector<std::uint32_t> corners;    ///< position indices of all faces, one after the other; may be out of range
     std::vector<std::uint32_t> first{0};   ///< where each face starts in `corners`, and the end
     std::vector<glm::vec2> corner_uvs;     ///< empty or one per corner; v up
+    std::vector<glm::vec4> face_colors;    ///< empty or one per face; linear; where positions have none
     std::vector<std::uint32_t> face_part;  ///< empty (one part) or the part of each face
 
     std::size_t unreadable_faces = 0;      ///< faces that are not in the list: corners are missing or not numbers

@@ -100,7 +100,11 @@ std::vector<Image> smaller_levels(const Image& image, bool color) {
 }
 
 TextureLevels texture_levels(const Organ& organ, const PixelList& pixels, const TextureUse& use) {
-    TextureLevels levels{.use = use, .whole = whole_image(organ, pixels, use.image), .smaller = {}};
+    TextureLevels levels{.use = use,
+                         .whole = whole_image(organ, pixels, use.image),
+                         .smaller = {},
+                         .wrap_u = organ.images[use.image].wrap_u,
+                         .wrap_v = organ.images[use.image].wrap_v};
     if (!has_bytes(*levels.whole)) return {.use = use, .whole = nullptr, .smaller = {}};
     levels.smaller = smaller_levels(*levels.whole, use.color);
     return levels;

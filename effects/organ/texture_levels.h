@@ -23,6 +23,7 @@ struct TextureLevels {
     TextureUse use{};
     std::shared_ptr<const Image> whole;  ///< null: there are no pixels
     std::vector<Image> smaller;          ///< levels 1, 2, ...: half the size, rounded down, to 1x1
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
     std::size_t count() const { return 1 + smaller.size(); }
     const Image& level(std::size_t i) const { return i == 0 ? *whole : smaller[i - 1]; }
 };

@@ -7,7 +7,7 @@ namespace lapfx::render {
 namespace {
 
 gl::Texture one_texel(std::array<std::uint8_t, 4> value) {
-    gl::Texture texture({.wrap = GL_REPEAT});
+    gl::Texture texture({.wrap_u = GL_REPEAT, .wrap_v = GL_REPEAT});
     texture.upload(GL_RGBA, value.data());
     return texture;
 }
@@ -127,8 +127,11 @@ void OrganGpu::send_density(std::span<const DensityPicture> images, std::span<co
         const DensityPicture& picture = images[i];
         if (picture.values.empty()) continue;
         if (densities_[i].name() == 0)
-            densities_[i] = gl::Texture(
-                {.size = picture.size, .format = GL_RG8, .levels = gl::level_count(picture.size), .wrap = GL_REPEAT});
+            densities_[i] = gl::Texture({.size = picture.size,
+                                         .format = GL_RG8,
+                                         .levels = gl::level_count(picture.size),
+                                         .wrap_u = wrap_mode(picture.wrap_u),
+                                         .wrap_v = wrap_mode(picture.wrap_v)});
         densities_[i].upload(GL_RG, picture.values.data());
         densities_[i].generate_mipmaps();
     }

@@ -21,6 +21,7 @@ namespace lapfx::render {
 struct DensityPicture {
     glm::ivec2 size{0};
     std::span<const glm::u8vec2> values;  ///< rows from the top
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
 };
 
 /// What organs are drawn with; any number of organs may share them.

@@ -5,6 +5,18 @@
 
 namespace lapfx::render {
 
+GLenum wrap_mode(Wrap wrap) {
+    switch (wrap) {
+        case Wrap::clamp:
+            return GL_CLAMP_TO_EDGE;
+        case Wrap::mirror:
+            return GL_MIRRORED_REPEAT;
+        case Wrap::repeat:
+            break;
+    }
+    return GL_REPEAT;
+}
+
 /// One after the other, so that no more than one is kept in main memory.
 OrganTextures::OrganTextures(const Organ& organ, const organ::PixelList& pixels) {
     constexpr std::size_t whole = std::numeric_limits<std::size_t>::max();
@@ -42,7 +54,8 @@ std::size_t OrganTextures::make(const organ::TextureLevels& levels) {
          .texture = gl::Texture({.size = size,
                                  .format = static_cast<GLenum>(levels.use.color ? GL_SRGB8_ALPHA8 : GL_RGBA8),
                                  .levels = static_cast<int>(levels.count()),
-                                 .wrap = GL_REPEAT})});
+                                 .wrap_u = wrap_mode(levels.wrap_u),
+                                 .wrap_v = wrap_mode(levels.wrap_v)})});
     made_ = true;
     return levels.whole->pixels.size();
 }

@@ -10,6 +10,8 @@
 
 namespace lapfx::render {
 
+GLenum wrap_mode(Wrap wrap);
+
 class OrganTextures {
   public:
     OrganTextures() = default;

@@ -73,6 +73,8 @@ bool is_organ_name(const fs::path& file) {
 FileKind kind_of(const fs::path& file) {
     if (is_organ_name(file)) return FileKind::organ;
     if (!is_document_name(file)) {
+        if (const std::string why = format_named(file) != nullptr ? "" : why_not_read(file); !why.empty())
+            throw Error(Failure::bad_input, Fault{.file = file.string(), .place = "", .reason = why});
         if (is_text(file))
             throw Error(Failure::bad_input, Fault{.file = file.string(),
                                                   .place = "",

@@ -21,12 +21,21 @@
 
 namespace lapfx {
 
+/// What a texture shows beyond its edges.
+enum class Wrap : std::uint8_t {
+    repeat,  ///< its other side
+    clamp,   ///< the texels of the edge
+    mirror,  ///< itself, mirrored in every second repetition
+};
+
 /// 8-bit pixels, rows from the top, RGBA. Colour images are sRGB, normal maps are not.
 struct Image {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> pixels;  ///< width * height * 4
     std::string name;
+    Wrap wrap_u = Wrap::repeat;  ///< left and right
+    Wrap wrap_v = Wrap::repeat;  ///< above and below
 };
 
 struct Material {

@@ -167,8 +167,8 @@ TEST(Density, ARepeatingTextureGoesOnAtItsOtherSide) {
     for (std::size_t i = 0; i < organ.uvs.size(); ++i) organ.uvs[i] = organ.uvs[i] * 2.0f + 3.0f;
     for (glm::vec3& p : organ.positions) p *= 2.0f;  // as many texels per mm as before
     const DensityMap tiled = map_of(organ, parameters);
-    EXPECT_FALSE(single.layout().repeats);
-    EXPECT_TRUE(tiled.layout().repeats);
+    EXPECT_FALSE(single.layout().beyond.any);
+    EXPECT_TRUE(tiled.layout().beyond.any);
     EXPECT_NEAR(tiled.layout().texels_per_mm.x, single.layout().texels_per_mm.x, 1e-4);
     // Nothing beyond the edge: the share of the surface within 2 mm of it.
     EXPECT_NEAR(at(single, 40.0, -19.95).y, (below(1.95, 1.0) - below(-0.05, 1.0)) / below(0.05, 1.0), 0.02);
@@ -176,6 +176,57 @@ TEST(Density, ARepeatingTextureGoesOnAtItsOtherSide) {
     for (const double x : {0.5, 1.0})  // from the edge
         EXPECT_NEAR(at(tiled, 40.0, 20.0 - x).y, below(-x, 1.0) - below(-x - 2.0, 1.0), 0.03);
     EXPECT_NEAR(at(tiled, 40.0, -19.5).y, below(0.5, 1.0) - below(-1.5, 1.0), 0.03);
+}
+
+/// The texture that shows the same within 0..1 as `image` does within -0.5..1.5.
+Image baked(const Image& image) {
+    const auto at = [](int i, int count, Wrap wrap) {
+        if (wrap == Wrap::clamp) return std::clamp(i, 0, count - 1);
+        const int period = wrap == Wrap::mirror ? 2 * count : count, inside = (i + 2 * period) % period;
+        return inside < count ? inside : period - 1 - inside;
+    };
+    Image out{.width = 2 * image.width, .height = 2 * image.height, .pixels = {}, .name = "baked"};
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x) {
+            const int from = at(y - image.height / 2, image.height, image.wrap_v) * image.width +
+                             at(x - image.width / 2, image.width, image.wrap_u);
+            const auto first = image.pixels.begin() + 4 * from;
+            out.pixels.insert(out.pixels.end(), first, first + 4);
+        }
+    return out;
+}
+
+TEST(Density, BeyondTheEdgesATextureGoesOnAsItIsDrawn) {
+    constexpr double texture = 20.0;  // mm
+    const auto paint = [](double x, double z) {
+        return x + 0.7 * z < -6.0 ? fat_tissue : std::abs(z - 4.0 + 0.2 * x) < 0.8 ? artery : serosa;
+    };
+    VesselParameters parameters;
+    parameters.smoothing = 0.5;
+    parameters.vessel_width = 1.5;
+    for (const Wrap u : {Wrap::repeat, Wrap::clamp, Wrap::mirror})
+        for (const Wrap v : {Wrap::repeat, Wrap::clamp, Wrap::mirror}) {
+            Image image = painted(200, 200, texture, paint);
+            image.wrap_u = u;
+            image.wrap_v = v;
+            const Organ whole = textured_plane(2 * texture, baked(image));
+            Organ organ = textured_plane(2 * texture, image);
+            for (glm::vec2& uv : organ.uvs) uv = uv * 2.0f - 0.5f;
+            const DensityMap wanted = map_of(whole, parameters), map = map_of(organ, parameters);
+            double largest = 0.0, fat = 0.0;
+            // Farther out the larger texture ends too soon; beyond a clamped edge, the map has the values of the edge.
+            const auto reach = [](Wrap wrap) { return wrap == Wrap::clamp ? 9.9 : 11.0; };
+            for (double z = -reach(v); z <= reach(v); z += 0.37)
+                for (double x = -reach(u); x <= reach(u); x += 0.37) {
+                    const glm::vec2 here = map.sample(glm::vec2(x / texture + 0.5, z / texture + 0.5));
+                    const glm::vec2 there = at(wanted, 2 * texture, x, z);
+                    largest =
+                        std::max({largest, std::abs(double(here.x - there.x)), std::abs(double(here.y - there.y))});
+                    fat += double(here.y);
+                }
+            EXPECT_LT(largest, 0.04) << static_cast<int>(u) << static_cast<int>(v);
+            EXPECT_GT(fat, 100.0);
+        }
 }
 
 TEST(Density, SamplesBetweenTexelsAndAround) {
@@ -246,7 +297,7 @@ TEST(Density, BadTextureCoordinatesAreLeftOut) {
     organ.uvs[5].x = 1e20f;
     const DensityMap map = map_of(organ);
     EXPECT_NEAR(map.layout().texels_per_mm.x, 10.0, 1e-4);
-    EXPECT_FALSE(map.layout().repeats);
+    EXPECT_FALSE(map.layout().beyond.any);
     EXPECT_NEAR(at(map, 40.0, 0.0).y, 0.5, 0.02);
     for (glm::vec2& uv : organ.uvs) uv = glm::vec2(std::numeric_limits<float>::quiet_NaN());
     const DensityMap none = map_of(organ);

@@ -24,11 +24,23 @@ TEST_F(FileKindTest, IsByTheNameElseByTheFirstBytes) {
     EXPECT_EQ(kind_of_file(file("a.png", "x")), FileKind::image);
     EXPECT_EQ(kind_of_file(file("scene", " {\"format\": 1}")), FileKind::document);
     EXPECT_EQ(kind_of_file(file("operation", std::string("\0\1\2\3", 4))), FileKind::video);
+    EXPECT_EQ(kind_of_file(file("marked", "\xef\xbb\xbf{\"format\": 1}")), FileKind::document);
     EXPECT_EQ(kind_of_file(folder / "frame_%04d.png"), FileKind::video);
     EXPECT_THROW(kind_of_file(file("notes", "just words")), Error);
     EXPECT_THROW(kind_of_file(file("a.mov", "")), Error);
     EXPECT_THROW(kind_of_file(folder / "none.mp4"), Error);
     EXPECT_THROW(kind_of_file(folder / "."), Error);
+}
+
+TEST_F(FileKindTest, FilesOfOtherProgramsAreRefusedByWhatTheyAre) {
+    for (const char* name : {"a.fbx", "a.blend", "a.3mf", "a.usdz", "a.vtk", "a.nrrd", "a.nii.gz", "a.dcm"}) {
+        try {
+            kind_of_file(file(name, std::string("\0\1\2", 3)));
+            ADD_FAILURE() << name;
+        } catch (const Error& error) {
+            EXPECT_NE(error.faults().front().reason.find(", which is not read: "), std::string::npos) << name;
+        }
+    }
 }
 
 TEST_F(FileKindTest, TheSameFileHasManyNames) {

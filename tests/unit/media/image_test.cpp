@@ -2,6 +2,7 @@
 #include "media/image.h"
 
 #include <gtest/gtest.h>
+#include <png.h>
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -63,6 +64,76 @@ TEST(DecodeImage, TellsWhatTheFileHas) {
     EXPECT_EQ(facts_of(encoded(".png", pattern(CV_8UC4))), std::pair(4, 8));
     EXPECT_EQ(facts_of(encoded(".jpg", pattern(CV_8UC1))), std::pair(1, 8));
     EXPECT_EQ(facts_of(encoded(".jpg", pattern(CV_8UC3))), std::pair(3, 8));
+}
+
+/// Means over squares, those at the edges of what is there.
+cv::Mat shrunk(const cv::Mat& rgba, int factor) {
+    cv::Mat out((rgba.rows + factor - 1) / factor, (rgba.cols + factor - 1) / factor, CV_8UC4);
+    for (int y = 0; y < out.rows; ++y)
+        for (int x = 0; x < out.cols; ++x) {
+            const cv::Rect square =
+                cv::Rect(x * factor, y * factor, factor, factor) & cv::Rect(0, 0, rgba.cols, rgba.rows);
+            const cv::Scalar mean = cv::mean(rgba(square));
+            for (int c = 0; c < 4; ++c) out.at<cv::Vec4b>(y, x)[c] = cv::saturate_cast<std::uint8_t>(mean[c]);
+        }
+    return out;
+}
+
+/// The largest difference from the whole image, shrunk afterwards.
+double apart_shrunk(const Bytes& bytes, int longest, int factor) {
+    Image whole, image;
+    EXPECT_EQ(decode_image(bytes, whole), "");
+    EXPECT_EQ(decode_image(bytes, image, longest), "");
+    const cv::Mat wanted = shrunk(cv::Mat(whole.height, whole.width, CV_8UC4, whole.pixels.data()), factor);
+    EXPECT_EQ(image.width, wanted.cols);
+    EXPECT_EQ(image.height, wanted.rows);
+    if (image.width != wanted.cols || image.height != wanted.rows) return 256.0;
+    return cv::norm(wanted, cv::Mat(wanted.size(), CV_8UC4, image.pixels.data()), cv::NORM_INF);
+}
+
+/// A PNG of `pixels` in seven passes: libpng's own writer, because OpenCV's writes none.
+Bytes interlaced_png(const cv::Mat& rgba) {
+    Bytes bytes;
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    png_set_write_fn(
+        png, &bytes,
+        [](png_structp to, png_bytep from, std::size_t count) {
+            auto& out = *static_cast<Bytes*>(png_get_io_ptr(to));
+            out.insert(out.end(), from, from + count);
+        },
+        nullptr);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(rgba.cols), static_cast<png_uint_32>(rgba.rows), 8,
+                 PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_ADAM7, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    std::vector<png_bytep> rows;
+    for (int y = 0; y < rgba.rows; ++y) rows.push_back(const_cast<png_bytep>(rgba.ptr(y)));
+    png_write_info(png, info);
+    png_write_image(png, rows.data());
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
+    return bytes;
+}
+
+TEST(DecodeImage, ALargeOneIsShrunkWhileItIsRead) {
+    cv::Mat large(37, 90, CV_8UC4);
+    cv::randu(large, 0, 255);
+    const std::pair<int, int> limits[] = {{90, 1}, {89, 2}, {45, 2}, {44, 4}, {12, 8}};
+    for (const auto& [longest, factor] : limits) {
+        EXPECT_EQ(shrink_factor({90, 37}, longest), factor);
+        EXPECT_LE(apart_shrunk(encoded(".png", large), longest, factor), 1.0) << longest;
+        EXPECT_LE(apart_shrunk(interlaced_png(large), longest, factor), 1.0) << longest;
+    }
+    cv::Mat smooth;
+    cv::GaussianBlur(large, smooth, {0, 0}, 8.0);
+    cv::cvtColor(smooth, smooth, cv::COLOR_BGRA2BGR);
+    EXPECT_LE(apart_shrunk(encoded(".jpg", smooth, {cv::IMWRITE_JPEG_QUALITY, 100}), 45, 2), 4.0);
+    EXPECT_LE(apart_shrunk(encoded(".webp", smooth, {cv::IMWRITE_WEBP_QUALITY, 101}), 45, 2), 4.0);
+    EXPECT_LE(apart_shrunk(encoded(".bmp", smooth), 45, 2), 4.0);
+    Bytes cut = encoded(".png", large);
+    cut.resize(cut.size() / 2);
+    Image image;
+    EXPECT_EQ(decode_image(cut, image, 45), "cannot be decoded");
+    EXPECT_TRUE(image.pixels.empty());
 }
 
 /// libpng and libjpeg write their messages to stderr unless told otherwise.

@@ -215,6 +215,74 @@ TEST_F(Gltf, DataUris) {
               "/buffers/0/uri: is a data URI that is not valid base64");
 }
 
+TEST_F(Gltf, DataUrisMayBePercentEncoded) {
+    Triangle triangle;
+    std::string data;
+    for (const char byte : triangle.binary) {
+        char text[8];
+        std::snprintf(text, sizeof text, "%%%02X", static_cast<unsigned char>(byte));
+        data += text;
+    }
+    triangle.json["buffers"][0]["uri"] = "data:application/octet-stream," + data;
+    EXPECT_EQ(load_organ(folder.write("t.gltf", triangle.json.dump())).positions[1], glm::vec3(100, 0, 0));
+    triangle.json["buffers"][0]["uri"] =
+        "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA%3D";
+    EXPECT_EQ(load_organ(folder.write("t.gltf", triangle.json.dump())).positions[1], glm::vec3(1000, 0, 0));
+    triangle.json["buffers"][0]["uri"] = "data:nothing";
+    EXPECT_EQ(fault_of(folder.write("t.gltf", triangle.json.dump())),
+              "/buffers/0/uri: is a data URI without a comma before its data");
+}
+
+TEST_F(Gltf, IndicesMayBeZerosWithSparseValues) {
+    Triangle triangle;
+    const int where = triangle.add_view(bytes_of<std::uint16_t>({1, 2})),
+              values = triangle.add_view(bytes_of<std::uint16_t>({2, 1}));
+    triangle.json["accessors"].push_back({{"componentType", 5123},
+                                          {"count", 3},
+                                          {"type", "SCALAR"},
+                                          {"sparse",
+                                           {{"count", 2},
+                                            {"indices", {{"bufferView", where}, {"componentType", 5123}}},
+                                            {"values", {{"bufferView", values}}}}}});
+    triangle.primitive()["indices"] = 1;
+    EXPECT_EQ(load(triangle).indices, (std::vector<std::uint32_t>{0, 2, 1}));
+    triangle.json["accessors"][1]["bufferView"] = triangle.add_view(bytes_of<std::uint16_t>({0, 0, 0}));
+    EXPECT_EQ(load(triangle).indices, (std::vector<std::uint32_t>{0, 2, 1})) << "with a view too";
+    triangle.json["accessors"][1].erase("sparse");
+    triangle.json["accessors"][1].erase("bufferView");
+    EXPECT_EQ(fault(triangle), "/accessors/1: indices need a buffer view or sparse values");
+}
+
+TEST_F(Gltf, HiddenNodesAreLeftOutAndToldOf) {
+    Triangle triangle;
+    triangle.json["nodes"] = {{{"mesh", 0}},
+                              {{"children", {2}}, {"extensions", {{"KHR_node_visibility", {{"visible", false}}}}}},
+                              {{"mesh", 0}, {"translation", {1, 0, 0}}}};
+    triangle.json["scenes"][0]["nodes"] = {0, 1};
+    triangle.json["extensionsRequired"] = {"KHR_node_visibility"};
+    const Organ organ = load(triangle);
+    EXPECT_EQ(organ.triangle_count(), 1u);
+    EXPECT_TRUE(
+        has_warning(organ.warnings, "1 node is hidden in the file (KHR_node_visibility); left out with its mesh"));
+    triangle.json["nodes"][1]["extensions"]["KHR_node_visibility"]["visible"] = true;
+    EXPECT_EQ(load(triangle).triangle_count(), 2u);
+    triangle.json["scenes"][0]["nodes"] = {1};
+    triangle.json["nodes"][1]["extensions"]["KHR_node_visibility"]["visible"] = false;
+    EXPECT_EQ(fault(triangle), "no triangles: the file contains 1 mesh in hidden nodes only");
+}
+
+TEST_F(Gltf, AlphaModesAreToldOf) {
+    Triangle triangle;
+    triangle.json["materials"] = {{{"name", "bag"}, {"alphaMode", "BLEND"}},
+                                  {{"alphaMode", "BLEND"}},
+                                  {{"name", "leaf"}, {"alphaMode", "MASK"}},
+                                  {{"name", "skin"}, {"alphaMode", "OPAQUE"}}};
+    const Organ organ = load(triangle);
+    EXPECT_TRUE(has_warning(organ.warnings, "2 materials have the alpha mode BLEND (bag, (unnamed)); drawn opaque"));
+    EXPECT_TRUE(has_warning(organ.warnings, "1 material has the alpha mode MASK (leaf); drawn opaque"));
+    EXPECT_FALSE(has_warning(organ.warnings, "skin"));
+}
+
 TEST_F(Gltf, EveryRangeIsChecked) {
     const std::pair<const char*, const char*> wrong[] = {
         {R"({"accessors": [{"bufferView": 7}]})", "/accessors/0: buffer view 7 is not in the file"},

@@ -43,6 +43,79 @@ TEST_F(Mtl, LinesMayEndInCrAlone) {
     EXPECT_EQ(organ.materials[1].base_color, glm::vec4(0, 1, 0, 1));
 }
 
+TEST_F(Mtl, AByteOrderMarkBelongsToNoLine) {
+    const std::string text = "newmtl a\nKd 1 0 0\n";
+    std::string wide = "\xff\xfe";
+    for (const char c : text) wide += std::string{c, '\0'};
+    for (const std::string& bytes : {"\xef\xbb\xbf" + text, wide}) {
+        folder.write("a.mtl", bytes);
+        const Organ organ = load("mtllib a.mtl\n");
+        ASSERT_EQ(organ.materials.size(), 1U);
+        EXPECT_EQ(organ.materials[0].base_color, glm::vec4(1, 0, 0, 1));
+        EXPECT_TRUE(organ.warnings.empty());
+    }
+}
+
+TEST_F(Mtl, OneStatementMayNameSeveralLibraries) {
+    folder.write("my red.MTL", "newmtl a\nKd 1 0 0\n");
+    folder.write("b.mtl", "newmtl b\nKd 0 1 0\n");
+    const Organ organ = load("mtllib gone.mtl my red.MTL  b.mtl \n");
+    EXPECT_EQ(organ.files, (Paths{at("m.obj"), at("my red.MTL"), at("b.mtl")}));
+    EXPECT_EQ(organ.materials.size(), 2U);
+    EXPECT_EQ(warnings(organ, "gone.mtl"), 1);
+}
+
+TEST_F(Mtl, PathsOfWindowsLeadToTheFilesBeside) {
+    fs::create_directory(at("textures"));
+    picture("textures/skin.png", {10, 20, 30});
+    picture("flat.png", {40, 50, 60});
+    for (const char* library : {".\\a.mtl", "C:\\work\\a.mtl", "..\\..\\a.mtl", "old/a.mtl"})
+        for (const char* name :
+             {"textures\\skin.png", ".\\textures\\skin.png", "D:\\old\\textures\\skin.png", "/x/textures/skin.png"}) {
+            folder.write("a.mtl", std::string("newmtl a\nmap_Kd ") + name + "\nmap_Bump C:\\far\\flat.png\n");
+            const Organ organ = load(std::string("mtllib ") + library + '\n');
+            ASSERT_FALSE(organ.images.empty()) << library << ' ' << name;
+            EXPECT_EQ(organ.images[0].pixels[0], 30);
+            EXPECT_EQ(organ.files[1], at("textures/skin.png"));
+        }
+    folder.write("a.mtl", "newmtl a\nmap_Kd C:\\old\\gone.png\n");
+    EXPECT_EQ(warnings(load("mtllib a.mtl\n"), "\"C:/old/gone.png\" is an absolute path;"), 1);
+}
+
+TEST_F(Mtl, ClampIsOfEachMap) {
+    picture("skin.png", {10, 20, 30});
+    folder.write("a.mtl",
+                 "newmtl a\nmap_Kd -clamp on skin.png\nnewmtl b\nmap_Kd -s 1 1 1 -clamp off skin.png\n"
+                 "newmtl c\nmap_Kd -clamp ON -bm 1 ./skin.png\n");
+    const Organ organ = load_organ(folder.write(
+        "m.obj", "mtllib a.mtl\nv 0 0 0\nv 9 0 0\nv 0 9 0\nvt 0 0\nvt 2 0\nvt 0 2\nusemtl a\nf 1/1 2/2 3/3\n"));
+    ASSERT_EQ(organ.images.size(), 2U);
+    const auto image_of = [&](std::size_t material) {
+        return organ.images[static_cast<std::size_t>(organ.materials[material].base_color_image)];
+    };
+    EXPECT_EQ(image_of(0).wrap_u, Wrap::clamp);
+    EXPECT_EQ(image_of(0).wrap_v, Wrap::clamp);
+    EXPECT_EQ(image_of(1).wrap_u, Wrap::repeat);
+    EXPECT_EQ(image_of(2).wrap_u, Wrap::clamp);
+    EXPECT_EQ(organ.materials[0].base_color_image, organ.materials[2].base_color_image);
+    EXPECT_EQ(image_of(1).pixels, image_of(0).pixels);
+    EXPECT_EQ(organ.files, (Paths{at("m.obj"), at("skin.png"), at("a.mtl")}));
+}
+
+TEST_F(Mtl, ATextureThatIsTooLargeIsShrunkAndToldOf) {
+    cv::Mat large(4, 8200, CV_8UC3, cv::Scalar(10, 20, 30));
+    large.colRange(4100, 8200) = cv::Scalar(200, 100, 50);
+    cv::imwrite(at("large.png").string(), large);
+    folder.write("a.mtl", "newmtl a\nmap_Kd large.png\n");
+    const Organ organ = load("mtllib a.mtl\n");
+    ASSERT_EQ(organ.images.size(), 1U);
+    EXPECT_EQ(organ.images[0].width, 4100);
+    EXPECT_EQ(organ.images[0].height, 2);
+    EXPECT_EQ(organ.images[0].pixels[0], 30);
+    EXPECT_EQ(organ.images[0].pixels[4 * 4099], 50);
+    EXPECT_EQ(warnings(organ, "texture large.png: its 8200x4 pixels were shrunk to 4100x2"), 1);
+}
+
 TEST_F(Mtl, ALibraryThatCannotBeReadIsToldOfOnce) {
     folder.write("empty.mtl", "# nothing\n");
     std::string text;

@@ -82,6 +82,35 @@ TEST_F(Pack, ALibraryIsWhatTheReaderTakesForOne) {
     EXPECT_THAT(text_of("m.obj"), testing::StartsWith("mtllib a.mtl\nmtllib _b.mtl\nmtllib c_d.mtl\nmtllibs a.mtl\nv"));
 }
 
+TEST_F(Pack, WhatIsFoundByPathsOfWindowsAndBehindByteOrderMarksIsPacked) {
+    picture("skin.png");
+    from.write("a.mtl", "\xef\xbb\xbfnewmtl a\nmap_Kd -clamp on C:\\old\\skin.png\n");
+    from.write("b.mtl", "newmtl b\nKd 0 1 0\n");
+    const fs::path mesh = from.write("m.obj", std::string("\xef\xbb\xbfmtllib .\\a.mtl b.mtl\n") + corners +
+                                                  "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 4/3\n");
+    const Organ copy = load_organ(unpacked(mesh));
+    EXPECT_THAT(names, testing::UnorderedElementsAre("m.obj", "a.mtl", "b.mtl", "skin.png"));
+    EXPECT_THAT(material_names(copy), ElementsAre("a", "b"));
+    EXPECT_THAT(copy.warnings, testing::IsEmpty());
+    ASSERT_EQ(copy.images.size(), 1U);
+    EXPECT_EQ(copy.images[0].wrap_u, Wrap::clamp);
+}
+
+TEST_F(Pack, TexturesThatCommentsOfAPlyName) {
+    picture("my skin.png");
+    const fs::path mesh = from.write(
+        "m.ply",
+        "ply\nformat ascii 1.0\ncomment TextureFile gone.png\ncomment TextureFile my skin.png\nelement vertex 3\n"
+        "property float x\nproperty float y\nproperty float z\nproperty float s\nproperty float t\nelement face 1\n"
+        "property list uchar int vertex_index\nproperty int texnumber\nend_header\n0 0 0 0 0\n9 0 0 1 0\n0 9 0 0 1\n"
+        "3 0 1 2 1\n");
+    const Organ copy = load_organ(unpacked(mesh));
+    EXPECT_THAT(names, ElementsAre("m.ply", "my_skin.png"));
+    EXPECT_THAT(text_of("m.ply"), HasSubstr("comment TextureFile gone.missing\ncomment TextureFile my_skin.png\n"));
+    ASSERT_EQ(copy.images.size(), 1U);
+    EXPECT_EQ(copy.materials[static_cast<std::size_t>(copy.parts[0].material)].base_color_image, 0);
+}
+
 TEST_F(Pack, LinesThatEndInCrAloneStayLines) {
     from.write("a#1.mtl", "newmtl a\rKd 1 0 0\rnewmtl b\rKd 0 1 0\r");
     const fs::path mesh = from.write("m.obj",

@@ -30,6 +30,23 @@ TEST_F(Obj, CubeOfQuads) {
     EXPECT_EQ(r.maximum - r.minimum, glm::dvec3(10.0));
 }
 
+std::string utf16(const std::string& ascii, bool big_endian) {
+    std::string bytes = big_endian ? "\xfe\xff" : "\xff\xfe";
+    for (const char c : ascii) bytes += big_endian ? std::string{'\0', c} : std::string{c, '\0'};
+    return bytes;
+}
+
+TEST_F(Obj, AByteOrderMarkBelongsToNoLine) {
+    const Organ plain = load(cube_obj);
+    for (const std::string& text :
+         {"\xef\xbb\xbf" + std::string(cube_obj), utf16(cube_obj, false), utf16(cube_obj, true)}) {
+        const Organ organ = load(text);
+        EXPECT_EQ(organ.positions, plain.positions);
+        EXPECT_EQ(organ.indices, plain.indices);
+        EXPECT_TRUE(organ.warnings.empty());
+    }
+}
+
 /* Three triangles at one edge, and a triangle wound against its neighbour: a half-edge mesh would drop them.
  */
 TEST_F(Obj, NonManifoldFacesStay) {
@@ -245,6 +262,89 @@ TEST_F(Ply, ImpossibleCountsAreRefused) {
               "line 3: \"x\" is not a count");
 }
 
+TEST_F(Ply, AByteOrderMarkBelongsToNoLine) {
+    const std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0\n9 0 0\n0 9 0\n3 0 1 2\n";
+    for (const char* name : {"m.ply", "named.wrongly"})
+        EXPECT_EQ(load_organ(folder.write(name, "\xef\xbb\xbf" + text)).positions[1], glm::vec3(9, 0, 0)) << name;
+}
+
+TEST_F(Ply, FacesHaveTheirColours) {
+    const std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 2\nproperty list uchar int vertex_index\nproperty uchar red\nproperty uchar green\nproperty "
+        "uchar blue\nend_header\n0 0 0\n9 0 0\n9 9 0\n0 9 0\n3 0 1 2 255 0 0\n3 0 2 3 0 0 255\n";
+    const Organ organ = load_organ(folder.write("m.ply", text));
+    EXPECT_TRUE(organ.has_colors);
+    ASSERT_EQ(organ.positions.size(), 6u) << "each has its own corners";
+    for (std::size_t i = 0; i < 6; ++i)
+        EXPECT_EQ(organ.colors[organ.indices[i]], i < 3 ? glm::vec4(1, 0, 0, 1) : glm::vec4(0, 0, 1, 1)) << i;
+    EXPECT_EQ(report(organ).components, 1u);
+    EXPECT_EQ(report(organ).boundary_edges, 4u);
+}
+
+TEST_F(Ply, TexturesThatCommentsName) {
+    const auto write = [&](const char* name, const cv::Scalar& color) {
+        cv::imwrite((folder.path() / name).string(), cv::Mat(8, 8, CV_8UC3, color));
+    };
+    write("my texture.png", {10, 20, 30});
+    write("other.png", {40, 50, 60});
+    const std::string begin = "ply\nformat ascii 1.0\ncomment TextureFile C:\\scans\\my texture.png\n";
+    const std::string vertices =
+        "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 2\nproperty list uchar int vertex_index\nproperty list uchar float texcoord\n";
+    const std::string data = "end_header\n0 0 0\n9 0 0\n9 9 0\n0 9 0\n";
+    const Organ one =
+        load_organ(folder.write("m.ply", begin + vertices + data + "3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 0 0 1 1 0 1\n"));
+    ASSERT_EQ(one.images.size(), 1u);
+    EXPECT_EQ(one.images[0].pixels[0], 30);
+    EXPECT_EQ(one.materials[static_cast<std::size_t>(one.parts.at(0).material)].base_color_image, 0);
+    EXPECT_EQ(one.files.back(), folder.path() / "my texture.png");
+    EXPECT_TRUE(one.warnings.empty());
+
+    const Organ two = load_organ(folder.write("m.ply", begin + "comment TextureFile other.png\n" + vertices +
+                                                           "property int texnumber\n" + data +
+                                                           "3 0 1 2 6 0 0 1 0 1 1 1\n3 0 2 3 6 0 0 1 1 0 1 0\n"));
+    ASSERT_EQ(two.parts.size(), 2u);
+    EXPECT_EQ(two.images[static_cast<std::size_t>(
+                             two.materials[static_cast<std::size_t>(two.parts[1].material)].base_color_image)]
+                  .name,
+              "other.png");
+    EXPECT_EQ(two.parts[1].index_count, 3u);
+
+    const Organ none = load_organ(folder.write("m.ply", "ply\nformat ascii 1.0\ncomment TextureFile gone.png\n" +
+                                                            vertices + data + "3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 0\n"));
+    EXPECT_TRUE(has_warning(none.warnings, "texture gone.png: no such file; it is left out"));
+}
+
+/// A binary STL of two triangles whose header counts `count`.
+std::string two_facets(std::uint32_t count) {
+    const std::vector<float> first{0, 0, 1, 0, 0, 0, 9, 0, 0, 9, 9, 0}, second{0, 0, 1, 0, 0, 0, 9, 9, 0, 0, 9, 0};
+    return std::string(80, ' ') + word(count) + bytes_of(first) + std::string(2, '\0') + bytes_of(second) +
+           std::string(2, '\0');
+}
+
+TEST_F(Stl, ACountThatIsTooSmall) {
+    for (const std::uint32_t count : {0u, 1u}) {
+        const Organ organ = load_organ(folder.write("m.stl", two_facets(count)));
+        EXPECT_EQ(organ.triangle_count(), 2u) << count;
+        EXPECT_TRUE(has_warning(organ.warnings, "its header counts " + std::to_string(count) +
+                                                    (count == 1 ? " triangle" : " triangles") +
+                                                    ", but the file has 2: all were read"));
+    }
+    const Organ rest = load_organ(folder.write("m.stl", two_facets(1) + "more"));
+    EXPECT_EQ(rest.triangle_count(), 1u) << "what follows is not whole triangles";
+    EXPECT_TRUE(has_warning(rest.warnings, "its header counts 1 triangle: 54 bytes that follow them were not read"));
+    EXPECT_TRUE(load_organ(folder.write("m.stl", two_facets(2) + "\n")).warnings.empty());
+}
+
+TEST_F(Stl, ABinaryOneMayBeginAsATextWhateverItCounts) {
+    std::string bytes = two_facets(1);
+    bytes.replace(0, 5, "Solid");
+    EXPECT_EQ(load_organ(folder.write("m.stl", bytes)).triangle_count(), 2u);
+}
+
 TEST_F(Stl, BinaryJoinsVertices) {
     std::string bytes(80, ' ');
     bytes += word(2);
@@ -267,6 +367,11 @@ TEST_F(Stl, Text) {
         "endloop\nendfacet\n";
     EXPECT_EQ(load_organ(folder.write("m.stl", facet + "endsolid s\n")).positions[1], glm::vec3(9, 0, 0));
     EXPECT_EQ(fault_of(folder.write("m.stl", facet.substr(0, 60))), "truncated: the file ends within a facet");
+    std::string upper = facet + "endsolid s\n";
+    for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    for (const std::string& text :
+         {upper, "S" + facet.substr(1) + "endsolid s\n", "\xef\xbb\xbf" + facet + "endsolid s\n"})
+        EXPECT_EQ(load_organ(folder.write("m.stl", text)).positions[1], glm::vec3(9, 0, 0)) << text;
 }
 
 TEST_F(Off, CubeAndTruncation) {
@@ -275,6 +380,33 @@ TEST_F(Off, CubeAndTruncation) {
     EXPECT_EQ(load_organ(folder.write("m.off", text)).positions[2], glm::vec3(9, 9, 0));
     EXPECT_EQ(fault_of(folder.write("m.off", text.substr(0, text.size() - 7))), "truncated or malformed OFF");
     EXPECT_EQ(fault_of(folder.write("m.off", "OFF\n4000000000 1 0\n0 0 0\n")), "truncated or malformed OFF");
+}
+
+/* As 3D Slicer writes it into STL and OBJ.  */
+TEST(Load, AxesThatTheHeaderNamesAreTold) {
+    TemporaryFolder folder;
+    const std::pair<const char*, const char*> spaces[] = {{"LPS", "-90, 0, 0 degrees"}, {"RAS", "-90, 180, 0 degrees"}};
+    for (const auto& [space, turn] : spaces) {
+        const std::string header = std::string("3D Slicer output. SPACE=") + space;
+        std::string stl = two_facets(2);
+        stl.replace(0, header.size(), header);
+        for (const fs::path& file :
+             {folder.write("m.stl", stl), folder.write("m.obj", "# " + header + '\n' + cube_obj)}) {
+            EXPECT_TRUE(has_warning(load_organ(file).warnings,
+                                    "its header says SPACE=" + std::string(space) + ": x points to"));
+            EXPECT_TRUE(has_warning(load_organ(file).warnings, turn)) << space;
+        }
+    }
+    // The turns that are told: head up, face towards +z.
+    const std::string head = "v 0 0 100\nv 1 0 100\nv 0 1 100\nf 1 2 3\n";
+    const std::pair<glm::dvec3, float> turns[] = {{{-90, 0, 0}, -1.0F}, {{-90, 180, 0}, 1.0F}};
+    for (const auto& [rotation, front] : turns) {  // front: the sign of y towards the face
+        const Organ organ = load_organ(folder.write("m.obj", "# SPACE=LPS\n" + head), {.rotation = rotation});
+        EXPECT_NEAR(organ.positions[0].y, 100.0F, 1e-4F);
+        EXPECT_NEAR((organ.positions[2] - organ.positions[0]).z, front, 1e-4F);
+        EXPECT_TRUE(organ.warnings.empty()) << "it was turned";
+    }
+    EXPECT_TRUE(load_organ(folder.write("m.obj", cube_obj)).warnings.empty());
 }
 
 TEST(Load, FilesThatAreNoFiles) {

@@ -39,8 +39,10 @@ TEST_F(NamedPath, StaysInTheFolderWhateverTheNameSays) {
     EXPECT_THAT(fault(".."), testing::HasSubstr("leads out of the folder;"));
     EXPECT_THAT(fault((folder / "case/maps/a.png").string()), testing::HasSubstr("is an absolute path;"));
     EXPECT_THAT(fault("../case-of-others/a.png"), testing::HasSubstr("leads out of the folder;"));
-    for (const char* url : {"file:///etc/passwd", "http://x/a.png", "concat:a|b", "C:/a.png", "file:a.png"})
+    for (const char* url : {"file:///etc/passwd", "http://x/a.png", "concat:a|b", "file:a.png"})
         EXPECT_THAT(fault(url), testing::HasSubstr("is a URL;")) << url;
+    EXPECT_THAT(fault("C:\\a.png"), testing::HasSubstr("is an absolute path;"));
+    EXPECT_THAT(fault("C:/a.png", Reach::anywhere), testing::HasSubstr("is a path of Windows;"));
     EXPECT_THAT(fault("skin.png"), testing::HasSubstr("leads out of the folder by a symbolic link;"));
     EXPECT_THAT(fault("maps/up/secret"), testing::HasSubstr("leads out of the folder by a symbolic link;"));
     EXPECT_THAT(fault("loop/a.png"), testing::HasSubstr("cannot be followed"));
@@ -54,6 +56,27 @@ TEST_F(NamedPath, WhatLiesInsideIsFoundAlsoByLinks) {
     fs::create_directory_symlink(folder / "case", folder / "linked");
     EXPECT_EQ(named_path(folder / "linked", "maps/a.png"), folder / "linked/maps/a.png") << "the folder may be a link";
     EXPECT_EQ(named_path("", "nowhere/a.png"), "nowhere/a.png");
+}
+
+TEST_F(NamedPath, LettersWithMarksMayBeSpelledInTwoWays) {
+    const std::string one = "gr\u00f6\u00dfe",
+                      two = "gro\u0308\u00dfe";  // composed, as most write it, and decomposed, as macOS does
+    fs::create_directories(folder / "case" / two);
+    folder.write("case/" + two + "/clip " + one + ".mp4", "x");
+    const fs::path there = folder / "case" / two / ("clip " + one + ".mp4");
+    for (const std::string& in : {one, two})
+        for (const std::string& name : {one, two})
+            for (const Reach reach : {Reach::inside, Reach::anywhere})
+                EXPECT_EQ(named_path(folder / "case", in + "/clip " + name + ".mp4", reach), there);
+    folder.write("case/" + one + ".png", "x");
+    folder.write("case/" + two + ".png", "x");
+    for (const std::string& name : {one, two})
+        EXPECT_EQ(named_path(folder / "case", name + ".png"), folder / "case" / (name + ".png"))
+            << "the name itself first";
+    EXPECT_EQ(named_path(folder / "case", one + "/gone.mp4"), folder / "case" / two / "gone.mp4");
+    EXPECT_EQ(named_path(folder / "case", "\u00e4/gone.mp4"), folder / "case" / "\u00e4/gone.mp4");
+    fs::create_symlink(folder / "secret", folder / "case" / ("link " + two));
+    EXPECT_THAT(fault("link " + one), testing::HasSubstr("leads out of the folder by a symbolic link;"));
 }
 
 TEST_F(NamedPath, WhereAPathLiesDoesNotDependOnHowItIsWritten) {

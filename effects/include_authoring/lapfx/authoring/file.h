@@ -26,7 +26,8 @@ enum class Reach {
                ///< hand
 };
 
-/// The path of a file that a file in `folder` names. Whether it exists, and is what it should be, is found out by
+/// The path of a file that a file in `folder` names; one that is not there is looked for as systems spell it that
+/// compose letters and marks differently (NFC, NFD). Whether it exists, and is what it should be, is found out by
 /// whoever reads it. Throws Error (bad_input) at `file` and `place` for a name that is empty, a URL or out of reach.
 std::filesystem::path named_path(const std::filesystem::path& folder, std::string_view name,
                                  Reach reach = Reach::inside, const std::string& file = {},

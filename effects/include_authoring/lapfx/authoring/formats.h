@@ -45,6 +45,12 @@ bool is_named_as(Content content, const std::filesystem::path& file);
 /// By the first bytes of a file, at least 16; null when no row has such a signature.
 const FileFormat* format_beginning(std::string_view bytes);
 
+/// Why a file is not read that belongs to another program or holds no surface, and what to export instead: "is a scene
+/// of Autodesk's (FBX): ...". By its first bytes, at least 352, else by its name; empty: it is none that is known.
+std::string why_not_read(const std::filesystem::path& file, std::string_view begin);
+/// The same, by the file itself.
+std::string why_not_read(const std::filesystem::path& file);
+
 /// Whether a file begins with printable characters alone, as texts do and no video or picture does. False when it
 /// cannot be read, or is no plain file.
 bool is_text(const std::filesystem::path& file);
