@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lapfx/authoring/formats.h"
+#include "lapfx/authoring/picture.h"
 #include "lapfx/error.h"
 
 namespace lapfx::commands {
@@ -69,8 +70,9 @@ fs::path real_path(const fs::path& path) {
 FileKind kind_of_file(const fs::path& file) {
     if (is_sequence(file)) return FileKind::video;
     require_plain_file(file);
-    if (const FileFormat* const format = format_named(file)) return kind_of(*format);
-    return kind_by_content(file);
+    const FileFormat* const format = format_named(file);
+    const FileKind kind = format != nullptr ? kind_of(*format) : kind_by_content(file);
+    return kind == FileKind::image && is_animated_picture(file) ? FileKind::video : kind;
 }
 
 bool is_same_file(const fs::path& a, const fs::path& b) {

@@ -146,6 +146,12 @@ std::vector<HelpSection> file_sections() {
             {"glTF is in metres; other meshes are in mm unless organ.scale of the scene says otherwise. A smoke clip "
              "or a reference may be any video that FFmpeg decodes: with alpha, with a variable frame rate, a single "
              "image, or numbered images (smoke_%04d.png).",
+             "A video is shown as an ordinary display shows it: HDR (PQ, HLG) and wide gamuts (BT.2020, P3) are "
+             "converted "
+             "to BT.709, and 203 cd/m2 are white; interlaced frames are deinterlaced; OpenEXR is read as linear light; "
+             "pictures are turned as their EXIF data say; where the clock of a video jumps by hours, or back, it plays "
+             "on. `lapfx inspect` says what a file holds and what is done, and colours that are not converted are told "
+             "before any figure.",
              "Files may come from strangers. What an organ or a preset names must be in its own folder or below, "
              "after symbolic links are followed, and is used only if it is what it should be: an image that decodes, "
              "a clip, a mesh. A clip with a bare name is also looked up among the clips of lapfx, by a host in the "

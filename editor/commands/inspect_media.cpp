@@ -61,7 +61,11 @@ void inspect_video(const std::filesystem::path& file) {
               << "  duration            " << number("%.3f s", report.duration) << '\n'
               << "  codec               " << report.codec << '\n'
               << "  pixel format        " << report.pixel_format << (report.alpha ? ", with opacity\n" : "\n");
-    if (!report.warning.empty()) std::cout << "  warning             " << printable(report.warning) << '\n';
+    for (const auto& [name, words] : {std::pair{"transfer ", &report.transfer},
+                                      {"primaries", &report.primaries},
+                                      {"scan     ", &report.scan},
+                                      {"warning  ", &report.warning}})
+        if (!words->empty()) std::cout << "  " << name << "           " << printable(*words) << '\n';
 }
 
 }  // namespace lapfx::commands

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -85,8 +86,12 @@ VideoFile::VideoFile(const fs::path& path, double fps, cv::Size size) : path_(fs
     for (const int codec : {cv::VideoWriter::fourcc('a', 'v', 'c', '1'), cv::VideoWriter::fourcc('m', 'p', '4', 'v')})
         if (writer_.open(beside_->path().string(), cv::CAP_FFMPEG, codec, fps, size)) return;
     require_room(path);
+    const bool odd = size.width % 2 != 0 || size.height % 2 != 0;
+    char rate[32];
+    std::snprintf(rate, sizeof rate, "%.6g", fps);
     throw cannot_write(path, "a video of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
-                                 " pixels cannot be encoded here (the sides must be even)");
+                                 " pixels" + (odd ? "" : std::string(" and ") + rate + " frames a second") +
+                                 " cannot be encoded here" + (odd ? " (the sides must be even)" : ""));
 }
 
 /// The file is closed before `beside_` removes it.

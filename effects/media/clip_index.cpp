@@ -1,6 +1,8 @@
 #include "media/clip_index.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <string_view>
 
 namespace lapfx::media {
@@ -11,6 +13,8 @@ constexpr double default_rate = 25.0;     // frames per second for a file that d
 constexpr double maximum_rate = 1000.0;   // a file that claims more has no usable times
 constexpr std::size_t packets_told = 64;  // packets between two reports of progress
 constexpr double maximum_time = 1e7;      // s, likewise unusable: 115 days
+constexpr double longest_pause = 3600.0;  // s from one frame to the next; after more of it the clock was set
+constexpr double unusual_step = 1000.0;   // and times the usual step: a slide show may have steps of hours
 
 struct Entry {
     std::int64_t pts, dts, position, duration;
@@ -169,14 +173,58 @@ void set_times_by_rate(ClipIndex& index, std::size_t frames, double rate) {
     index.duration = static_cast<double>(frames) / rate;
 }
 
+/// By how much the clock of a file jumps between two frames, as words. Stamps of MPEG-TS have 33 bits and start again
+/// after a day; FFmpeg takes a step back by more than a minute for that and adds a day.
+std::string jump_words(double jump, const AVStream& video, double seconds) {
+    const double day = video.pts_wrap_bits < 63 ? std::ldexp(seconds, video.pts_wrap_bits) : 2.0 * maximum_time;
+    char text[48];
+    if (jump > day / 2.0 && jump < day)
+        std::snprintf(text, sizeof text, "back by %.0f s", day - jump);
+    else
+        std::snprintf(text, sizeof text, "forward by %.1f h", jump / 3600.0);
+    return text;
+}
+
+/// Takes the time out in which no clock of a camera stood: where it was set while it recorded, or files were joined.
+/// Says where that was; empty: nowhere.
+std::string close_jumps(std::vector<double>& times, const AVStream& video, double seconds) {
+    if (times.size() < 3) return "";
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
+    std::vector<double> sorted = steps;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    const double usual = *middle;
+    std::string told;
+    int jumps = 0;
+    double taken = 0.0;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        const double step = steps[i - 1];
+        times[i] -= taken;
+        if (!(step > longest_pause && step > unusual_step * usual)) continue;
+        char at[32];
+        std::snprintf(at, sizeof at, " at %.3f s", times[i - 1] + usual);
+        if (jumps++ == 0) told = jump_words(step, video, seconds) + at;
+        taken += step - usual;
+        times[i] -= step - usual;
+    }
+    if (jumps == 0) return "";
+    if (jumps > 1) told += ", the first of " + std::to_string(jumps) + " such jumps";
+    return "its clock jumps " + told + "; it plays on there without a pause";
+}
+
 /// Times from `stamps`; false when these are not plausible.
-bool set_times_by_stamps(ClipIndex& index, const Entry& last, AVRational unit) {
-    const double seconds = unit.num > 0 && unit.den > 0 ? av_q2d(unit) : 0.0;
+bool set_times_by_stamps(ClipIndex& index, const Entry& last, const AVStream& video) {
+    const double seconds = video.time_base.num > 0 && video.time_base.den > 0 ? av_q2d(video.time_base) : 0.0;
     const double first = static_cast<double>(index.stamps.front());
-    const double span = (static_cast<double>(index.stamps.back()) - first) * seconds;
-    const auto steps = static_cast<double>(index.stamps.size() - 1);
+    std::vector<double> times;
+    for (const std::int64_t stamp : index.stamps) times.push_back((static_cast<double>(stamp) - first) * seconds);
+    std::string jumps = close_jumps(times, video, seconds);
+    const double span = times.back();
+    const auto steps = static_cast<double>(times.size() - 1);
     if (!(span <= maximum_time) || (steps > 0.0 && !(steps <= span * maximum_rate * 1.01))) return false;
-    for (const std::int64_t stamp : index.stamps) index.times.push_back((static_cast<double>(stamp) - first) * seconds);
+    index.times = std::move(times);
+    index.warning = std::move(jumps);
     double shown = static_cast<double>(last.duration) * seconds;
     if (!(shown > 0.0 && shown <= maximum_time)) shown = steps > 0.0 ? span / steps : 1.0 / default_rate;
     index.duration = span + shown;
@@ -232,12 +280,12 @@ ClipIndex index_clip(MediaFile& file, const std::filesystem::path& path, int max
         index.stamps = sorted_stamps(entries);
         const Entry& last = *std::max_element(entries.begin(), entries.end(),
                                               [](const Entry& a, const Entry& b) { return a.pts < b.pts; });
-        if (set_times_by_stamps(index, last, file.video().time_base))
+        if (set_times_by_stamps(index, last, file.video()))
             set_points(index, entries);
         else
             index.stamps.clear();
     }
-    index.warning = missing(file, packets);
+    add_warning(index.warning, missing(file, packets));
     if (index.stamps.empty()) {
         const double rate = claimed_rate(file.video());
         set_times_by_rate(index, entries.size(), rate > 0.0 ? rate : default_rate);
@@ -245,6 +293,11 @@ ClipIndex index_clip(MediaFile& file, const std::filesystem::path& path, int max
             index.warning = "has no usable times; 25 frames per second are assumed";
     }
     return index;
+}
+
+void add_warning(std::string& all, const std::string& one) {
+    if (!all.empty() && !one.empty()) all += "; ";
+    all += one;
 }
 
 ClipIndex index_sequence(const ImageSequence& sequence) {

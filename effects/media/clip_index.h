@@ -50,6 +50,9 @@ struct ClipIndex {
 /// Reads the file to its end, and leaves the position there. Throws Error (bad_input): no frame, more than `maximum`.
 ClipIndex index_clip(MediaFile& file, const std::filesystem::path& path, int maximum, const work::Stages& stages = {});
 
+/// Warnings of one file are one line.
+void add_warning(std::string& all, const std::string& one);
+
 /// The index of a sequence of images, which has no times.
 ClipIndex index_sequence(const ImageSequence& sequence);
 

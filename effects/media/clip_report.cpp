@@ -36,6 +36,9 @@ ClipReport media::report_of(const ClipInfo& info) {
     report.alpha = info.alpha;
     report.codec = info.codec;
     report.pixel_format = info.pixel_format;
+    report.transfer = info.transfer;
+    report.primaries = info.primaries;
+    report.scan = info.scan;
     report.warning = info.warning;
     return report;
 }

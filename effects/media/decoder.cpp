@@ -6,9 +6,12 @@
 #include <utility>
 
 #include "media/clip_index.h"
+#include "media/color_tags.h"
+#include "media/deinterlacer.h"
 #include "media/file_stamp.h"
 #include "media/frame_converter.h"
 #include "media/frame_reader.h"
+#include "work/stopwatch.h"
 
 extern "C" {
 #include <libavutil/display.h>
@@ -51,12 +54,29 @@ const std::int32_t* display_matrix(const AVFrame& frame, const AVStream& video) 
 }
 
 /// The nearest quarter turn: (x, y) is shown at (m[0] x + m[3] y, m[1] x + m[4] y).
-Turn turn_of(const AVFrame& frame, const AVStream& video) {
+std::optional<Turn> turn_of(const AVFrame& frame, const AVStream& video) {
     const std::int32_t* m = display_matrix(frame, video);
-    if (m == nullptr) return {};
+    if (m == nullptr) return std::nullopt;
     const auto size = [](std::int32_t v) { return std::abs(static_cast<std::int64_t>(v)); };
     const bool transposed = size(m[1]) + size(m[3]) > size(m[0]) + size(m[4]);
-    return {.mirrored = {(transposed ? m[1] : m[0]) < 0, (transposed ? m[3] : m[4]) < 0}, .transposed = transposed};
+    return Turn{.mirrored = {(transposed ? m[1] : m[0]) < 0, (transposed ? m[3] : m[4]) < 0}, .transposed = transposed};
+}
+
+/// By EXIF's number.
+Turn turn_of(int orientation) {
+    constexpr int last = 8;
+    constexpr Turn turns[last + 1] = {
+        {},
+        {},
+        {.mirrored = {true, false}, .transposed = false},
+        {.mirrored = {true, true}, .transposed = false},
+        {.mirrored = {false, true}, .transposed = false},
+        {.mirrored = {false, false}, .transposed = true},
+        {.mirrored = {false, true}, .transposed = true},
+        {.mirrored = {true, true}, .transposed = true},
+        {.mirrored = {true, false}, .transposed = true},
+    };
+    return turns[std::clamp(orientation, 0, last)];
 }
 
 /// An implausible value counts as square.
@@ -68,6 +88,11 @@ double pixel_aspect_of(const AVFrame& frame, const AVStream& video) {
         if (ratio >= 1.0 / most && ratio <= most) return ratio;
     }
     return 1.0;
+}
+
+/// The order of fields that the container claims; a decoder says it of each frame.
+bool claims_fields(const AVStream& video) {
+    return video.codecpar->field_order > AV_FIELD_PROGRESSIVE;
 }
 
 double seconds() {
@@ -87,6 +112,7 @@ struct Decoder::State {
     void look_through(int maximum_frames, const work::Stages& stages);
     void open_known(const ClipInfo& known);
     void describe(const AVFrame& frame, const ClipIndex& found);
+    void describe_light(const AVFrame& frame);
     DecodableFrames count_decodable(const work::Stages& stages);
     bool brings_opacity();
     Step decode_to(int index, const std::atomic<bool>* stop);
@@ -94,8 +120,10 @@ struct Decoder::State {
     Step advance(int index, const std::atomic<bool>* stop);
     Step step(Decoded& into, const std::atomic<bool>* stop);
     Step jump(int index, const std::atomic<bool>* stop);
+    Step jump_with_before(int index, const std::atomic<bool>* stop);
     const SeekPoint* point_before(int frame) const;
     bool reach(int index, const std::atomic<bool>* stop);
+    const AVFrame& progressive();
     bool write(int index, std::span<std::uint8_t> into);
     void rest();
     void wake();
@@ -108,6 +136,8 @@ struct Decoder::State {
     std::shared_ptr<const ClipIndex> index;
     std::unique_ptr<FrameReader> reader;  ///< none for a sequence of images
     std::unique_ptr<FrameConverter> converter;
+    Deinterlacer deinterlacer;
+    Decoded before;      ///< the good frame before `shown`, if the clip is interlaced
     Decoded shown;       ///< the last good frame up to the one that was read last
     Decoded ahead;       ///< the good frame after it, if it is already decoded
     Decoded next;        ///< scratch
@@ -167,12 +197,30 @@ void Decoder::State::describe(const AVFrame& frame, const ClipIndex& found) {
     const char* format = av_get_pix_fmt_name(static_cast<AVPixelFormat>(frame.format));
     info.pixel_format = format == nullptr ? "unknown" : format;
     info.color = matrix_of(found.color);
-    info.turn = turn_of(frame, reader->file().video());
+    info.turn = turn_of(frame, reader->file().video()).value_or(turn_of(reader->file().orientation()));
     info.pixel_aspect = pixel_aspect_of(frame, reader->file().video());
     info.times = found.times;
     info.duration = found.duration;
-    info.warning = found.warning.empty() ? reader->warning() : found.warning;
+    info.warning = found.warning;
+    add_warning(info.warning, reader->warning());
+    describe_light(frame);
     info.index = index;
+}
+
+/// Transfer, primaries and fields: what is done about them, and what is not.
+void Decoder::State::describe_light(const AVFrame& frame) {
+    add_warning(info.warning, color_warning(frame));
+    const ColorTags tags = color_tags(frame);
+    info.transfer = info.codec == "exr" ? "linear light, converted to sRGB" : transfer_words(tags);
+    info.primaries = primaries_words(tags);
+    info.interlaced = is_interlaced(frame) || claims_fields(reader->file().video());
+    if (!info.interlaced) return;
+    const bool can = Deinterlacer::can(frame.format);
+    const char* order = !is_interlaced(frame)        ? " in places"
+                        : frame.top_field_first != 0 ? ", top field first"
+                                                     : ", bottom field first";
+    info.scan = std::string("interlaced") + order + (can ? "; deinterlaced" : "; shown as it is");
+    if (!can) add_warning(info.warning, "is interlaced, which is not undone in pixel format " + info.pixel_format);
 }
 
 /// Whether the clip uses the opacity of its pixel format, which GIFs and PNGs always have. Four frames show it.
@@ -199,8 +247,7 @@ const SeekPoint* Decoder::State::point_before(int frame) const {
 
 /// Goes to the last frame up to `frame` where decoding can start and succeeds; otherwise to the first one.
 Step Decoder::State::jump(int frame, const std::atomic<bool>* stop) {
-    shown.clear();
-    ahead.clear();
+    for (Decoded* one : {&before, &shown, &ahead}) one->clear();
     placed = ended = false;
     for (const SeekPoint* point = point_before(frame); point != nullptr; point = point_before(point->frame - 1)) {
         if (!reader->seek(*point)) continue;
@@ -219,11 +266,12 @@ Step Decoder::State::jump(int frame, const std::atomic<bool>* stop) {
     return Step::frame;
 }
 
-/// Continues to the last good frame up to `frame`.
+/// Continues to the last good frame up to `frame`, and to those beside it if the clip is interlaced.
 Step Decoder::State::advance(int frame, const std::atomic<bool>* stop) {
-    while (shown.number < frame && !ended) {
+    while (!ended && (shown.number < frame || (info.interlaced && ahead.number < 0))) {
         if (ahead.number >= 0) {
             if (ahead.number > frame) break;
+            if (info.interlaced) before.take(shown);
             shown.take(ahead);
             continue;
         }
@@ -237,14 +285,32 @@ Step Decoder::State::advance(int frame, const std::atomic<bool>* stop) {
     return Step::frame;
 }
 
+/// Goes to `frame` of an interlaced clip with the good frame before it, so that it is the same from wherever decoding
+/// starts.
+Step Decoder::State::jump_with_before(int frame, const std::atomic<bool>* stop) {
+    const SeekPoint* point = nullptr;
+    int from = frame - 1;
+    do {
+        point = point_before(from);
+        if (jump(from, stop) == Step::stopped || advance(frame, stop) == Step::stopped) {
+            placed = false;
+            return Step::stopped;
+        }
+        if (point != nullptr) from = point->frame - 1;
+    } while (before.number < 0 && point != nullptr);
+    return Step::frame;
+}
+
 /// Makes `shown` the frame `frame`, or the last good one before it, if there is any.
 Step Decoder::State::decode_to(int frame, const std::atomic<bool>* stop) {
     if (index->sequence) return decode_image(frame, stop);
     const int reached = std::max(shown.number, ahead.number);
     const bool here = shown.number <= frame && (ended || ahead.number > frame);
     const SeekPoint* point = point_before(frame);
-    if (!placed || (!here && (shown.number > frame || (point != nullptr && point->frame > reached + a_few))))
+    if (!placed || (!here && (shown.number > frame || (point != nullptr && point->frame > reached + a_few)))) {
+        if (info.interlaced) return jump_with_before(frame, stop);
         if (jump(frame, stop) == Step::stopped) return Step::stopped;
+    }
     return advance(frame, stop);
 }
 
@@ -274,7 +340,8 @@ Step Decoder::State::decode_image(int frame, const std::atomic<bool>* stop) {
 }
 
 void Decoder::State::rest() {
-    for (Decoded* one : {&shown, &ahead, &next}) one->clear();
+    for (Decoded* one : {&before, &shown, &ahead, &next}) one->clear();
+    deinterlacer = {};
     reader.reset();
     rests = true;
 }
@@ -297,6 +364,14 @@ bool Decoder::State::reach(int frame, const std::atomic<bool>* stop) {
     return result != Step::stopped;
 }
 
+/// The frame that was reached, of whole rows.
+const AVFrame& Decoder::State::progressive() {
+    if (!is_interlaced(*shown.frame)) return *shown.frame;
+    const work::Stopwatch watch(decode_seconds);
+    return deinterlacer.convert(before.number < 0 ? nullptr : before.frame.get(), *shown.frame,
+                                ahead.number < 0 ? nullptr : ahead.frame.get());
+}
+
 /// Writes the frame that was reached; gives whether it is `frame` itself.
 bool Decoder::State::write(int frame, std::span<std::uint8_t> into) {
     assert(into.size() == converter->format().bytes());
@@ -304,7 +379,7 @@ bool Decoder::State::write(int frame, std::span<std::uint8_t> into) {
         converter->make_black(into);
         return false;
     }
-    converter->convert(*shown.frame, into);
+    converter->convert(progressive(), into);
     return shown.number == frame;
 }
 

@@ -28,13 +28,15 @@ struct Turn {
 
 /// What the packets of a file say about a clip, without decoding all of them.
 struct ClipInfo {
-    glm::ivec2 size{0};         ///< pixels, without the rotation that the file asks for
-    bool alpha = false;         ///< it has its own opacity
-    std::string codec;          ///< FFmpeg's name: "h264", "vp8", "png"
-    std::string pixel_format;   ///< FFmpeg's name: "yuv420p"
-    ColorMatrix color;          ///< of Layout::planar
-    Turn turn;                  ///< the file asks for it; not applied
-    double pixel_aspect = 1.0;  ///< width over height of a pixel; not applied either
+    glm::ivec2 size{0};                     ///< pixels, without the rotation that the file asks for
+    bool alpha = false;                     ///< it has its own opacity
+    std::string codec;                      ///< FFmpeg's name: "h264", "vp8", "png"
+    std::string pixel_format;               ///< FFmpeg's name: "yuv420p"
+    ColorMatrix color;                      ///< of Layout::planar
+    std::string transfer, primaries, scan;  ///< of its light, in words, and what is done with it; empty: not said
+    bool interlaced = false;                ///< some frames may be; they are read deinterlaced
+    Turn turn;                              ///< the file asks for it; not applied
+    double pixel_aspect = 1.0;              ///< width over height of a pixel; not applied either
     std::vector<double> times;  ///< s, when each frame is shown, from 0, ascending (variable frame rates are kept)
     double duration = 0.0;      ///< s, including the time of the last frame
     std::string warning;        ///< what is unusual about a file that plays; one line, or empty

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cstring>
 
-#include "lapfx/error.h"
+#include "media/color_tags.h"
 #include "work/stopwatch.h"
 
 extern "C" {
-#include <libavutil/opt.h>
 #include <libavutil/pixdesc.h>
 }
 
@@ -46,8 +45,11 @@ int space_of(const AVFrame& frame) {
         case AVCOL_SPC_BT2020_CL:
             return SWS_CS_BT2020;
         default:
-            return frame.height < high_definition ? SWS_CS_ITU601 : SWS_CS_ITU709;
+            break;
     }
+    const PrimariesRow* primaries = color_tags(frame).primaries;
+    if (primaries != nullptr && primaries->primaries == AVCOL_PRI_BT2020) return SWS_CS_BT2020;
+    return frame.height < high_definition ? SWS_CS_ITU601 : SWS_CS_ITU709;
 }
 
 void copy_rows(const std::uint8_t* from, std::ptrdiff_t stride, std::uint8_t* into, int width, int height) {
@@ -79,15 +81,21 @@ void interleave(const std::uint8_t* __restrict first, const std::uint8_t* __rest
     }
 }
 
-}  // namespace
-
-ClipColor color_of(const AVFrame& frame) {
+/// How the frame's own code values are to be read.
+ClipColor stored_color_of(const AVFrame& frame) {
     const AVPixFmtDescriptor* format = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame.format));
     if (format == nullptr || is_rgb(*format)) return {.space = SWS_CS_ITU601, .full_range = true};
     const bool gray = format->nb_components <= 2;  // with or without opacity; without chroma, which would have a range
     const bool full = frame.color_range == AVCOL_RANGE_JPEG || is_full_range_format(frame.format) ||
                       (gray && frame.color_range == AVCOL_RANGE_UNSPECIFIED);
     return {.space = space_of(frame), .full_range = full};
+}
+
+}  // namespace
+
+ClipColor color_of(const AVFrame& frame) {
+    if (color_tags(frame).converted()) return {.space = SWS_CS_ITU601, .full_range = true};
+    return stored_color_of(frame);
 }
 
 ColorMatrix matrix_of(const ClipColor& color) {
@@ -125,37 +133,9 @@ bool FrameConverter::fits(const AVFrame& frame) const {
            frame.height == format_.size.y && color_of(frame).full_range == color_.full_range;
 }
 
-AVPixelFormat FrameConverter::target() const {
-    if (format_.layout == Layout::rgb) return format_.alpha ? AV_PIX_FMT_GBRAP : AV_PIX_FMT_GBRP;
-    return format_.alpha ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P;
-}
-
-void FrameConverter::prepare_scaler(const AVFrame& frame) {
-    const ClipColor color = color_of(frame);
-    const Source source{frame.width, frame.height, frame.format, color.space, color.full_range};
-    if (scaler_ && source == source_) return;
-    scaler_.reset(libav::made(sws_alloc_context()));
-    SwsContext* s = scaler_.get();
-    const AVPixelFormat format = target();
-    // Interpolates chroma as the graphics card does, so that both layouts show the same picture.
-    const int flags = SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT | SWS_FULL_CHR_H_INP;
-    const std::pair<const char*, int> options[] = {
-        {"srcw", frame.width},           {"srch", frame.height},           {"src_format", frame.format},
-        {"dstw", format_.size.x},        {"dsth", format_.size.y},         {"dst_format", format},
-        {"src_range", color.full_range}, {"dst_range", color_.full_range}, {"sws_flags", flags}};
-    for (const auto& [name, value] : options) av_opt_set_int(s, name, value, 0);
-    if (sws_init_context(s, nullptr, nullptr) < 0)
-        throw Error(Failure::bad_input, Fault{"", "", "has a pixel format that cannot be converted"});
-    sws_setColorspaceDetails(s, sws_getCoefficients(color.space), color.full_range, sws_getCoefficients(color_.space),
-                             color_.full_range, 0, 1 << 16, 1 << 16);
-    if (!scaled_) {
-        scaled_.reset(libav::made(av_frame_alloc()));
-        scaled_->width = format_.size.x;
-        scaled_->height = format_.size.y;
-        scaled_->format = format;
-        if (av_frame_get_buffer(scaled_.get(), 0) < 0) throw std::bad_alloc();
-    }
-    source_ = source;
+AVPixelFormat FrameConverter::target(const PictureFormat& format) {
+    if (format.layout == Layout::rgb) return format.alpha ? AV_PIX_FMT_GBRAP : AV_PIX_FMT_GBRP;
+    return format.alpha ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P;
 }
 
 void FrameConverter::copy_planar(const AVFrame& frame, std::uint8_t* into) const {
@@ -183,11 +163,14 @@ void FrameConverter::copy_rgb(const AVFrame& frame, std::uint8_t* into) const {
 
 void FrameConverter::convert(const AVFrame& frame, std::span<std::uint8_t> into) {
     const AVFrame* from = &frame;
-    if (!fits(frame)) {
+    if (color_tags(frame).converted()) {
         const work::Stopwatch watch(convert_seconds_);
-        prepare_scaler(frame);
-        sws_scale(scaler_.get(), frame.data, frame.linesize, 0, frame.height, scaled_->data, scaled_->linesize);
-        from = scaled_.get();
+        if (sdr_ == nullptr) sdr_ = std::make_unique<SdrConverter>();
+        from = &sdr_->convert(frame, stored_color_of(frame));
+    }
+    if (!fits(*from)) {
+        const work::Stopwatch watch(convert_seconds_);
+        from = &scaler_.convert(*from, color_of(*from), format_.size);
     }
     const work::Stopwatch watch(copy_seconds_);
     if (format_.layout == Layout::planar)

@@ -1,16 +1,19 @@
 // From FFmpeg's frames, of whatever pixel format and size, to a clip's pictures. Not thread safe.
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "media/clip_index.h"
+#include "media/frame_scaler.h"
 #include "media/libav.h"
 #include "media/picture.h"
+#include "media/sdr_converter.h"
 
 namespace lapfx::media {
 
 /// The colours of a frame's planes, or of the planes that it is converted to: YCbCr keeps its colour space and range,
-/// everything else becomes BT.601 of full range.
+/// everything else, HDR and wide gamuts too (sdr_converter.h), becomes BT.601 of full range.
 ClipColor color_of(const AVFrame& frame);
 ColorMatrix matrix_of(const ClipColor& color);
 
@@ -20,7 +23,8 @@ bool is_opaque(const AVFrame& frame);
 
 class FrameConverter {
   public:
-    FrameConverter(PictureFormat format, ClipColor color) : format_(format), color_(color) {}
+    FrameConverter(PictureFormat format, ClipColor color)
+        : format_(format), color_(color), scaler_(target(format), color) {}
 
     const PictureFormat& format() const { return format_; }
     const ClipColor& color() const { return color_; }
@@ -36,20 +40,14 @@ class FrameConverter {
 
   private:
     bool fits(const AVFrame& frame) const;
-    AVPixelFormat target() const;
-    void prepare_scaler(const AVFrame& frame);
+    static AVPixelFormat target(const PictureFormat& format);
     void copy_planar(const AVFrame& frame, std::uint8_t* into) const;
     void copy_rgb(const AVFrame& frame, std::uint8_t* into) const;
 
     PictureFormat format_;
     ClipColor color_;
-    libav::Scaler scaler_;
-    libav::Frame scaled_;
-    struct Source {
-        int width = 0, height = 0, format = -1, space = 0;
-        bool full_range = false;
-        friend bool operator==(const Source&, const Source&) = default;
-    } source_;  ///< the conversion that scaler_ does
+    FrameScaler scaler_;
+    std::unique_ptr<SdrConverter> sdr_;  ///< once there was a frame that needs it
     double convert_seconds_ = 0.0, copy_seconds_ = 0.0;
 };
 

@@ -7,6 +7,7 @@
 
 extern "C" {
 #include <libavutil/imgutils.h>
+#include <libavutil/opt.h>
 }
 
 namespace lapfx::media {
@@ -82,6 +83,9 @@ void FrameReader::open_codec() {
     codec->log_level_offset = silent;
     if (leaves_gaps(video.codecpar->codec_id)) codec->get_buffer2 = black_buffer;
     if (video.codecpar->codec_id == AV_CODEC_ID_MJPEG) codec->err_recognition |= AV_EF_EXPLODE;  // faults fail
+    // OpenEXR holds light, everything else code values.
+    if (video.codecpar->codec_id == AV_CODEC_ID_EXR)
+        av_opt_set_int(codec->priv_data, "apply_trc", AVCOL_TRC_IEC61966_2_1, 0);
     if (avcodec_open2(codec.get(), decoder, nullptr) < 0) throw bad_clip(path_, not_decodable);
     codec_ = std::move(codec);
 }

@@ -1,7 +1,9 @@
 #include "media/image.h"
 
 #include <algorithm>
+#include <fstream>
 #include <string_view>
+#include <vector>
 
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/file_guard.h"
@@ -77,6 +79,7 @@ std::string decode_image(std::span<const std::uint8_t> file, Image& image, Image
     ImageSize size;
     if (!image_size(file, size)) return "not a PNG, JPEG, WebP or BMP image";
     if (std::string fault = size_fault(size); !fault.empty()) return fault;
+    if (is_animated_webp(file)) return animated_webp;
     if (file.size() > (std::size_t{1} << 30)) return "is larger than 1 GiB";
     be_quiet();
     const int by = shrink_factor(size, longest);
@@ -95,6 +98,15 @@ std::string decode_image(std::span<const std::uint8_t> file, Image& image, int l
 }  // namespace lapfx::media
 
 namespace lapfx {
+
+bool is_animated_picture(const std::filesystem::path& path) {
+    constexpr std::size_t enough = 1 << 16;
+    std::ifstream file(path, std::ios::binary);
+    std::vector<std::uint8_t> head(enough);
+    file.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(file.gcount()));
+    return media::is_animated_png(head) || media::is_animated_webp(head);
+}
 
 ImageFile read_image(const std::filesystem::path& path) {
     note_read(path);

@@ -21,6 +21,12 @@ struct ImageSize {
 /// Width and height from the file's header, without decoding; false when it has none of the four formats.
 bool image_size(std::span<const std::uint8_t> file, ImageSize& size);
 
+/// Whether a PNG or a WebP, of which this is the beginning, has several frames.
+bool is_animated_png(std::span<const std::uint8_t> file);
+bool is_animated_webp(std::span<const std::uint8_t> file);
+constexpr const char* animated_webp =
+    "is an animated WebP, which is not read; save it as a video, or as an animated PNG or GIF";
+
 /// What the file itself has.
 struct ImageFacts {
     int channels = 0;  ///< 1 grey, 2 grey and alpha, 3 colour, 4 colour and alpha (or four inks)

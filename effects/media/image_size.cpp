@@ -71,6 +71,24 @@ bool webp_size(File file, ImageSize& size) {
 
 }  // namespace
 
+/// Its chunk acTL comes before the first picture.
+bool is_animated_png(File file) {
+    if (!starts(file, 0, "\x89PNG\r\n\x1a\n")) return false;
+    constexpr std::size_t beside_data = 12;  // bytes of a chunk
+    for (std::size_t at = 8; at + beside_data <= file.size() && !starts(file, at + 4, "IDAT");) {
+        if (starts(file, at + 4, "acTL")) return true;
+        at += beside_data + static_cast<std::size_t>(big(file, at, 4));
+    }
+    return false;
+}
+
+bool is_animated_webp(File file) {
+    constexpr std::size_t flags = 20;
+    constexpr unsigned animation = 2;
+    return starts(file, 0, "RIFF") && starts(file, 8, "WEBPVP8X") && file.size() > flags &&
+           (file[flags] & animation) != 0;
+}
+
 bool image_size(File file, ImageSize& size) {
     if (starts(file, 0, "\x89PNG\r\n\x1a\n") && file.size() >= 33) {
         // Apple's CgBI chunk comes before IHDR.

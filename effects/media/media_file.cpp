@@ -14,6 +14,7 @@
 #include "media/clip_file.h"
 #include "media/image.h"
 #include "media/matroska.h"
+#include "media/orientation.h"
 
 namespace lapfx::media {
 
@@ -37,7 +38,6 @@ int refuse_other_file(AVFormatContext*, AVIOContext**, const char*, int, AVDicti
 }  // namespace
 
 MediaFile::MediaFile(const std::filesystem::path& path) : path_(path) {
-    be_quiet();
     require_clip_file(path);
     note_read(path);
     // Does not wait, in case a pipe has replaced the file since.
@@ -47,7 +47,7 @@ MediaFile::MediaFile(const std::filesystem::path& path) : path_(path) {
         struct stat status {};
         if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) throw bad_clip(path, "is not a plain file");
         size_ = status.st_size;
-        require_image_size();
+        require_still_image();
         restart();
     } catch (...) {
         ::close(descriptor_);
@@ -80,6 +80,7 @@ std::int64_t MediaFile::move(void* self, std::int64_t offset, int whence) {
 }
 
 void MediaFile::restart() {
+    be_quiet();  // again: what else uses FFmpeg in this process, as OpenCV does, may have made it talk since
     format_.reset();
     io_.reset();
     offset_ = 0;
@@ -112,17 +113,28 @@ void MediaFile::look_at_streams() {
     if (result < 0) throw bad_clip(path_, not_decodable);
 }
 
-std::vector<std::uint8_t> MediaFile::head() const {
-    std::vector<std::uint8_t> bytes(io_buffer);
-    const ssize_t count = ::pread(descriptor_, bytes.data(), bytes.size(), 0);
+std::vector<std::uint8_t> MediaFile::bytes_at(std::int64_t offset, std::size_t size) const {
+    std::vector<std::uint8_t> bytes(size);
+    const ssize_t count = ::pread(descriptor_, bytes.data(), bytes.size(), offset);
     bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     return bytes;
 }
 
-/// Single images state their size at the beginning. FFmpeg forgets it if the image is too large for its decoders.
-void MediaFile::require_image_size() const {
+std::vector<std::uint8_t> MediaFile::head() const {
+    return bytes_at(0, io_buffer);
+}
+
+/// Single images state their size at the beginning. FFmpeg forgets it if the image is too large for its decoders, and
+/// has none for a WebP that moves.
+void MediaFile::require_still_image() const {
+    const std::vector<std::uint8_t> begin = head();
     media::ImageSize size;
-    if (media::image_size(head(), size)) require_size(size.width, size.height);
+    if (media::image_size(begin, size)) require_size(size.width, size.height);
+    if (media::is_animated_webp(begin)) throw bad_clip(path_, animated_webp);
+}
+
+int MediaFile::orientation() const {
+    return exif_orientation([this](std::int64_t offset, std::size_t size) { return bytes_at(offset, size); });
 }
 
 std::int64_t MediaFile::stated_size() const {
@@ -145,6 +157,7 @@ void MediaFile::choose_video() {
 }
 
 bool MediaFile::next(AVPacket& packet) noexcept {
+    be_quiet();
     for (int faults = 0; format_ != nullptr && faults < patience;) {
         av_packet_unref(&packet);
         const int result = av_read_frame(format_.get(), &packet);

@@ -34,6 +34,9 @@ class MediaFile {
     /// FFmpeg's name of the container.
     const char* container() const { return format_->iformat->name; }
     bool single_image() const;
+    /// How a picture is to be turned according to its own EXIF data: EXIF's number, 1 for upright. JPEGs say it in
+    /// their frames.
+    int orientation() const;
     /// Position in the file of the bytes that were read last, 0..1.
     double read_share() const { return size_ > 0 ? static_cast<double>(offset_) / static_cast<double>(size_) : 0.0; }
     std::int64_t size() const { return size_; }  ///< bytes
@@ -46,8 +49,9 @@ class MediaFile {
     static int read(void* self, std::uint8_t* into, int size);
     static std::int64_t move(void* self, std::int64_t offset, int whence);
     void look_at_streams();
+    std::vector<std::uint8_t> bytes_at(std::int64_t offset, std::size_t size) const;
     std::vector<std::uint8_t> head() const;
-    void require_image_size() const;
+    void require_still_image() const;
     void require_size(std::int64_t width, std::int64_t height) const;
     void choose_video();
 

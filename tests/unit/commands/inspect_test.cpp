@@ -84,6 +84,24 @@ TEST_F(InspectCommand, VideoAndImage) {
               "grey.png: image\n  size                5x3\n  channels            grey, 16 bit\n");
 }
 
+TEST_F(InspectCommand, AnimatedPicturesAreVideosOrToldAsWhatTheyAre) {
+    std::vector<unsigned char> png;
+    cv::imencode(".png", cv::Mat(3, 5, CV_8UC1, cv::Scalar(7)), png);
+    std::string still(png.begin(), png.end()), moving = still;
+    moving.insert(33, std::string("\0\0\0\x08"
+                                  "acTL\0\0\0\x01\0\0\0\0"
+                                  "\0\0\0\0",
+                                  20));
+    folder.write("a.png", moving);
+    folder.write("a.webp", std::string("RIFF\x20\0\0\0WEBPVP8X\x0a\0\0\0\x02\0\0\0\x0f\0\0\x0f\0\0ANIM\0\0", 36));
+    const Result result = run("a.png a.webp");
+    EXPECT_TRUE(result.out.starts_with("a.png: video\n  size                5x3\n")) << result.out;
+    EXPECT_EQ(
+        result.err,
+        "lapfx: a.webp: is an animated WebP, which is not read; save it as a video, or as an animated PNG or GIF\n");
+    EXPECT_EQ(result.code, 2);
+}
+
 TEST_F(InspectCommand, FramesThatCannotBeDecodedAreTold) {
     write_video("clip.avi");
     std::string bytes = read_text(folder.path() / "clip.avi");

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "lapfx/authoring/clip.h"
+#include "media/libav.h"
 #include "media/playhead.h"
 #include "unit/media/decoder_support.h"
 
@@ -391,6 +392,39 @@ TEST_F(CodecTest, ASingleImageIsAClipOfOneFrame) {
         for (int i = 0; i < 3; ++i) EXPECT_TRUE(decoder.read(0, picture)) << name;
         EXPECT_EQ(picture.bytes.size(), 40u * 30 * 3 / 2) << name;
     }
+}
+
+TEST_F(CodecTest, OpenExrHoldsLight) {
+    make(
+        "-f lavfi -i color=black:size=32x16,format=gbrp,geq=r=51:g=13:b=102 -frames:v 2 -pix_fmt gbrpf32le l_%02d.exr");
+    for (const char* name : {"l_01.exr", "l_%02d.exr"}) {
+        Decoder decoder(folder / name, Layout::rgb);
+        Picture picture;
+        ASSERT_TRUE(decoder.read(0, picture)) << name;
+        EXPECT_LE(glm::distance(rgb_at(picture, decoder.format(), {5, 5}), glm::vec3(124, 64, 170)), 1.5f) << name;
+    }
+}
+
+TEST_F(CodecTest, AnimatedPngAndGifPlay) {
+    for (const std::string name : {"a.apng", "a.gif"}) {
+        const fs::path clip = make(std::string(moving) + "-plays 0 " + name);
+        EXPECT_EQ(frames_of(clip).size(), 30u) << name;
+        expect_any_order_the_same(clip);
+    }
+}
+
+TEST_F(CodecTest, FfmpegIsSilentThoughOpencvHasMadeItTalk) {
+    const fs::path clip = make(std::string(moving) + "-c:v libx264 -bf 0 -g 10 -pix_fmt yuv420p talks.mkv");
+    damage(clip, 0.1, 0.3);
+    Decoder decoder(clip, Layout::planar);
+    Picture picture;
+    testing::internal::CaptureStderr();
+    for (const int frame : {29, 0, 15, 2}) {
+        av_log_set_level(AV_LOG_ERROR);  // as cv::VideoWriter and cv::VideoCapture do
+        decoder.rest();
+        decoder.read(frame, picture);
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 TEST_F(CodecTest, SoundAloneHoldsNoPicture) {

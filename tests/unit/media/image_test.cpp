@@ -177,5 +177,29 @@ TEST(DecodeImage, OfAJpegThatIsCutOffThePartThatIsThereIsShown) {
     EXPECT_EQ(cv::norm(whole.rowRange(0, 12), shown.rowRange(0, 12), cv::NORM_INF), 0.0);
 }
 
+TEST(AnimatedPictures, AreToldByTheirBeginning) {
+    const auto bytes_of = [](const std::string& text) { return Bytes(text.begin(), text.end()); };
+    const Bytes still = encoded(".png", pattern(CV_8UC3));
+    EXPECT_FALSE(is_animated_png(still));
+    Bytes moving = still;
+    const Bytes chunk =
+        bytes_of(std::string("\0\0\0\x08"
+                             "acTL\0\0\0\x02\0\0\0\0"
+                             "\0\0\0\0",
+                             20));
+    moving.insert(moving.begin() + 33, chunk.begin(), chunk.end());  // behind IHDR
+    EXPECT_TRUE(is_animated_png(moving));
+    EXPECT_FALSE(is_animated_webp(moving));
+    const Bytes webp = bytes_of(std::string("RIFF\x20\0\0\0WEBPVP8X\x0a\0\0\0\x02\0\0\0\x0f\0\0\x0f\0\0ANIM\0\0", 36));
+    EXPECT_TRUE(is_animated_webp(webp));
+    EXPECT_FALSE(is_animated_webp(encoded(".webp", pattern(CV_8UC4), {cv::IMWRITE_WEBP_QUALITY, 101})));
+    Image image;
+    EXPECT_EQ(decode_image(webp, image), animated_webp);
+    for (std::size_t size = 0; size < moving.size(); ++size) {
+        is_animated_png(std::span(moving).first(size));
+        is_animated_webp(std::span(webp).first(std::min(size, webp.size())));
+    }
+}
+
 }  // namespace
 }  // namespace lapfx::media

@@ -89,5 +89,23 @@ TEST(VideoFileTest, WhereNoneCanBeWrittenItSaysSo) {
                 testing::ElementsAre(testing::HasSubstr("is not a plain file")));
 }
 
+TEST(VideoFileTest, OfWhatCannotBeEncodedItSaysWhichFigureIsAtFault) {
+    const test::Folder folder;
+    EXPECT_EQ(test::faults_of(
+                  [&] {
+                      VideoFile(folder / "v.mp4", 1e-4, {32, 16});
+                  },
+                  Failure::runtime),
+              std::vector{(folder / "v.mp4").string() +
+                          ": a video of 32x16 pixels and 0.0001 frames a second cannot be encoded here"});
+    EXPECT_EQ(test::faults_of(
+                  [&] {
+                      VideoFile(folder / "v.mp4", 25.0, {33, 16});
+                  },
+                  Failure::runtime),
+              std::vector{(folder / "v.mp4").string() +
+                          ": a video of 33x16 pixels cannot be encoded here (the sides must be even)"});
+}
+
 }  // namespace
 }  // namespace lapfx::output

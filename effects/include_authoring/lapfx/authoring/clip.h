@@ -28,6 +28,9 @@ struct ClipReport {
     bool alpha = false;                ///< it has its own opacity
     std::string codec;                 ///< FFmpeg's name: "h264", "vp8", "png"
     std::string pixel_format;          ///< FFmpeg's name: "yuv420p"
+    std::string transfer;              ///< of light to code values, and what is done with it; empty: not said
+    std::string primaries;             ///< the same of its red, green and blue
+    std::string scan;                  ///< "interlaced, top field first; deinterlaced"; empty: frames are whole
     std::string warning;               ///< what is unusual about a clip that plays; one line, or empty
 };
 

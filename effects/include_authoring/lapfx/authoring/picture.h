@@ -20,4 +20,8 @@ struct ImageFile {
 /// Throws Error (bad_input): not a plain file, none of the four formats, broken, or more than 16,384 pixels a side.
 ImageFile read_image(const std::filesystem::path& path);
 
+/// Whether it is a PNG or a WebP of several frames: an animated PNG plays as a video, and read_image() gives its still
+/// picture; an animated WebP is not read. False for what cannot be read.
+bool is_animated_picture(const std::filesystem::path& path);
+
 }  // namespace lapfx

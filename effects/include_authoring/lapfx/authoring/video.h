@@ -1,13 +1,13 @@
-// A surgery video, read frame by frame as a player shows it: upright, with square pixels, in sRGB.
+// A surgery video, read frame by frame as a player shows it: upright, with square pixels and whole rows, in sRGB.
 //
 //     lapfx::VideoReader video("operation.mp4");  // throws lapfx::Error
 //     lapfx::Image image;
 //     if (!video.read(video.frame_at(12.5), image)) log("a frame is missing; the one before it is shown");
 //
 // Takes any video, single image or numbered images ("frame_%04d.png") as plain local files, never a URL or a file that
-// another file names. Times are in s from the first frame. One thread at a time, any thread; other threads may call
-// info(), frame_at() and time_of() meanwhile. Opening reads the whole file once, without decoding it: with gigabytes do
-// that on another thread than the UI.
+// another file names. HDR and wide gamuts are converted; colours that are not are a warning. Times are in s from the
+// first frame. One thread at a time, any thread; other threads may call info(), frame_at() and time_of() meanwhile.
+// Opening reads the whole file once, without decoding it: with gigabytes do that on another thread than the UI.
 #pragma once
 
 #include <atomic>
