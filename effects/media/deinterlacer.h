@@ -3,7 +3,8 @@
 //
 // Where nothing moves the rows between are those of the fields before and after. Elsewhere they are what is between the
 // rows above and below, with the fine detail of those fields (the filter of three fields by Weston, BBC), as far as
-// these allow it. FFmpeg's bwdif does the same; it is in libavfilter, which would bring seventy libraries with it.
+// these allow it. FFmpeg's bwdif does the same; it is in libavfilter, which would bring two dozen more libraries with
+// it.
 #pragma once
 
 #include "media/libav.h"

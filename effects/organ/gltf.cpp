@@ -80,7 +80,7 @@ void unpack(GltfDocument& document, tinygltf::Primitive& primitive, const UvUse&
         const std::string& name = attribute.first;
         const bool of_skin = name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_");
         return name != "POSITION" && name != "NORMAL" && name != "TANGENT" && name != "COLOR_0" &&
-               name != uv_name(use) && !(of_skin && !document.model.skins.empty());
+               name != uv_name(use) && !(of_skin && !document.skins.empty());
     });
     for (const auto& [name, object] : packed)
         if (const GltfCodec* const codec = find_codec(name); codec != nullptr && codec->decode_primitive != nullptr)

@@ -200,6 +200,22 @@ void read_images(GltfDocument& document, const json& images) {
     }
 }
 
+/// -1 for null, and for a number that no index can be.
+int index_of(const json& value) {
+    if (!value.is_number_integer()) return -1;
+    const auto number = value.get<std::int64_t>();
+    return number >= 0 && number < 0x7fffffff ? static_cast<int>(number) : -1;
+}
+
+void read_skins(GltfDocument& document, const json& skins) {
+    for (const json& source : skins) {
+        GltfSkin& skin = document.skins.emplace_back();
+        if (source.contains("joints"))
+            for (const json& joint : source["joints"]) skin.joints.push_back(index_of(joint));
+        if (source.contains("inverseBindMatrices")) skin.inverse_bind = index_of(source["inverseBindMatrices"]);
+    }
+}
+
 json taken_out(json& document, const char* key, const std::string& file) {
     if (!document.contains(key)) return json::array();
     json value = std::move(document[key]);
@@ -273,6 +289,7 @@ GltfDocument read_gltf_document(const std::filesystem::path& path, const std::st
     check_structure(structure, file);
     const json buffers = taken_out(structure, "buffers", file);
     const json images = taken_out(structure, "images", file);
+    read_skins(document, taken_out(structure, "skins", file));
     for (const char* unused : {"animations", "cameras", "extensions"}) structure.erase(unused);
     mend_materials(structure, document.warnings);
     const std::vector<IndicesWithoutView> taken = take_indices_without_view(structure);

@@ -16,14 +16,21 @@
 
 namespace lapfx::organ {
 
+/// tinygltf 2.7 refuses one without inverse bind matrices.
+struct GltfSkin {
+    std::vector<int> joints;  ///< nodes
+    int inverse_bind = -1;    ///< accessor; -1: the joints were bound at the origin
+};
+
 struct GltfDocument {
     std::string file;                          ///< the name in faults
     std::filesystem::path folder;              ///< of the file
     tinygltf::Model model;                     ///< with our buffers[].data, images[].uri and images[].bufferView
     std::vector<std::filesystem::path> files;  ///< further files that were read, for buffers
     std::vector<std::string> warnings;         ///< parts that were removed from it
-    std::map<int, Bytes> decoded;              ///< buffer views that were compressed, by index
-    std::size_t unpacked = 0;                  ///< bytes that a codec has made of primitives
+    std::vector<GltfSkin> skins;
+    std::map<int, Bytes> decoded;  ///< buffer views that were compressed, by index
+    std::size_t unpacked = 0;      ///< bytes that a codec has made of primitives
 
     /// The bytes of a buffer view, decompressed where needed. Throws Error when it is not there or not in its
     /// buffer.

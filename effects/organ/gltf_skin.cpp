@@ -53,12 +53,11 @@ const std::vector<glm::dmat4>& Skins::matrices(int index, const std::string& pla
     std::optional<std::vector<glm::dmat4>>& pose = poses_[static_cast<std::size_t>(index)];
     if (pose) return *pose;
     if (places_.empty()) places_ = node_places(document_);
-    const tinygltf::Skin& skin = document_.model.skins[static_cast<std::size_t>(index)];
+    const GltfSkin& skin = document_.skins[static_cast<std::size_t>(index)];
     const std::string at = "/skins/" + std::to_string(index);
     FloatArray inverse{16, {}};
-    if (skin.inverseBindMatrices >= 0)
-        inverse = read_floats(document_, skin.inverseBindMatrices, at + "/inverseBindMatrices");
-    if (skin.inverseBindMatrices >= 0 && (inverse.components != 16 || inverse.size() < skin.joints.size()))
+    if (skin.inverse_bind >= 0) inverse = read_floats(document_, skin.inverse_bind, at + "/inverseBindMatrices");
+    if (skin.inverse_bind >= 0 && (inverse.components != 16 || inverse.size() < skin.joints.size()))
         refuse(document_.file, at + "/inverseBindMatrices",
                "has " + std::to_string(inverse.size()) + " elements of " + std::to_string(inverse.components) +
                    " components, expected " + std::to_string(skin.joints.size()) + " of 16");

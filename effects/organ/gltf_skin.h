@@ -12,7 +12,7 @@ namespace lapfx::organ {
 
 class Skins {
   public:
-    explicit Skins(GltfDocument& document) : document_(document), poses_(document.model.skins.size()) {}
+    explicit Skins(GltfDocument& document) : document_(document), poses_(document.skins.size()) {}
 
     /// Moves a part of a mesh with that skin to the pose that the joints have in the file: each vertex by the sum of
     /// weight * place of the joint * inverse bind matrix. False when the primitive has no joints and weights. Throws

@@ -74,6 +74,14 @@ TEST_F(GltfSkin, AVertexIsBetweenItsJoints) {
     expect_near(load().positions[2], {0, 150, 0});
 }
 
+TEST_F(GltfSkin, WithoutInverseBindMatricesTheJointsWereBoundAtTheOrigin) {
+    triangle.json["skins"][0].erase("inverseBindMatrices");
+    triangle.json["nodes"][2]["translation"] = {0, 0, 0.5};
+    expect_near(load().positions[1], {100, 0, 500});
+    triangle.json["skins"][0]["inverseBindMatrices"] = nullptr;
+    expect_near(load().positions[1], {100, 0, 500});
+}
+
 TEST_F(GltfSkin, AMirroredPoseStillFacesOutwards) {
     triangle.json["nodes"][0]["scale"] = {-1, 1, 1};
     const Organ organ = load();
