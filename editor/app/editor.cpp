@@ -56,7 +56,7 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options, std::shared_p
       autosave_(std::make_unique<Autosave>(document, *snapshots_, toasts, options_.folders.state)),
       layouts_(std::make_unique<Layouts>()),
       browser_(std::make_unique<Browser>(options_, document, *settings_, jobs, images, toasts, screen_)),
-      clips_(std::make_unique<ClipShelf>(document, preview, jobs, *settings_, images, options_.clip_folders,
+      clips_(std::make_unique<ClipShelf>(document, preview, jobs, *settings_, images, toasts, options_.clip_folders,
                                          options_.exact)),
       keying_(std::make_unique<KeyingBench>(*clips_, document, preview, timeline, pace_, jobs, images, toasts,
                                             options_.exact)),
@@ -180,9 +180,11 @@ bool Editor::frame(double now, const std::function<void()>& build, const FrameOp
     // Results of jobs come first: everything below works with them.
     if (options_.exact) jobs.finish();
     jobs.take();
-    // Time goes on, then the tool, which works until that time, and may end there with an undo step.
+    // Time goes on, but not before the first organ is there. Then the tool, which works until that time, and may end
+    // there with an undo step.
     timeline.follow();
-    timeline.advance(passed, preview.tool_on());
+    const bool nothing_to_see = !preview.ready() && preview.loading().has_value();
+    if (!nothing_to_see) timeline.advance(passed, preview.tool_on());
     use_tool();
     // After the tool: its step must not be left open, and has selected its events.
     tidy_gesture();

@@ -7,6 +7,7 @@
 
 #include "document/tables.h"
 #include "lapfx/authoring/compare.h"
+#include "lapfx/authoring/strokes.h"
 
 namespace lapfx::document {
 
@@ -260,13 +261,42 @@ std::string counted(std::size_t count, std::string_view what) {
     return std::to_string(count) + ' ' + lower_first(std::string(what)) + (count == 1 ? "" : "s");
 }
 
+/// Of differences that all add or remove: how many a person would count. What a hand does in one go is a stroke of many
+/// contacts, and one event on the timeline.
+std::size_t things_in(const std::vector<Difference>& all, const Content& before, const Content& after) {
+    constexpr std::string_view events = "/events/";
+    std::vector<ToolContact> contacts;
+    for (const Difference& d : all) {
+        const bool added = d.kind == Difference::Kind::added;
+        const std::string& at = added ? d.after_at : d.before_at;
+        const std::vector<ToolContact>& from = (added ? after : before).scene.events;
+        std::size_t number = from.size();
+        if (at.starts_with(events)) std::from_chars(at.data() + events.size(), at.data() + at.size(), number);
+        if (number < from.size()) contacts.push_back(from[number]);
+    }
+    if (contacts.size() != all.size()) return all.size();
+    std::stable_sort(contacts.begin(), contacts.end(),
+                     [](const ToolContact& a, const ToolContact& b) { return a.time < b.time; });
+    std::vector<char> is_continued(contacts.size(), 0);
+    std::size_t strokes = 0;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const auto from = goes_on_from(
+            i, [&](std::size_t k) -> const ToolContact& { return contacts[k]; },
+            [&](std::size_t k) { return is_continued[k] != 0; });
+        from ? is_continued[*from] = 1 : ++strokes;
+    }
+    return strokes;
+}
+
 /// What several differences have in common.
-std::string summary(const std::vector<Difference>& all) {
+std::string summary(const std::vector<Difference>& all, const Content& before, const Content& after) {
     const Difference& first = all.front();
     const bool one_kind = std::all_of(all.begin(), all.end(),
                                       [&](const Difference& d) { return d.kind == first.kind && d.row == first.row; });
-    if (one_kind && first.kind == Difference::Kind::added) return counted(all.size(), first.row) + " added";
-    if (one_kind && first.kind == Difference::Kind::removed) return counted(all.size(), first.row) + " removed";
+    if (one_kind && (first.kind == Difference::Kind::added || first.kind == Difference::Kind::removed)) {
+        const std::size_t count = things_in(all, before, after);
+        return (count == 1 ? inside_brackets(first.item) : counted(count, first.row)) + ' ' + change_text(first);
+    }
     const bool values = std::all_of(all.begin(), all.end(), [](const Difference& d) {
         return d.kind == Difference::Kind::value || d.kind == Difference::Kind::part;
     });
@@ -330,7 +360,7 @@ std::string fault_text(const Fault& fault, const Preset& preset) {
 std::string change_of(std::string_view name, const Content& before, const Content& after) {
     const std::vector<Difference> all = differences(before, after);
     if (all.empty()) return {};
-    if (all.size() > 1) return summary(all);
+    if (all.size() > 1) return summary(all, before, after);
     const Difference& d = all.front();
     if (d.kind == Difference::Kind::added || d.kind == Difference::Kind::removed)
         return inside_brackets(d.item) + ' ' + change_text(d);

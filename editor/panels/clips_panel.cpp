@@ -408,7 +408,7 @@ void add_clip_commands(app::Editor& editor) {
                          std::function<bool()> enabled, std::string missing, std::string tip) {
         editor.commands.add({.id = std::move(id),
                              .title = std::move(title),
-                             .group = "Clip",
+                             .group = "Smoke",
                              .chord = chord,
                              .icon = icon,
                              .run = std::move(run),
@@ -447,7 +447,7 @@ void add_clip_commands(app::Editor& editor) {
     editor.commands.add(
         {.id = "clip.solo",
          .title = "Solo clip",
-         .group = "Clip",
+         .group = "Smoke",
          .chord = {ui::key_of('S'), Mods::shift},
          .icon = Icon::eye,
          .run = [&shelf] { shelf.play_alone(shelf.alone() ? std::nullopt : std::optional(shelf.selected)); },
@@ -477,7 +477,7 @@ void add_clip_commands(app::Editor& editor) {
         "Where in the frame the selected clip's smoke starts: this point is placed at the tool tip");
     editor.commands.add({.id = "clip.eyedropper",
                          .title = "Eyedropper",
-                         .group = "Clip",
+                         .group = "Smoke",
                          .chord = {ui::key_of('K'), Mods::none},
                          .icon = Icon::eyedropper,
                          .run = [&editor] { editor.keying().set_eyedropper(!editor.keying().look.eyedropper); },

@@ -46,8 +46,8 @@ constexpr SheetLine on_plots[] = {
 };
 constexpr SheetLine in_file_dialogs[] = {
     {"Complete what is typed", "Tab"},
-    {"One of the suggestions", "Up, Down, Enter"},
-    {"Next name that begins so", "letters in the list"},
+    {"Take a suggestion", "Up, Down, Enter"},
+    {"Go to a name", "letters in the list"},
     {"Folder above", "Alt+Up"},
     {"New folder", "Ctrl+Shift+N"},
     {"Name or path", "Ctrl+L"},

@@ -72,10 +72,12 @@ void take(MeasuredPlots& plots, const AmountsParts& on) {
     }
 }
 
-/// "Preview 3.2", at the scene's time.
-std::string_view legend(ui::Ui& ui, std::string_view name, const ui::PlotData& data, double time) {
+/// "Preview 3.2", at the scene's time; the name alone without a value.
+std::string_view legend(ui::Ui& ui, std::string_view name, const ui::PlotData& data, double time, bool with_value) {
     ui::ShortText text;
-    text.add(name).add(" ");
+    text.add(name);
+    if (!with_value) return ui.join({text.view(), "###", name});
+    text.add(" ");
     const double value = data.size() > 0 ? data.value_at(time) : std::nan("");
     if (std::isfinite(value))
         text.add(std::abs(value) < 0.05 ? 0.0 : value, 1);  // never "1.2e-27"
@@ -88,15 +90,19 @@ void one_plot(ui::Ui& ui, const AmountsParts& on, MeasuredPlots& plots, std::str
               int color, bool narrow) {
     std::array<ui::PlotSeries, 4> series;
     std::size_t count = 0;
+    const std::array<std::size_t, 4> sizes = {plot.reference.values().size(), plot.preview.values().size(),
+                                              plot.fit.values().size(), plot.true_data.size()};
+    // With values three names would leave no room for the plot's own.
+    const bool with_values = !narrow || std::ranges::count(sizes, std::size_t{0}) >= 2;
     const auto add = [&](const char* title, const MeasuredCurve& curve, int of) {
         if (curve.values().size() == 0) return;
-        series[count++] = curve.series(legend(ui, title, curve.values(), on.timeline.time), of);
+        series[count++] = curve.series(legend(ui, title, curve.values(), on.timeline.time, with_values), of);
     };
     add(narrow ? "Ref" : "Reference", plot.reference, reference_series);
     add(narrow ? "Pre" : "Preview", plot.preview, color);
     add("Fit", plot.fit, fit_series);
     if (plot.true_data.size() > 0)
-        series[count++] = {.name = legend(ui, narrow ? "True" : "Truth", plot.true_data, on.timeline.time),
+        series[count++] = {.name = legend(ui, narrow ? "True" : "Truth", plot.true_data, on.timeline.time, with_values),
                            .data = &plot.true_data,
                            .color = color,
                            .reference = true};

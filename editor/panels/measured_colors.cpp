@@ -63,10 +63,10 @@ const Colors& colors_of(ui::Ui& ui, const AmountsParts& on) {
     return colors;
 }
 
-/// "smoke not measurable": why.
+/// "smoke unknown": why.
 void unknown(ui::Ui& ui, const Colors& colors, const Part& part, std::string_view end) {
     const bool theirs = !(colors.reference.*part.color);
-    ui::label(ui, ui.join({part.name, " not measurable", end}), {.tone = ui::Tone::dim});
+    ui::label(ui, ui.join({part.name, " unknown", end}), {.tone = ui::Tone::dim});
     ui.last().tip =
         ui.join({theirs ? "The reference" : "The preview", " shows too little ", part.name, " to tell its colour"});
 }

@@ -10,7 +10,7 @@ namespace lapfx::panels {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> groups = {"File", "Edit", "Preset",    "Clip",   "Tool",
+constexpr std::array<std::string_view, 10> groups = {"File", "Edit", "Preset",    "Smoke",  "Tool",
                                                      "Play", "View", "Reference", "Window", "Help"};
 /// Commands that begin another part of their menu.
 constexpr std::array<std::string_view, 17> parts = {

@@ -87,6 +87,7 @@ class OrganDialog {
                                report.components, report.components == 1 ? "piece" : "pieces"));
         if (!choice_.texture().empty())
             ui::label(ui_, ui_.join({"Its texture is ", ui_.copy(choice_.texture().filename().string())}));
+        missing_texture();
         picture();
         unit();
         size();
@@ -101,6 +102,20 @@ class OrganDialog {
     }
 
   private:
+    /// Above all else: without its texture an organ is of one colour.
+    void missing_texture() {
+        const app::MissingTexture* const m = choice_.missing_texture();
+        if (m == nullptr) return;
+        const ui::Row row(ui_, {.width = ui::grow(), .cross = ui::ChildAlign::center});
+        ui::label(ui_, ui_.join({"Its texture ", ui_.copy(m->missing.filename().string()), " cannot be read."}),
+                  {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
+        if (!m->likely) return;
+        const std::filesystem::path likely = *m->likely;
+        if (ui::button(ui_, ui_.join({"Use ", ui_.copy(likely.filename().string())}),
+                       {.tip = ui_.copy(likely.string())}))
+            choice_.use_texture(likely);
+    }
+
     /// Small enough that what has to be decided stays in sight.
     void picture() {
         const ui::ImageHandle image = choice_.picture();

@@ -1,6 +1,7 @@
 // All parameters of the preset, in sections. Every row is made from the parameter table.
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "app/base/layouts.h"
 #include "app/clips/clip_shelf.h"
@@ -14,6 +15,7 @@
 #include "ui/core/node.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
+#include "ui/widgets/field.h"
 #include "ui/widgets/menu.h"
 #include "ui/widgets/scroll.h"
 #include "ui/widgets/section.h"
@@ -96,6 +98,15 @@ void menu_items(ui::Ui& ui, const On& on, const ParameterGroup* group, ui::Id bo
         if (group == nullptr || &one == group) tuning.lock(one, !locked);
 }
 
+/// Whether Down came in the search field: it goes to the first row that is found.
+bool leaves_for_rows(ui::Ui& ui) {
+    bool down = false;
+    ui.events_of(ui.id_of("Search"), [&](const ui::Event& event) {
+        down |= event.kind == ui::EventKind::key && event.key == ui::Key::down;
+    });
+    return down;
+}
+
 /// Esc in the empty search field goes back to what had the keyboard before; if that is gone, the field keeps it.
 void leave_search(ui::Ui& ui, app::Tuning& tuning) {
     const ui::Id field = ui.id_of("Search");
@@ -158,6 +169,15 @@ class Sections {
                       {.tone = ui::Tone::dim});
     }
 
+    /// The first row of the sections gets the keyboard.
+    void want_first() {
+        for (std::size_t i = 0; i < app::parameters().entries().size(); ++i) {
+            if (app::parameters().groups()[app::parameters()[i].group].key.empty() || !shows(i)) continue;
+            tuning_.wanted = i;
+            return;
+        }
+    }
+
   private:
     bool searching() const { return !tuning_.search.empty(); }
 
@@ -169,9 +189,9 @@ class Sections {
         return !searching() || ui::contains_words(entry.words, tuning_.search);
     }
 
-    void row(std::size_t index, bool with_group) {
-        parameter_row(ui_, on_.edited, tuning_, index, with_group);
+    ui::Id row(std::size_t index, RowName called = RowName::in_section) {
         ++shown_;
+        return parameter_row(ui_, on_.edited, tuning_, index, called);
     }
 
     /// Name, description and tags; what is wrong elsewhere.
@@ -183,7 +203,7 @@ class Sections {
         body.gap = ui_.em(ui_.theme().gap);
         body.padding[0] = static_cast<std::uint8_t>(std::min(255.0F, ui_.em(0.8F)));
         for (std::size_t i = own.first; i < own.last; ++i)
-            if (shows(i)) row(i, false);
+            if (shows(i)) row(i);
         ui_.close();
     }
 
@@ -194,13 +214,23 @@ class Sections {
         if (!any) return;
         const ui::Section section(ui_, "Favourites", {.tip = "Parameters marked as favourites in their menu"});
         if (!section) return;
+        float& room = ui_.memory<float>(favourites_memory);  // px for a label, in the last build
+        float longest = 0;
+        for (const std::size_t index : tuning_.favourites())
+            longest = std::max(longest, ui_.text_width(title_with_group(low_of(index))));
+        const RowName called = room > 0 && longest > room ? RowName::without_group : RowName::with_group;
+        float narrowest = unknown_width;
         bool told = false;
         for (std::size_t i = 0; i < tuning_.favourites().size(); ++i) {  // a menu may remove one meanwhile
             const std::size_t index = tuning_.favourites()[i];
             if (!shows(low_of(index)) || listed_with_low(index)) continue;
-            row(low_of(index), true);
+            const float width = ui_.rect_before(row(low_of(index), called)).w;
+            if (width > 0) narrowest = std::min(narrowest, width);
             told = told || put_not_taken(index);
         }
+        if (narrowest == unknown_width) return;
+        const float now = narrowest * ui::caption_share - ui_.em(ui::caption_inset + label_marks);
+        if (now != std::exchange(room, now)) ui_.build_again();
     }
 
     static std::size_t low_of(std::size_t index) {
@@ -243,7 +273,7 @@ class Sections {
         for (std::size_t i = group.first; i < group.last; ++i) {
             if (!shows(i)) continue;
             told = told || put_not_taken(i);
-            row(i, false);
+            row(i);
         }
     }
 
@@ -282,7 +312,9 @@ class Sections {
             on_.layouts.bring_to_front("Clips");
     }
 
-    static constexpr ui::Id menu_memory = 0x67726d656e75ULL;
+    static constexpr ui::Id menu_memory = 0x67726d656e75ULL, favourites_memory = 0x6661766f757273ULL;
+    static constexpr float unknown_width = 1e9F;
+    static constexpr float label_marks = 0.9F;  // em after a label, for the dot
     ui::Ui& ui_;
     const On& on_;
     Tuning& tuning_;
@@ -297,8 +329,11 @@ void preset_panel(ui::Ui& ui, Tuning& tuning, const Edited& edited, const ui::Co
     const On on{tuning, edited, commands, layouts, toasts, shelf, looking};
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow()});
     tool_row(ui, on);
+    const bool to_rows = leaves_for_rows(ui);
     const ui::ScrollArea area(ui, "Parameters", {.gap = ui.theme().gap});
-    Sections(ui, on).build();
+    Sections sections(ui, on);
+    if (to_rows) sections.want_first();
+    sections.build();
 }
 
 void add_preset_commands(app::Editor& editor) {

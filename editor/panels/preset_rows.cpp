@@ -29,18 +29,22 @@ constexpr ui::Id menu_memory = 0x70726d6d656e75ULL;
 /// One row while it is built.
 class RowBuilder {
   public:
-    RowBuilder(ui::Ui& ui, const Edited& edited, app::Tuning& tuning, std::size_t index, bool with_group)
+    RowBuilder(ui::Ui& ui, const Edited& edited, app::Tuning& tuning, std::size_t index, RowName called)
         : ui_(ui),
-          listed_apart_(with_group),
+          listed_apart_(called != RowName::in_section),
           edited_(edited),
           tuning_(tuning),
           index_(index),
           entry_(app::parameters()[index]),
           row_(*entry_.row),
-          title_(range() ? std::string_view(entry_.range_title) : std::string_view(entry_.title)),
-          label_(!with_group ? (range() ? std::string_view(entry_.range_name) : row_.name) : title_) {}
+          title_(title_with_group(index)),
+          label_(range() ? std::string_view(entry_.range_name) : row_.name) {
+        if (called == RowName::with_group) label_ = title_;
+        // Two groups may have rows of one name.
+        if (called == RowName::without_group) label_ = ui.join({label_, "###", title_});
+    }
 
-    void build() {
+    ui::Id build() {
         const std::ptrdiff_t before = &ui_.last() - &ui_.parent();
         put();
         const ui::Node* const nodes = &ui_.parent();
@@ -54,6 +58,7 @@ class RowBuilder {
         if (!has_own_menu()) put_menu(before + 1, id);
         put_fault(index_);
         if (range()) put_fault(entry_.high);
+        return id;
     }
 
   private:
@@ -105,8 +110,9 @@ class RowBuilder {
     void reach() {
         const BloodReach r = blood_reach(preset().bleeding);
         char text[160];
+        // Broken by hand: a text that wraps would move the rows below it while a value is dragged.
         const int length =
-            std::snprintf(text, sizeof text, "up to %.0f mm level, %.0f downhill, %.0f in folds, %.0f down a fold",
+            std::snprintf(text, sizeof text, "up to %.0f mm level, %.0f downhill,\n%.0f in folds, %.0f down a fold",
                           r.level, r.downhill, r.fold, r.down_fold);
         ui::label(ui_, ui_.copy({text, static_cast<std::size_t>(std::max(length, 0))}),
                   {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
@@ -206,8 +212,13 @@ class RowBuilder {
 
 }  // namespace
 
-void parameter_row(ui::Ui& ui, const Edited& edited, app::Tuning& tuning, std::size_t entry, bool with_group) {
-    RowBuilder(ui, edited, tuning, entry, with_group).build();
+ui::Id parameter_row(ui::Ui& ui, const Edited& edited, app::Tuning& tuning, std::size_t entry, RowName called) {
+    return RowBuilder(ui, edited, tuning, entry, called).build();
+}
+
+std::string_view title_with_group(std::size_t entry) {
+    const ParameterEntry& of = app::parameters()[entry];
+    return of.high != no_entry ? std::string_view(of.range_title) : std::string_view(of.title);
 }
 
 }  // namespace lapfx::panels

@@ -10,7 +10,12 @@
 
 namespace lapfx::panels {
 
-/// `with_group`: labelled "Bleeding: Speed", where no section says it.
-void parameter_row(ui::Ui& ui, const Edited& edited, app::Tuning& tuning, std::size_t entry, bool with_group);
+/// What a row is called: "Speed" in its section; elsewhere "Bleeding: Speed", or where there is no room for that in all
+/// rows, "Speed" again.
+enum class RowName : std::uint8_t { in_section, with_group, without_group };
+/// Gives the id of its first widget.
+ui::Id parameter_row(ui::Ui& ui, const Edited& edited, app::Tuning& tuning, std::size_t entry, RowName called);
+/// "Bleeding: Speed", or that of both ends of a range.
+std::string_view title_with_group(std::size_t entry);
 
 }  // namespace lapfx::panels

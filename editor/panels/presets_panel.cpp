@@ -145,6 +145,15 @@ void tool_row(ui::Ui& ui, Browser& browser, app::FileChooser& chooser) {
     ui.close();
 }
 
+std::string_view why_empty(const Browser& browser) {
+    if (browser.files().empty()) return "There is no preset in these folders";
+    bool any = false;
+    for (std::size_t i = 0; i < browser.files().size() && !any; ++i) any = browser.starred(i);
+    if (browser.stars_only && !any)
+        return "No preset is starred yet. The star on a preset's picture, or Star in its menu, marks it";
+    return browser.stars_only ? "No starred preset matches" : "No preset matches";
+}
+
 void item_items(ui::Ui& ui, const On& on, Browsing& b, std::size_t index) {
     Browser& browser = on.browser;
     const PresetFile& file = browser.files()[index];
@@ -209,10 +218,9 @@ void presets_panel(ui::Ui& ui, Browser& browser, const document::Document& docum
     Browsing& b = ui.memory<Browsing>(ui.id_of("Browsing"));
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow()});
     tool_row(ui, browser, chooser);
+    if (browser.found().empty() && !browser.busy())  // above the grid, which takes all the room
+        ui::label(ui, why_empty(browser), {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
     grid(ui, on, b);
-    if (browser.found().empty() && !browser.busy())
-        ui::label(ui, browser.files().empty() ? "There is no preset in these folders" : "No preset matches",
-                  {.tone = ui::Tone::dim});
     if (b.menu_of != ui::no_key) {
         const std::size_t file = file_of(browser, b.menu_of);
         if (const ui::Menu menu(ui, item_menu, "Preset file menu"); menu && file != ui::no_row)

@@ -332,7 +332,7 @@ void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, ui::Comman
     items[look] = {.width = ui::tool_width(ui, "Propose look"), .rank = 3};
     const bool two = reference.way != CompareWay::reference;
     // Once on, it stays in sight as long as anything does: it is switched off here.
-    items[places] = {.width = two ? ui::tool_width(ui, "Place") : 0, .rank = reference.placing ? 1 : 3};
+    items[places] = {.width = two ? ui::tool_width(ui, "Move reference") : 0, .rank = reference.placing ? 1 : 3};
     items[warning] = {.width = place.warning.empty() ? 0 : ui.text_width(place.warning), .rank = 3, .end = true};
     items[text] = {.width = ui.text_width(place.text) + ui.em(1), .rank = 4, .end = true};
     ui::toolbar(ui, "Reference time tools", room, items, [&](std::size_t item) {
@@ -355,7 +355,7 @@ void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, ui::Comman
                         "what is left out hatched"});
         if (item == look) ui::command_button(ui, commands, "reference.propose_look");
         if (item == places)
-            ui::toggle(ui, "Place", reference.placing,
+            ui::toggle(ui, "Move reference", reference.placing,
                        {.tip = "Moves, scales and turns the reference until the same tissue lies at the same place in "
                                "both pictures: by handles, by numbers, or by the endoscope's circle"});
         if (item == warning) ui::label(ui, place.warning, {.tone = ui::Tone::warning});

@@ -3,11 +3,10 @@
 
 #include "app/base/file_filters.h"
 #include "app/base/paths.h"
-#include "app/files/likely_texture.h"
 #include "app/measure/measuring.h"
 #include "app/preview/orbit.h"
 #include "app/preview/preview_host.h"
-#include "lapfx/prepared_organ.h"
+#include "panels/missing_texture.h"
 #include "panels/panels.h"
 #include "panels/table_rows.h"
 #include "ui/widgets/basic.h"
@@ -26,14 +25,6 @@ struct SceneFaults {
     std::vector<Fault> all;
 };
 
-/// The first of those of the organ that is shown; folders are not read in every frame.
-struct MissingTexture {
-    std::uint64_t version = 0;  ///< PreviewHost::organ_version
-    std::string file;           ///< of the organ
-    std::filesystem::path missing;
-    std::optional<std::filesystem::path> likely;
-};
-
 const Scene& standard_scene() {
     static const Scene standard;
     return standard;
@@ -50,7 +41,6 @@ class ScenePanel {
           edited_(edited),
           preview_(preview),
           commands_(commands),
-          missing_(ui.memory<MissingTexture>(ui.id_of("missing texture"))),
           faults_(ui.memory<SceneFaults>(ui.id_of("scene faults"))) {
         if (edited.document.scene_changes_since(faults_.version) != 0) faults_.all = edited.document.scene_faults();
         faults_.version = edited.document.version();
@@ -115,45 +105,10 @@ class ScenePanel {
         ui::label(ui_, edited_.document.scene().organ.file, {.tone = ui::Tone::dim});
         static const ui::FileFilter pictures = app::picture_filter();
         row(t, "texture", owner, {.prefix = "Organ", .standard = options.standard, .files = &pictures});
-        missing();
+        texture_notice(ui_, edited_, preview_);
         row(t, "scale", owner, {.prefix = "Organ", .standard = options.standard, .maximum = 1000});
         row(t, "rotation", owner, {.prefix = "Organ", .standard = options.standard, .maximum = 180, .minimum = -180});
         row(t, "color", owner, options);
-    }
-
-    void look_for_texture(const std::vector<std::filesystem::path>& unread, const std::string& organ) {
-        for (const std::filesystem::path& file : app::missing_textures(unread)) {
-            if (missing_.missing.empty()) missing_.missing = file;
-            if ((missing_.likely = app::likely_texture(file, organ))) {
-                missing_.missing = file;
-                return;
-            }
-        }
-    }
-
-    /// A texture that the organ names and that cannot be read, with the file that may be meant.
-    void missing() {
-        const Scene& scene = edited_.document.scene();
-        MissingTexture& m = missing_;
-        if (m.version != preview_.organ_version() || m.file != scene.organ.file) {
-            m = {.version = preview_.organ_version(), .file = scene.organ.file, .missing = {}, .likely = {}};
-            const auto organ = preview_.organ_of(scene);
-            // One that is given here is that of every part: not in place of pictures that are there.
-            const bool bare = organ && std::ranges::none_of(organ->organ().materials, [](const Material& material) {
-                                  return material.base_color_image >= 0;
-                              });
-            if (bare) look_for_texture(organ->organ().unread_files, scene.organ.file);
-        }
-        if (m.missing.empty() || !scene.organ.texture.empty()) return;
-        const std::string name = m.missing.filename().string();
-        ui::label(ui_, ui_.join({"Its texture ", name, " cannot be read: it is shown without one."}),
-                  {.tone = ui::Tone::warning, .wrap = true});
-        if (!m.likely) return;
-        const std::string offered = m.likely->filename().string();
-        if (ui::button(ui_, ui_.join({"Use ", offered}), {.tip = ui_.copy(m.likely->string())}))
-            edited_.document.change("Organ: Texture", [&](document::Content& c) {
-                c.scene.organ.texture = app::path_for(m.likely->string(), c.scene.folder);
-            });
     }
 
     void tool() {
@@ -223,7 +178,6 @@ class ScenePanel {
     const Edited& edited_;
     const app::PreviewHost& preview_;
     ui::CommandTable& commands_;
-    MissingTexture& missing_;
     SceneFaults& faults_;
 };
 

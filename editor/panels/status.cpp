@@ -20,6 +20,8 @@ namespace lapfx::panels {
 
 namespace {
 
+constexpr float room_for_costs = 52;  // em of the window: in less, the names of scene and preset need it
+
 std::string_view formatted(ui::Ui& ui, const char* format, double value) {
     char text[64];
     std::snprintf(text, sizeof text, format, value);
@@ -69,6 +71,7 @@ std::string_view memory_tip(ui::Ui& ui, const StatusParts& parts) {
 }
 
 void costs(ui::Ui& ui, const StatusParts& parts) {
+    if (ui.window().x < ui.em(room_for_costs)) return;
     ui::status_text(ui, "Scene time", formatted(ui, "scene %.1f ms", 1000 * parts.meter.scene.seconds()),
                     {.number = true, .width = 7.5F, .tip = "Time to draw one frame of the scene"});
     ui::status_text(ui, "UI time", formatted(ui, "UI %.1f ms", 1000 * parts.meter.ui),
@@ -112,8 +115,9 @@ void status_bar(ui::Ui& ui, const StatusParts& parts) {
                         {.number = true, .width = 4, .tip = "Pictures of the scene per second while it plays"});
     if (meter.memory().all > 0) costs(ui, parts);  // pictures of the editor do not depend on the machine
     const app::EditorOptions& o = parts.options;
-    ui::status_text(ui, "Renderer", o.software ? "Software" : "GPU",
-                    {.tip = ui.join({o.software ? "Drawn without a GPU, by " : "Drawn by ", o.renderer})});
+    ui::status_text(
+        ui, "Renderer", o.software ? "Software" : "GPU",
+        {.number = true, .tip = ui.join({o.software ? "Drawn without a GPU, by " : "Drawn by ", o.renderer})});
 }
 
 }  // namespace lapfx::panels

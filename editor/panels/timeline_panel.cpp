@@ -284,6 +284,8 @@ void add_events(const TimelineParts& on, const char* name, const std::vector<Too
 void add_event(const TimelineParts& on) {
     const glm::dvec3 place = place_for_new(on);
     const ToolAction action = on.tool.action.value_or(ToolAction::cauterise);
+    const Preview* const preview = on.preview.preview();
+    const double here = preview == nullptr ? 1 : app::strength_here(action, preview->tissue(place));
     add_events(on, "Add event",
                {{.action = action,
                  .time = std::round(on.timeline.time * 1e4) / 1e4,
@@ -291,7 +293,7 @@ void add_event(const TimelineParts& on) {
                  .position = place,
                  .to = place,
                  .power = row_of(action).hot ? on.tool.power : 1.0,
-                 .strength = divides(action) ? on.tool.strength : 1.0}});
+                 .strength = divides(action) ? on.tool.strength * here : 1.0}});
 }
 
 /// Copies them to the playhead; where they are there already, behind themselves.

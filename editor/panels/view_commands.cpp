@@ -161,8 +161,8 @@ void add_view_commands(app::Editor& editor) {
                          .group = "View",
                          .run = [&editor] { use_view(editor); },
                          .enabled = [&editor] { return !editor.looking.endoscope; },
-                         .tip = "Moves the scene's camera to where you look from",
-                         .missing = "you look through the scene's camera"});
+                         .tip = "Moves the endoscope to where you look from: comparing and exporting use its view",
+                         .missing = "you look through the endoscope"});
     editor.commands.add(
         {.id = "view.half_resolution",
          .title = "Half resolution",

@@ -14,8 +14,10 @@
 #include "app/reference/reference.h"
 #include "document/words.h"
 #include "panels/band_strip.h"
+#include "panels/missing_texture.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
+#include "panels/said_beside.h"
 #include "panels/titles.h"
 #include "ui/canvas/viewport.h"
 #include "ui/core/node.h"
@@ -78,7 +80,7 @@ enum class Drag : std::uint8_t { none, orbit, pan, tool, fixed };
 
 struct ViewMemory {
     Drag drag = Drag::none;
-    bool told_fixed = false;
+    SaidBeside said;
     Under under;
 };
 
@@ -111,8 +113,10 @@ class ViewPanel {
             keys(view);
             mark(view);
         }
-        readout(view);
+        readout();
+        put_said(ui_, memory_.said, view.size);
         solo();
+        texture_box(ui_, on_.edited, on_.preview, box_width());
         loading();
         faults();
         pick_hint(ui_, on_.edited.eyedropper);
@@ -141,7 +145,7 @@ class ViewPanel {
         const Scene& scene = on_.edited.document.scene();
         const bool has_plate = !low && (scene.plate.use || !scene.reference.file.empty());
         items[plate] = {.width = has_plate ? ui::tool_width(ui_, "Plate") : 0, .rank = 3};
-        items[use] = {.width = on_.looking.endoscope ? 0 : ui::tool_width(ui_, "Use as endoscope"), .rank = 4};
+        items[use] = {.width = on_.looking.endoscope ? 0 : ui::tool_width(ui_, "Use view as endoscope"), .rank = 4};
         items[whole] = {.width = ui::tool_width(ui_, "Frame the organ"), .rank = 5};
         // The tools' values have room beside them, shown or not: else the tools would fold up when one is chosen.
         const float values = 2 * choice + ui::tool_width(ui_, "More...");
@@ -173,7 +177,8 @@ class ViewPanel {
                 ui::command_button(ui_, on_.commands, "view.plate");
                 return;
             case use:
-                return use_view_button();
+                ui::command_button(ui_, on_.commands, "view.use_view");
+                return;
             default:
                 ui::command_button(ui_, on_.commands, "view.frame");
         }
@@ -213,12 +218,6 @@ class ViewPanel {
         options.tip = tip;
         options.width = ui::px(ui_.em(choice_width));
         ui::number_field(ui_, name, value, options);
-    }
-
-    void use_view_button() {
-        if (ui::button(ui_, "Use as endoscope",
-                       {.tip = "Moves the endoscope to where you look from: comparing and exporting use its view"}))
-            on_.commands.run("view.use_view");
     }
 
     void strength_field() {
@@ -297,7 +296,7 @@ class ViewPanel {
     Drag drag_for(const ui::ViewportResult& view) const {
         const bool left = view.button == ui::Button::left, shift = has(view.mods, Mods::shift);
         if (left && !shift && on_.tool.action && memory_.under.hit) return Drag::tool;
-        if (on_.looking.endoscope) return Drag::fixed;
+        if (left && !shift && stays()) return Drag::fixed;
         return view.button == ui::Button::middle || (left && shift) ? Drag::pan : Drag::orbit;
     }
 
@@ -307,18 +306,23 @@ class ViewPanel {
         if (view.pressed) {
             memory_.drag = drag_for(view);
             if (memory_.drag == Drag::tool) on_.hold.begin(on_.tool, hit->position);
-            if (memory_.drag == Drag::orbit && view.clicks == 2 && hit) app::center_on(camera, hit->position);
+            if (memory_.drag == Drag::orbit && view.clicks == 2 && hit) {
+                look_freely(view.pointer);
+                app::center_on(camera, hit->position);
+            }
         }
         if (memory_.drag == Drag::tool && hit) on_.hold.move(hit->position);
         const double height = std::max(view.size.y, 1);
         if (view.drag != glm::vec2(0)) {
+            if (memory_.drag == Drag::orbit || memory_.drag == Drag::pan) look_freely(view.pointer);
             if (memory_.drag == Drag::orbit)
                 app::orbit(camera, -double(view.drag.x) * std::numbers::pi / height,
                            double(view.drag.y) * std::numbers::pi / height);
             if (memory_.drag == Drag::pan) app::pan(camera, view.drag, height);
-            if (memory_.drag == Drag::fixed) tell_fixed();
+            if (memory_.drag == Drag::fixed) say_fixed(view.pointer);
         }
-        if (view.wheel != 0) zoom(std::pow(zoom_notch, -double(view.wheel)), hit ? &hit->position : nullptr);
+        if (view.wheel != 0)
+            zoom(std::pow(zoom_notch, -double(view.wheel)), hit ? &hit->position : nullptr, view.pointer);
         if (view.cancelled && memory_.drag == Drag::tool) on_.hold.cancel();
         if (view.released && memory_.drag == Drag::tool) on_.hold.end();
         if (view.released || view.cancelled) memory_.drag = Drag::none;
@@ -326,20 +330,35 @@ class ViewPanel {
         if (on_.tool.action && hit) ui_.set_cursor(ui::Cursor::crosshair);
     }
 
-    void zoom(double factor, const glm::dvec3* place) {
-        if (on_.looking.endoscope) return tell_fixed();
+    void zoom(double factor, const glm::dvec3* place, glm::vec2 at) {
+        if (stays()) return say_fixed(at);
+        look_freely(at);
         SceneCamera& camera = on_.looking.camera;
         place != nullptr ? app::zoom_at(camera, factor, *place) : app::zoom(camera, factor);
     }
 
-    /// Tells it once.
-    void tell_fixed() {
-        if (memory_.told_fixed) return;
-        memory_.told_fixed = true;
-        on_.toasts.add({.kind = ui::ToastKind::info,
-                        .text = "The endoscope is fixed: exports show this view",
-                        .action = "Look around freely",
-                        .act = [&looking = on_.looking] { looking.endoscope = false; }});
+    /// With a tool in the hand a movement beside the organ must not take the endoscope's view away.
+    bool stays() const { return on_.looking.endoscope && on_.tool.action.has_value(); }
+
+    /// "Key E", or what the command is called where it has no key.
+    std::string_view way(std::string_view command) {
+        const std::string_view keys = chord_of(on_.commands, command);
+        if (!keys.empty()) return ui_.join({"Key ", keys});
+        return on_.commands[on_.commands.index_of(command)].title;
+    }
+
+    void say_fixed(glm::vec2 at) {
+        say_beside(ui_, memory_.said,
+                   ui_.join({"The tool works in the endoscope's view. ", way("tool.look"), " looks around"}), at);
+    }
+
+    /// Looking around begins with what the endoscope sees.
+    void look_freely(glm::vec2 at) {
+        if (!on_.looking.endoscope) return;
+        on_.looking.endoscope = false;
+        on_.looking.camera = on_.edited.document.scene().camera;
+        say_beside(ui_, memory_.said,
+                   ui_.join({"You look around freely. ", way("view.endoscope"), " goes back to the endoscope"}), at);
     }
 
     void keys(const ui::ViewportResult& view) {
@@ -347,13 +366,13 @@ class ViewPanel {
             if (key.key == Key::escape) {
                 on_.hold.cancel();
                 memory_.drag = Drag::none;
-            } else if (!look_by(key) && !work_by(key, view)) {
+            } else if (!look_by(key, view) && !work_by(key, view)) {
                 ui_.press_shortcut(key.key, key.mods);
             }
         }
     }
 
-    bool look_by(const ui::ViewportKey& key) {
+    bool look_by(const ui::ViewportKey& key, const ui::ViewportResult& view) {
         const double turn = has(key.mods, Mods::shift) ? key_turn / 5 : key_turn;
         glm::dvec2 by(0);
         if (key.key == Key::left) by.x = -turn;
@@ -362,12 +381,11 @@ class ViewPanel {
         if (key.key == Key::down) by.y = -turn;
         const bool nearer = key.key == ui::key_of('='), farther = key.key == ui::key_of('-');
         if (by == glm::dvec2(0) && !nearer && !farther) return false;
-        if (on_.looking.endoscope)
-            tell_fixed();
-        else if (by != glm::dvec2(0))
-            app::orbit(on_.looking.camera, by.x, by.y);
-        else
-            zoom(nearer ? 1 / zoom_notch : zoom_notch, nullptr);
+        const glm::vec2 at = view.hovered ? view.pointer : glm::vec2(view.size) / 2.0F;
+        if (by == glm::dvec2(0)) return zoom(nearer ? 1 / zoom_notch : zoom_notch, nullptr, at), true;
+        if (stays()) return say_fixed(at), true;
+        look_freely(at);
+        app::orbit(on_.looking.camera, by.x, by.y);
         return true;
     }
 
@@ -408,30 +426,19 @@ class ViewPanel {
     }
 
     /// Tissue and distance under the pointer, in the lower left corner.
-    void readout(const ui::ViewportResult& view) {
+    void readout() {
         const Under& u = memory_.under;
         if (!u.hit || (!on_.tool.action && on_.looking.overlay == Overlay::none)) return;
         char text[128];
+        const double bleeds =
+            u.tissue.bleeds * (on_.tool.action ? app::strength_here(*on_.tool.action, u.tissue) : 1.0);
         const int length =
             u.tissue.known
                 ? std::snprintf(text, sizeof text, "vessels %.0f %%   fat %.0f %%   would bleed %.1f   %.0f mm away",
-                                100 * u.tissue.vessels, 100 * u.tissue.fat, u.tissue.bleeds, u.hit->distance)
-                : std::snprintf(text, sizeof text, "vessels and fat not known   would bleed %.1f   %.0f mm away",
-                                u.tissue.bleeds, u.hit->distance);
-        ui::Node& node = ui_.leaf(ui::Role::status, "Under the pointer");
-        node.text = ui_.copy({text, static_cast<std::size_t>(std::max(length, 0))});
-        node.placed = true;
-        const float margin = ui_.em(0.5F);
-        node.placement =
-            ui_.arena().make(ui::Placement{.fraction = {0, 1}, .offset = {margin, -margin}, .pivot = {0, 1}});
-        node.size[0] = ui::px(ui_.text_width(node.text) + ui_.em(1.2F));
-        node.size[1] = ui::px(ui_.row_height());
-        ui_.draw_with<draw_readout>(node, view.hovered);
-    }
-    static void draw_readout(ui::Painter& painter, const ui::Node& node, const bool&) {
-        const ui::Theme& t = painter.theme();
-        painter.fill(node.rect(), t.raised, painter.em(t.radius));
-        painter.text(node.rect().inset(painter.em(0.6F), 0), node.text, painter.text_style(), t.text);
+                                100 * u.tissue.vessels, 100 * u.tissue.fat, bleeds, u.hit->distance)
+                : std::snprintf(text, sizeof text, "vessels and fat not known   would bleed %.2g   %.0f mm away",
+                                bleeds, u.hit->distance);
+        put_in_corner(ui_, "Under the pointer", {text, static_cast<std::size_t>(std::max(length, 0))});
     }
 
     /// Only one clip is shown, which must not be taken for the preset.

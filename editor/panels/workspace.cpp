@@ -68,7 +68,7 @@ constexpr PanelRow panel_rows[] = {
                         .reference = e.reference(),
                         .commands = e.commands});
      }},
-    {"Presets", "Presets in folders, with pictures",
+    {"Library", "Presets in folders, with pictures",
      [](Ui& ui, Editor& e) { presets_panel(ui, e.browser(), e.document, e.files(), e.chooser(), e.toasts); }},
     {"Snapshots", "Four states of the preset, and what differs between them",
      [](Ui& ui, Editor& e) {

@@ -266,14 +266,25 @@ app::WindowPlace UiWindow::place() {
 void UiWindow::put(const app::WindowPlace& place) {
     int count = 0;
     GLFWmonitor** all = glfwGetMonitors(&count);
+    GLFWwindow* w = window_.get();
+    int left = 0, top = 0, right = 0, bottom = 0;
+    glfwGetWindowFrameSize(w, &left, &top, &right, &bottom);
     std::vector<app::ScreenArea> monitors(static_cast<std::size_t>(std::max(count, 0)));
     for (std::size_t i = 0; i < monitors.size(); ++i) {
         app::ScreenArea& m = monitors[i];
         glfwGetMonitorWorkarea(all[i], &m.at.x, &m.at.y, &m.size.x, &m.size.y);
+        m.at += glm::ivec2(left, top);
+        m.size = glm::max(m.size - glm::ivec2(left + right, top + bottom), glm::ivec2(1));
     }
-    place_ = app::fitted(place, monitors);
+    app::WindowPlace wanted = place;
+    if (!wanted) {  // nothing is known from before: where the desktop has put it, but no larger than its monitor
+        glfwGetWindowPos(w, &wanted.area.at.x, &wanted.area.at.y);
+        glfwGetWindowSize(w, &wanted.area.size.x, &wanted.area.size.y);
+    }
+    const app::WindowPlace fits = app::fitted(wanted, monitors);
+    if (!place && fits.area.size == wanted.area.size) return;
+    place_ = fits;
     if (!place_) return;
-    GLFWwindow* w = window_.get();
     glfwSetWindowSize(w, place_.area.size.x, place_.area.size.y);
     glfwSetWindowPos(w, place_.area.at.x, place_.area.at.y);
     if (place_.maximized) glfwMaximizeWindow(w);

@@ -257,6 +257,28 @@ def case_close_unsaved(open_editor):
         editor.discard()
 
 
+class FirstWindow(real_window.Window):
+    """Opened without a size, by somebody who has never opened it before."""
+    title, verb, search = "lapfx", "edit", "--class"
+
+
+def case_small_screen(open_editor):
+    """Without a size of its own, the window is no larger than the screen."""
+    editor = open_editor()
+    kept = ("HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME", "LAPFX_DATA")
+    display = real_window.Display(editor.folder, "800x600")
+    try:
+        with FirstWindow(editor.lapfx, display, editor.folder, "--at", "0",
+                         environment={key: editor.environment[key] for key in kept}) as window:
+            shape = dict(line.split("=") for line in
+                         window.xdotool("getwindowgeometry", "--shell", window.window).split() if "=" in line)
+            left, top, width, height = (int(shape[key]) for key in ("X", "Y", "WIDTH", "HEIGHT"))
+            assert left >= 0 and top >= 0 and left + width <= 800 and top + height <= 600, shape
+            return f"{width} x {height} at {left}, {top}"
+    finally:
+        display.close()
+
+
 def main(arguments):
     lapfx, drop_files, shipped = (os.path.abspath(a) for a in arguments[:3])
     wanted = arguments[3] if len(arguments) > 3 else ""

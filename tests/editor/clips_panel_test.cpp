@@ -7,12 +7,22 @@
 #include "app/tuning/tuning.h"
 #include "editor/support/editor_test.h"
 #include "lapfx/authoring/documents.h"
+#include "lapfx/authoring/suggest.h"
 #include "support/clips.h"
 
 namespace lapfx::test {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A puff with a mark in a corner that never moves.
+fs::path write_marked_smoke(const fs::path& path) {
+    return write_seen(path, [](cv::Point2d at, int frame) -> cv::Vec3d {
+        if (at.x >= 80 && at.x < 88 && at.y >= 8 && at.y < 16) return {255, 255, 255};
+        const double away = cv::norm(at - cv::Point2d(40, 64 - 3 * frame)) / 14;
+        return cv::Vec3d(200, 200, 200) * std::exp(-away * away);
+    });
+}
 
 class ClipsPanel : public EditorTest {
   protected:
@@ -113,6 +123,39 @@ TEST_F(ClipsPanel, DroppedVideosAreAddedInOneStep) {
     EXPECT_EQ(editor().preview.preview()->clips().size(), 5U) << "seen at once";
     editor().document.undo();
     EXPECT_EQ(names(), sample);
+}
+
+TEST_F(ClipsPanel, ANewClipComesWithTheKeyingThatIsSuggestedForIt) {
+    const fs::path file = write_marked_smoke(folder() / "marked.avi");
+    const KeyingParameters shared = editor().document.preset().smoke.keying;
+    drop(file.string());
+    ASSERT_EQ(clips().size(), 4U);
+    SmokeClip wanted = clips()[3];
+    wanted.keying = shared, wanted.masks.clear();
+    suggest_keying(file).apply(wanted);
+    EXPECT_EQ(clips()[3].own_keying, true);
+    EXPECT_EQ(clips()[3].keying.luma_low, wanted.keying.luma_low);
+    EXPECT_EQ(clips()[3].keying.luma_high, wanted.keying.luma_high);
+    ASSERT_EQ(wanted.masks.size(), 1U) << "the watermark";
+    EXPECT_EQ(clips()[3].masks, wanted.masks) << "is not seen at all";
+    EXPECT_EQ(editor().document.preset().smoke.keying.luma_low, shared.luma_low) << "the others stay as they were";
+    EXPECT_NE(ui().dump().find("Suggested keying for marked.avi, "), std::string::npos);
+    EXPECT_EQ(last_step().name, "Add clip") << "one step";
+    editor().document.undo();
+    EXPECT_EQ(names(), sample);
+}
+
+TEST_F(ClipsPanel, TheFirstClipSetsTheKeyingThatAllShare) {
+    editor().document.change("No clips", [](document::Content& c) { c.preset.smoke.clips.clear(); });
+    const fs::path file = write_marked_smoke(folder() / "marked.avi");
+    editor().clips().add({file.string()});
+    ui().frame().frame();
+    ASSERT_EQ(clips().size(), 1U);
+    EXPECT_FALSE(clips()[0].own_keying);
+    SmokeClip wanted;
+    suggest_keying(file).apply(wanted);
+    EXPECT_EQ(editor().document.preset().smoke.keying.luma_low, wanted.keying.luma_low);
+    EXPECT_EQ(clips()[0].masks.size(), 1U);
 }
 
 TEST_F(ClipsPanel, LotsThatComeInQuickSuccessionAreAllAdded) {

@@ -84,7 +84,7 @@ class CommandsTest : public EditorTest {
         ui().clipboard().text = "{}";
         e.layouts().choose(variant == 0 ? "Key" : "Tune");
         if (variant == 1)
-            for (const char* panel : {"Reference", "Presets", "Snapshots"}) e.layouts().bring_to_front(panel);
+            for (const char* panel : {"Reference", "Library", "Snapshots"}) e.layouts().bring_to_front(panel);
         ui().frame().frame();
         e.reference().hold(30);
         e.toasts.add({.text = "A notice", .seconds = 0});
@@ -224,11 +224,11 @@ TEST_F(CommandsTest, EntriesOfOtherMenusThatAreOffSayWhy) {
     look("preset");
     ui().click("Workspace/Preset/Parameters/Bleeding/More");
     look("group");
-    editor().layouts().bring_to_front("Presets");
+    editor().layouts().bring_to_front("Library");
     ui().frame().frame();
-    ui().click("Workspace/Presets/Filter/More");
+    ui().click("Workspace/Library/Filter/More");
     look("presets");
-    ui().right_click("Workspace/Presets/Presets/Heavy haze");
+    ui().right_click("Workspace/Library/Presets/Heavy haze");
     look("preset file");
     EXPECT_GE(off, 2U) << "nothing is changed: nothing can be reset";
 }

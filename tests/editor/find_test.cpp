@@ -107,5 +107,14 @@ TEST_F(FindTest, ThePanelsSearchKnowsEverydayWords) {
     EXPECT_FALSE(ui().exists("**/Bleeding/Gloss"));
 }
 
+TEST_F(FindTest, DownGoesFromThePanelsSearchToTheFirstRowFound) {
+    ui().key('F', Mods::command).type("ventilation").key(Key::down).frame().settle();
+    EXPECT_TRUE(ui().focused().ends_with("Haze/Ventilation")) << ui().focused();
+    EXPECT_EQ(editor().tuning().search, "ventilation") << "the rows found stay";
+    const double before = editor().document.preset().smoke.haze.ventilation;
+    ui().key(Key::right).settle();
+    EXPECT_NE(editor().document.preset().smoke.haze.ventilation, before) << "its keys work";
+}
+
 }  // namespace
 }  // namespace lapfx::test

@@ -138,7 +138,7 @@ TEST_F(MeasuredAmounts, BothAreDrawnOnTheScenesTime) {
 std::string shown_color(const std::string& name, const std::optional<double>& apart) {
     char text[64];
     std::snprintf(text, sizeof text, "%s %.1f", name.c_str(), apart.value_or(-1));
-    return apart ? text : name + " not measurable";
+    return apart ? text : name + " unknown";
 }
 
 TEST_F(MeasuredAmounts, HowNearColoursAreIsToldAndLeadsToWhatMendsIt) {

@@ -83,7 +83,7 @@ class Placement : public EditorTest {
 
 TEST_F(Placement, IsTypedSeenUndoneAndReset) {
     EXPECT_FALSE(ui().exists("**/Reference/Right"));
-    ui().click("**/Reference/Place").frame();
+    ui().click("**/Reference/Move reference").frame();
     const glm::vec4 before = middle_of_reference();
     const ui::ImageHandle stored = editor().reference().compared_reference().image;
     ui().click("**/Reference/Right", {.clicks = 2}).type("1.9").key(ui::Key::enter).frame().frame();

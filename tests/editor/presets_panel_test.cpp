@@ -25,7 +25,7 @@ class PresetsPanel : public EditorTest {
     void begin() {
         editor().layouts().shown.close("View");
         open_sample();
-        editor().layouts().shown.show("Presets");
+        editor().layouts().shown.show("Library");
         settle();
     }
     void settle() {
@@ -50,22 +50,32 @@ TEST_F(PresetsPanel, TheShippedPresetsAreFoundByNameTextAndTag) {
     const Names all{"Brisk bleed", "Cleared haze",       "Fast haze", "Gastric banding",
                     "Heavy haze",  "Hook cautery plume", "Slow ooze", "Sudden burst"};
     EXPECT_EQ(names(), all);
-    for (const std::string& name : all) EXPECT_TRUE(ui().exists("Workspace/Presets/Presets/" + name)) << name;
-    ui().click("Workspace/Presets/Filter/Search").type("VEIL");
+    for (const std::string& name : all) EXPECT_TRUE(ui().exists("Workspace/Library/Presets/" + name)) << name;
+    ui().click("Workspace/Library/Filter/Search").type("VEIL");
     EXPECT_EQ(names(), Names{"Heavy haze"}) << "a word of its description";
     ui().key(Key::escape);
-    ui().click("Workspace/Presets/Filter/bleeding");
+    ui().click("Workspace/Library/Filter/bleeding");
     EXPECT_EQ(names(), (Names{"Brisk bleed", "Gastric banding", "Slow ooze"}));
-    ui().click("Workspace/Presets/Filter/venous");
+    ui().click("Workspace/Library/Filter/venous");
     EXPECT_EQ(names(), (Names{"Gastric banding", "Slow ooze"})) << "with both tags";
     EXPECT_EQ(ui::faults_of(ui().ui().tree()), std::vector<std::string>{});
 }
 
+TEST_F(PresetsPanel, WithoutAStarThePanelSaysHowToGiveOne) {
+    ui().click("Workspace/Library/Filter/Starred only");
+    EXPECT_EQ(names(), Names{});
+    const std::string told =
+        "Workspace/Library/No preset is starred yet. The star on a preset's picture, or Star in its menu, marks it";
+    ASSERT_TRUE(ui().exists(told));
+    EXPECT_LT(ui().rect(told).bottom(), ui().rect("Workspace/Library/Presets").bottom()) << "above the empty grid";
+    EXPECT_EQ(editor().settings().preset_stars.size(), 0U);
+}
+
 TEST_F(PresetsPanel, StarsAreKeptInTheSettings) {
-    ui().click("Workspace/Presets/Presets/Heavy haze/star");
+    ui().click("Workspace/Library/Presets/Heavy haze/star");
     ASSERT_EQ(editor().settings().preset_stars.size(), 1U);
     EXPECT_TRUE(editor().settings().preset_stars[0].ends_with("presets/heavy_haze.json"));
-    ui().click("Workspace/Presets/Filter/Starred only");
+    ui().click("Workspace/Library/Filter/Starred only");
     EXPECT_EQ(names(), Names{"Heavy haze"});
 }
 
@@ -80,8 +90,8 @@ TEST_F(PresetsPanel, FoldersAreAddedAndBrokenFilesSayWhy) {
     browser().add_folder(folder() / "more");
     settle();
     EXPECT_EQ(browser().files().size(), shipped_presets + 3);
-    EXPECT_TRUE(ui().exists("Workspace/Presets/Presets/Mine"));
-    const std::string broken = "Workspace/Presets/Presets/\u26A0 broken";
+    EXPECT_TRUE(ui().exists("Workspace/Library/Presets/Mine"));
+    const std::string broken = "Workspace/Library/Presets/\u26A0 broken";
     EXPECT_NE(ui().tip(broken).find("/bleeding/speed: -3 is below the minimum"), std::string::npos) << ui().tip(broken);
     const std::string before = write_preset(editor().document.preset());
     ui().click(broken, {.clicks = 2});
@@ -93,7 +103,7 @@ TEST_F(PresetsPanel, FoldersAreAddedAndBrokenFilesSayWhy) {
 }
 
 TEST_F(PresetsPanel, ADoubleClickOpens) {
-    ui().click("Workspace/Presets/Presets/Slow ooze", {.clicks = 2});
+    ui().click("Workspace/Library/Presets/Slow ooze", {.clicks = 2});
     EXPECT_EQ(editor().document.preset().name, "Slow ooze");
     EXPECT_EQ(editor().document.preset_file().filename(), "slow_ooze.json");
     EXPECT_FALSE(editor().document.preset_unsaved());
@@ -102,7 +112,7 @@ TEST_F(PresetsPanel, ADoubleClickOpens) {
 TEST_F(PresetsPanel, WhatIsNotSavedIsNotLost) {
     editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 9; });
     ui().frame();
-    const auto ask = [&] { ui().click("Workspace/Presets/Presets/Slow ooze", {.clicks = 2}).frame(); };
+    const auto ask = [&] { ui().click("Workspace/Library/Presets/Slow ooze", {.clicks = 2}).frame(); };
     ask();
     ui().click("**/Open preset/Cancel");
     EXPECT_EQ(editor().document.preset().bleeding.speed, 9);

@@ -77,7 +77,7 @@ TEST_F(RoomTest, EveryToolOfTheViewCanBeReached) {
             shape(to);
             if (!ui().exists("Workspace/View")) continue;  // a tab that is not in front
             for (const std::string tool :
-                 {"Tool", "Power", "Strength", "Overlay", "Endoscope view", "Use as endoscope", "Frame the organ"})
+                 {"Tool", "Power", "Strength", "Overlay", "Endoscope view", "Use view as endoscope", "Frame the organ"})
                 expect_reachable("View", "View tools", tool);
             if (ui().exists("View tools")) ui().key(ui::Key::escape).frame();
         }

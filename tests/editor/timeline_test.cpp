@@ -218,10 +218,19 @@ TEST_F(TimelinePanelTest, TheDialogOfTheScenesOrganKnowsItsTexture) {
     };
     open({file});
     ui().frame().frame();
-    EXPECT_EQ(texture_warnings(), 1U);
+    EXPECT_TRUE(ui().exists("**/Its texture missing.png cannot be read."));
+    EXPECT_EQ(texture_warnings(), 0U) << "it is told once";
+    EXPECT_LT(ui().rect("**/About it/Use skin.png").bottom(), ui().rect("**/About it/Organ").y) << "above all else";
+    ui().click("**/Load").frame().frame().settle();
+    EXPECT_TRUE(ui().exists("Workspace/View/Missing texture/Use skin.png")) << "and where one looks afterwards";
+    ui().click("Workspace/View/Missing texture/Leave it").frame();
+    EXPECT_FALSE(ui().exists("Workspace/View/Missing texture"));
+    open({file});
+    ui().frame().frame();
+    ui().click("**/About it/Use skin.png").frame();
+    EXPECT_NE(ui().dump().find("Its texture is skin.png"), std::string::npos);
     ui().click("**/Load").frame();
-    editor().document.change("Texture",
-                             [&](document::Content& c) { c.scene.organ.texture = (folder() / "skin.png").string(); });
+    EXPECT_NE(editor().document.scene().organ.texture.find("skin.png"), std::string::npos);
     open({file});
     ui().frame().frame();
     ASSERT_TRUE(editor().organ_choice().ready());
@@ -265,17 +274,17 @@ TEST_F(TimelinePanelTest, AMissingTextureIsToldAndTheLikelyFileIsTaken) {
     ui().frame().frame();
     EXPECT_NE(ui().dump().find("Its texture diffuse.png cannot be read"), std::string::npos) << ui().dump();
     const std::size_t steps = editor().document.done();
-    ui().click("**/Use Liver_texture.jpg").frame().frame();
+    ui().click("**/Scene rows/Organ/Use Liver_texture.jpg").frame().frame();
     EXPECT_EQ(editor().document.done(), steps + 1);
     EXPECT_TRUE(editor().document.scene().organ.texture.ends_with("textures/Liver_texture.jpg"));
     const auto organ = editor().preview.organ_of(editor().document.scene());
     ASSERT_NE(organ, nullptr);
     ASSERT_EQ(organ->organ().images.size(), 1U);
     EXPECT_EQ(organ->organ().images[0].name, "Liver_texture.jpg");
-    EXPECT_FALSE(ui().exists("**/Use Liver_texture.jpg"));
+    EXPECT_FALSE(ui().exists("**/Scene rows/Organ/Use Liver_texture.jpg"));
     editor().document.undo();
     ui().frame().frame();
-    EXPECT_TRUE(ui().exists("**/Use Liver_texture.jpg"));
+    EXPECT_TRUE(ui().exists("**/Scene rows/Organ/Use Liver_texture.jpg"));
 }
 
 TEST_F(TimelinePanelTest, TheDialogShowsTheOrganWithABarOfTenMillimetres) {
@@ -391,6 +400,29 @@ TEST_F(TimelinePanelTest, ASelectionThatIsStaleDoesNoHarm) {
     editor().commands.run("event.add");
     ui().frame();
     EXPECT_EQ(editor().selected, std::vector{tool_action_count - 1}) << "what was made is selected";
+}
+
+TEST_F(TimelinePanelTest, CauteryOfAnOrganWithoutColoursBleedsLittle) {
+    open({box("plain.obj", 96, 60, 66)});
+    ui().frame().frame();
+    ui().click("**/Load").frame().frame();
+    ASSERT_TRUE(events().empty());
+    const auto held = [&](char tool) {
+        ui().key(tool).press("Workspace/View/Preview");
+        for (int i = 0; i < 30; ++i) ui().frame();
+        ui().release();
+        return events().empty() ? -1.0 : events().back().strength;
+    };
+    EXPECT_NEAR(held('1'), 0.15, 1e-9) << "its vessels are not known, and cautery closes what it divides";
+    EXPECT_NE(ui().text("**/Under the pointer").find("would bleed 0.15"), std::string::npos)
+        << ui().text("**/Under the pointer");
+    EXPECT_EQ(held('2'), 1) << "a cut without heat bleeds";
+    editor().tool.action = ToolAction::cauterise;
+    ui().frame().click("**/Add event");
+    EXPECT_NEAR(events().back().strength, 0.15, 1e-9);
+    open_sample();
+    ui().frame();
+    EXPECT_EQ(held('1'), 1) << "where vessels are seen they decide";
 }
 
 }  // namespace

@@ -52,13 +52,37 @@ TEST_F(ViewPanelTest, DraggingTurnsPansAndZooms) {
     EXPECT_FALSE(editor().document.can_undo()) << "looking is no edit";
 }
 
-TEST_F(ViewPanelTest, TheEndoscopeStandsStillAndSaysSo) {
-    const SceneCamera before = editor().document.scene().camera;
-    ui().drag(preview, {60, 20});
+TEST_F(ViewPanelTest, LookingAroundBeginsWithWhatTheEndoscopeSees) {
+    const SceneCamera scene = editor().document.scene().camera;
+    editor().looking.camera.eye = {500, 0, 0};  // of an earlier look
+    ui().press(preview).drag_by({60, 20});
+    EXPECT_FALSE(editor().looking.endoscope);
+    const SceneCamera& free = editor().looking.camera;
+    EXPECT_EQ(free.target, scene.target);
+    EXPECT_NEAR(glm::distance(free.eye, free.target), glm::distance(scene.eye, scene.target), 1e-6);
+    EXPECT_GT(glm::distance(free.eye, scene.eye), 5.0) << "it turns at once";
+    const std::string told = "Workspace/View/Beside the pointer";
+    EXPECT_EQ(ui().text(told), "You look around freely. Key E goes back to the endoscope");
+    const ui::Rect line = ui().rect(told);
+    EXPECT_LT(std::abs(line.center().y - ui().ui().pointer().y), 50.0F) << "not in a far corner";
+    EXPECT_LT(line.x, ui().ui().pointer().x + 50);
+    EXPECT_GT(line.right(), ui().ui().pointer().x);
+    ui().release().key('E');
     EXPECT_TRUE(editor().looking.endoscope);
-    EXPECT_EQ(editor().shot().camera.eye, before.eye);
-    EXPECT_EQ(editor().toasts.size(), 1U);
-    ui().click("**/Look around freely");
+    EXPECT_EQ(editor().shot().camera.eye, scene.eye) << "the endoscope has not moved";
+    EXPECT_EQ(editor().toasts.size(), 0U);
+    ui().frame(10).frame();
+    EXPECT_FALSE(ui().exists(told));
+    ui().wheel(preview, {0, 2});
+    EXPECT_FALSE(editor().looking.endoscope) << "the wheel looks around, too";
+}
+
+TEST_F(ViewPanelTest, WithAToolInTheHandTheEndoscopeStaysAndSaysHowToLookAround) {
+    ui().key('1').wheel(preview, {0, 2});
+    EXPECT_TRUE(editor().looking.endoscope);
+    EXPECT_EQ(ui().text("Workspace/View/Beside the pointer"),
+              "The tool works in the endoscope's view. Key 0 looks around");
+    ui().key('0').drag(preview, {60, 0});
     EXPECT_FALSE(editor().looking.endoscope);
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <utility>
 
+#include "app/base/notices.h"
 #include "app/base/settings.h"
 #include "app/preview/preview_host.h"
 #include "lapfx/authoring/clip.h"
@@ -17,6 +19,7 @@ namespace {
 
 constexpr glm::ivec2 thumbnail_size{128, 72};
 constexpr double between_asking = 0.25;  // s
+constexpr double sure_from = 0.5;        // confidence of a suggestion below which a person should look first
 constexpr std::size_t most_clips = 64;   // as many as the table of presets allows
 
 /// What a job has found out about a file.
@@ -87,6 +90,17 @@ bool copy_file(const fs::path& from, const fs::path& to, const std::function<boo
     fs::rename(part.path(), to, error);
     if (error) throw cannot_copy(from, to, error.message());
     return true;
+}
+
+/// As suggested for the clip that was added last. The first clip of a preset sets the keying that all share.
+void take_keying(SmokeParameters& smoke, const KeyingSuggestion& found) {
+    SmokeClip& clip = smoke.clips.back();
+    if (found.alpha) return;
+    const KeyingParameters unused = std::exchange(clip.keying, smoke.keying);  // what is not suggested stays as it was
+    found.apply(clip);
+    if (smoke.clips.size() > 1) return;
+    smoke.keying = std::exchange(clip.keying, unused);
+    clip.own_keying = false;
 }
 
 const ClipFacts unknown_clip{};
@@ -295,14 +309,16 @@ void ClipShelf::look_through(const Lot& lot) {
     const auto& [files, replace] = lot;
     const auto faults = std::make_shared<std::vector<Fault>>();
     const auto work = [this, files = lot.files, replace = lot.replace, faults](Job& job) -> Jobs::Apply {
-        std::vector<std::string> good, bad;
-        std::vector<SourceSuggestion> sources;
+        std::vector<Good> good;
+        std::vector<std::string> bad;
         for (std::size_t i = 0; i < files.size() && !job.cancelled(); ++i) {
             if (files.size() > 1) job.set_progress(static_cast<double>(i) / static_cast<double>(files.size()));
             try {
                 KeyingReader opened(files[i], &job.stop());
-                sources.push_back(replace ? SourceSuggestion{} : suggest_source(files[i], &job.stop()));
-                good.push_back(fs::absolute(files[i]).lexically_normal().string());
+                Good one{.file = fs::absolute(files[i]).lexically_normal().string()};
+                if (!replace) one.source = suggest_source(files[i], &job.stop());
+                if (!replace) one.keying = suggest_keying(files[i], &job.stop());
+                good.push_back(std::move(one));
             } catch (const Error& error) {
                 faults->insert(faults->end(), error.faults().begin(), error.faults().end());
                 bad.push_back(files[i]);
@@ -311,7 +327,7 @@ void ClipShelf::look_through(const Lot& lot) {
         return [=, this] {
             refused_.insert(refused_.end(), faults->begin(), faults->end());
             settings_.forget_missing(bad);
-            take_found(good, sources, replace);
+            take_found(good, replace);
             end_work();
         };
     };
@@ -324,16 +340,15 @@ void ClipShelf::look_through(const Lot& lot) {
     });
 }
 
-void ClipShelf::take_found(const std::vector<std::string>& files, const std::vector<SourceSuggestion>& sources,
-                           std::optional<std::size_t> replace) {
+void ClipShelf::take_found(const std::vector<Good>& files, std::optional<std::size_t> replace) {
     if (files.empty()) return;
-    for (auto file = files.rbegin(); file != files.rend(); ++file) settings_.note_recent(*file);
+    for (auto file = files.rbegin(); file != files.rend(); ++file) settings_.note_recent(file->file);
     document::Document& document = document_;
     if (replace) {
         if (*replace >= document.preset().smoke.clips.size()) return;
         return document.change("Replace clip", [&](document::Content& c) {
             SmokeClip& clip = c.preset.smoke.clips[*replace];
-            clip.file = files[0];
+            clip.file = files[0].file;
             clip.in = clip.out = 0;  // of another file
             document.gather_clips(c.preset);
         });
@@ -341,20 +356,36 @@ void ClipShelf::take_found(const std::vector<std::string>& files, const std::vec
     std::size_t added = 0;
     document.change(files.size() == 1 ? "Add clip" : "Add " + std::to_string(files.size()) + " clips",
                     [&](document::Content& c) {
-                        for (const std::string& file : files) {
+                        for (const Good& one : files) {
                             if (c.preset.smoke.clips.size() >= most_clips) break;
                             SmokeClip& clip = c.preset.smoke.clips.emplace_back();
-                            clip.file = file;
-                            take_source(clip, sources[added]);  // a new clip is a plume
+                            clip.file = one.file;
+                            take_source(clip, one.source);  // a new clip is a plume
+                            take_keying(c.preset.smoke, one.keying);
                             ++added;
                         }
                         document.gather_clips(c.preset);
                     });
     if (added > 0) selected = document.preset().smoke.clips.size() - 1;
+    tell_keying({files.begin(), files.begin() + static_cast<std::ptrdiff_t>(added)});
     if (added < files.size())
-        refused_.push_back({.file = files[added],
+        refused_.push_back({.file = files[added].file,
                             .place = "",
                             .reason = "a preset has at most " + std::to_string(most_clips) + " clips"});
+}
+
+/// Whatever was suggested may be wrong: it is said how sure it is, and undone with the clips.
+void ClipShelf::tell_keying(const std::vector<Good>& added) {
+    const Good* least = nullptr;
+    for (const Good& one : added)
+        if (!one.keying.alpha && (least == nullptr || one.keying.confidence < least->keying.confidence)) least = &one;
+    if (least == nullptr) return;
+    const bool unsure = least->keying.confidence < sure_from;
+    const std::string of = added.size() == 1 ? "" : std::to_string(added.size()) + " clips, the least sure of them ";
+    notices_.add({.kind = unsure ? ui::ToastKind::warning : ui::ToastKind::info,
+                  .text = "Suggested keying for " + of + fs::path(least->file).filename().string() + ", " +
+                          (unsure ? "only " : "") + std::to_string(std::lround(100 * least->keying.confidence)) +
+                          " % sure; the Keying panel shows what it leaves"});
 }
 
 void ClipShelf::copy_beside() {

@@ -28,6 +28,7 @@
 
 namespace lapfx::app {
 
+class Notices;
 class PreviewHost;
 class Settings;
 
@@ -46,12 +47,13 @@ class ClipShelf {
   public:
     /// All must outlive it.
     ClipShelf(document::Document& document, const PreviewHost& preview, Jobs& jobs, Settings& settings,
-              ui::ImageStore& images, std::vector<std::filesystem::path> clip_folders, bool exact)
+              ui::ImageStore& images, Notices& notices, std::vector<std::filesystem::path> clip_folders, bool exact)
         : document_(document),
           preview_(preview),
           jobs_(jobs),
           settings_(settings),
           images_(images),
+          notices_(notices),
           clip_folders_(std::move(clip_folders)),
           exact_(exact) {}
     ClipShelf(const ClipShelf&) = delete;
@@ -83,7 +85,8 @@ class ClipShelf {
     void look_again();
 
     // --- changing ----------------------------------------------------------------------------------------------------
-    /// Examines files in a job and adds those that are clips, or replaces clip `replace` by the first one. refused()
+    /// Examines files in a job and adds those that are clips, with the keying and the source that are suggested for
+    /// them, or replaces clip `replace` by the first one. refused()
     /// says what is wrong with the others. What is asked for while other work runs waits for its end.
     void add(const std::vector<std::string>& files, std::optional<std::size_t> replace = {});
     /// Copies every clip that is outside into home(), in a job, and names the copy in the preset.
@@ -114,8 +117,14 @@ class ClipShelf {
     void end_work();
     ClipFacts& find(const std::string& file);
     void look(const std::string& key, const std::string& file);
-    void take_found(const std::vector<std::string>& files, const std::vector<SourceSuggestion>& sources,
-                    std::optional<std::size_t> replace);
+    /// A file that is a clip, and what is suggested for it where it is added.
+    struct Good {
+        std::string file;
+        SourceSuggestion source{};
+        KeyingSuggestion keying{};
+    };
+    void take_found(const std::vector<Good>& files, std::optional<std::size_t> replace);
+    void tell_keying(const std::vector<Good>& added);
     void copy(const std::map<std::string, std::filesystem::path>& from, const std::filesystem::path& to,
               std::function<void(const std::map<std::string, std::string>&)> taken);
     bool is_outside(const ClipFacts& facts) const;
@@ -128,6 +137,7 @@ class ClipShelf {
     Jobs& jobs_;
     Settings& settings_;
     ui::ImageStore& images_;
+    Notices& notices_;
     std::vector<std::filesystem::path> clip_folders_;
     bool exact_;
     std::map<std::string, ClipFacts> known_;  ///< by folder and name

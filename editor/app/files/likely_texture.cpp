@@ -74,4 +74,16 @@ std::optional<fs::path> likely_texture(const fs::path& missing, const fs::path& 
     return found.front();
 }
 
+std::optional<MissingTexture> missing_texture(const Organ& organ, const fs::path& mesh) {
+    if (std::ranges::any_of(organ.materials, [](const Material& m) { return m.base_color_image >= 0; }))
+        return std::nullopt;
+    std::optional<MissingTexture> first;
+    for (const fs::path& file : missing_textures(organ.unread_files)) {
+        MissingTexture one{.missing = file, .likely = likely_texture(file, mesh)};
+        if (one.likely) return one;
+        if (!first) first = std::move(one);
+    }
+    return first;
+}
+
 }  // namespace lapfx::app

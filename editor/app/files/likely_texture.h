@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "lapfx/organ.h"
+
 namespace lapfx::app {
 
 /// The pictures of `files` that cannot be read: textures that an organ names.
@@ -19,5 +21,15 @@ std::vector<std::filesystem::path> missing_textures(const std::vector<std::files
 /// likely. Normal maps and the like are left out.
 std::optional<std::filesystem::path> likely_texture(const std::filesystem::path& missing,
                                                     const std::filesystem::path& mesh);
+
+/// A texture that an organ names and that cannot be read, and the picture that may be meant.
+struct MissingTexture {
+    std::filesystem::path missing;
+    std::optional<std::filesystem::path> likely;
+};
+
+/// Of the first texture of an organ without any for which a picture is found, else of the first that is missing.
+/// Nothing where the organ has a picture: one that is given in the scene is that of every part.
+std::optional<MissingTexture> missing_texture(const Organ& organ, const std::filesystem::path& mesh);
 
 }  // namespace lapfx::app

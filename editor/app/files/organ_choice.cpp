@@ -112,9 +112,10 @@ void OrganChoice::open(const std::filesystem::path& file) {
             const double standard = organ->scale;
             for (glm::vec3& position : organ->positions) position = glm::vec3(glm::dvec3(position) / standard);
             OrganReport report = lapfx::report(*organ);
-            return [this, organ, report = std::move(report), standard] {
+            std::optional<MissingTexture> missing = app::missing_texture(*organ, file);
+            return [this, organ, report = std::move(report), missing = std::move(missing), standard] {
                 standard_scale_ = standard;
-                take(organ, report);
+                take(organ, report, missing);
             };
         },
         [this, file](const std::vector<Fault>& faults) {
@@ -130,6 +131,7 @@ void OrganChoice::give_up() {
     organ_.reset();
     faults_.clear();
     report_ = {};
+    missing_.reset();
     pictured_for_ = glm::dvec3(1e9);
     measured_for_ = glm::dvec3(1e9);
 }
@@ -153,7 +155,9 @@ ui::ImageHandle OrganChoice::picture() {
     return image_;
 }
 
-void OrganChoice::take(const std::shared_ptr<const Organ>& organ, OrganReport report) {
+void OrganChoice::take(const std::shared_ptr<const Organ>& organ, OrganReport report,
+                       std::optional<MissingTexture> missing) {
+    missing_ = std::move(missing);
     job_.reset();
     organ_ = organ;
     report_ = std::move(report);
@@ -164,8 +168,11 @@ void OrganChoice::take(const std::shared_ptr<const Organ>& organ, OrganReport re
 std::vector<std::string> OrganChoice::warnings() const {
     if (!organ_) return {};
     std::vector<std::string> all = organ_->warnings;
-    // Its own pictures are not wanted where the scene gives it another one.
-    if (!texture_.empty()) std::erase_if(all, [](const std::string& one) { return one.starts_with("texture "); });
+    // Its own pictures are not wanted where the scene gives it another one; a missing one is told apart.
+    std::erase_if(all, [&](const std::string& one) {
+        if (!one.starts_with("texture ")) return false;
+        return !texture_.empty() || (missing_ && one.find(missing_->missing.filename().string()) != std::string::npos);
+    });
     return all;
 }
 
@@ -221,6 +228,7 @@ void OrganChoice::load() {
         scene.organ.file = path_for(file_, scene.folder);
         scene.organ.scale = scale_;
         scene.organ.rotation = rotation_;
+        if (!texture_.empty()) scene.organ.texture = path_for(texture_, scene.folder);
         see_whole(scene, organ);
     });
     settings_.note_recent(file_.string());

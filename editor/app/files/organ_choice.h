@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "app/base/jobs.h"
+#include "app/files/likely_texture.h"
 #include "document/document.h"
 #include "lapfx/authoring/organ_report.h"
 #include "lapfx/organ.h"
@@ -90,6 +91,9 @@ class OrganChoice {
     std::vector<std::string> warnings() const;             ///< of the mesh, without those on its size
     /// The picture that the scene gives this organ in place of its own; empty: none.
     const std::filesystem::path& texture() const { return texture_; }
+    void use_texture(const std::filesystem::path& picture) { texture_ = picture; }
+    /// One that the file names and that cannot be read, unless the scene gives it another.
+    const MissingTexture* missing_texture() const { return missing_ && texture_.empty() ? &*missing_ : nullptr; }
 
     double scale() const { return scale_; }  ///< mm per unit of the file
     void set_scale(double scale) { scale_ = scale; }
@@ -113,7 +117,7 @@ class OrganChoice {
     void load();
 
   private:
-    void take(const std::shared_ptr<const Organ>& organ, OrganReport report);
+    void take(const std::shared_ptr<const Organ>& organ, OrganReport report, std::optional<MissingTexture> missing);
     OrganReport turned() const;
 
     document::Document& document_;
@@ -129,6 +133,7 @@ class OrganChoice {
     std::shared_ptr<Job> job_;
     std::shared_ptr<const Organ> organ_;  ///< in units of the file
     OrganReport report_;
+    std::optional<MissingTexture> missing_;
     std::vector<Fault> faults_;
     double scale_ = 1, standard_scale_ = 1;
     glm::dvec3 rotation_{0.0};

@@ -14,8 +14,9 @@ void ToolHold::begin(const ToolInHand& tool, const glm::dvec3& place) {
     if (on_ || !tool.action || !preview_.ready()) return;
     if (timeline_.time >= last_event_time) return;
     document_.commit();
-    preview_.put_tool(*tool.action, row_of(*tool.action).hot ? tool.power : 1.0,
-                      divides(*tool.action) ? tool.strength : 1.0, timeline_.time, place);
+    const double strength = tool.strength * strength_here(*tool.action, preview_.preview()->tissue(place));
+    preview_.put_tool(*tool.action, row_of(*tool.action).hot ? tool.power : 1.0, divides(*tool.action) ? strength : 1.0,
+                      timeline_.time, place);
     on_ = preview_.tool_on();
     began_ = timeline_.time;
     speed_before_ = timeline_.speed;

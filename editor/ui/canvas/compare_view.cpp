@@ -262,7 +262,7 @@ bool edit_line(Ui& ui, Id id, const View& view, const Response& r, CompareState&
 /// Whether the widget with the keyboard takes letters as text or as the beginning of a search.
 bool types(Ui& ui, Id focus) {
     const Node* node = ui.before(focus);
-    return node != nullptr && node->typed == TypedKeys::all &&
+    return node != nullptr && node->typed == TypedKeys::all && (node->role != Role::combo || ui.focus_ringed()) &&
            has(node->sense, Sense::typing | Sense::editing | Sense::keys | Sense::every_key);
 }
 

@@ -14,6 +14,8 @@ namespace {
 
 constexpr int magnified = 11;             // pixels across the magnifier
 constexpr float magnified_pixel = 0.55F;  // em
+// What lies behind transparency, whatever the theme: smoke is light, and would not be seen on light squares.
+constexpr Color checker_light = rgb(0x3b4048), checker_dark = rgb(0x2b2e35);
 
 /// Where the pointer moved to since the last build, if it did and is over the node.
 bool pointer_moved(const Node& node, const Response& response, Ui& ui) {
@@ -241,7 +243,7 @@ void draw_picture(Painter& painter, const View& view, const PictureLook& look) {
         return painter.pop_clip();
     }
     const bool pixels = view.zoom >= grid_zoom;
-    if (look.picture.transparent) painter.checker(seen, t.control_hover, t.control_active, painter.em(0.6F));
+    if (look.picture.transparent) painter.checker(seen, checker_light, checker_dark, painter.em(0.6F));
     if (look.second != 0) {
         CompareLook compare = look.compare;
         compare.nearest = pixels;

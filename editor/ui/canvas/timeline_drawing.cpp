@@ -60,7 +60,9 @@ void draw_ruler(Painter& p, const Frame& f, const Look& look) {
         const Rect place{x + p.em(0.3F), f.ruler.y, p.em(8), f.ruler.h * 0.85F};
         const std::string_view text = format_position(buffer, k * step, o.rate, o.unit);
         const float end = place.x + p.fonts().run(text, p.number_style()).width;
-        if (!meets_bracket(p, f, look.state, place.x, end)) p.text(place, text, p.number_style(), t.text_dim);
+        // A time without its end would be another one.
+        if (end <= f.ruler.right() && !meets_bracket(p, f, look.state, place.x, end))
+            p.text(place, text, p.number_style(), t.text_dim);
     }
     p.pop_clip();
 }

@@ -102,8 +102,8 @@ bool takes(const Node& node, Key key, Mods mods) {
     return takes(node.sense, key, mods);
 }
 
-/// A button that was clicked has the keyboard, but shows no ring. Space then runs the program's shortcut, if there is
-/// one; with the ring it presses the button.
+/// A button or combo that was clicked has the keyboard, but shows no ring. Space then runs the program's shortcut, if
+/// there is one; with the ring it presses the button.
 bool only_activates(Sense sense) {
     return has(sense, Sense::activate) && !has(sense, Sense::typing | Sense::editing | Sense::keys | Sense::every_key);
 }
@@ -113,6 +113,34 @@ bool only_activates(Sense sense) {
 bool begins_entry(Sense sense, Key key) {
     return has(sense, Sense::digits) && !has(sense, Sense::typing | Sense::editing | Sense::keys | Sense::every_key) &&
            printable(key);
+}
+
+/// Keys that a node which was only clicked, and shows no ring, leaves to the program: the person looks elsewhere by
+/// now. A letter would change the choice of a combo, Home would bring another tab to the front, Delete would close one.
+bool leaves(const Node& node, Key key) {
+    if (node.role == Role::combo) return printable(key) && key != Key::space;
+    if (node.role == Role::tab) return key != Key::left && key != Key::right;
+    return begins_entry(node.sense, key);
+}
+
+/// Keys that open a menu of the bar.
+bool opens_bar(Key key, Mods mods) {
+    if (key == Key::f10) return mods == Mods::none;
+    return mods == Mods::alt && printable(key);
+}
+
+/// Scrolls the area by a page or to an end. Returns whether it could go that way.
+bool scroll_area(const Node& area, Key key, float row) {
+    if (area.scroll == nullptr || !area.scrolls[1]) return false;
+    ScrollState& scroll = *area.scroll;
+    const float most = std::max(0.0F, scroll.content.y - scroll.view.y);
+    const float page = std::max(1.0F, scroll.view.y - row);  // one row of the last page stays in sight
+    float to = key == Key::home ? 0.0F : most;
+    if (key == Key::page_up || key == Key::page_down) to = scroll.offset.y + (key == Key::page_up ? -page : page);
+    to = std::clamp(to, 0.0F, most);
+    const bool moves = to != scroll.offset.y;
+    scroll.offset.y = to;
+    return moves;
 }
 
 /// Keys that a dialog may use, whichever of its nodes has the keyboard.
@@ -145,12 +173,12 @@ void Ui::route_key(const Event& event) {
     }
     if (takes_under_pointer(event)) return send(hot_, event);
     const Node* node = before(focus_);
-    if (node != nullptr && event.key == Key::space && !ringed_ && only_activates(node->sense) &&
-        press_shortcut(event.key, event.mods)) {
+    if (node != nullptr && event.key == Key::space && !ringed_ &&
+        (only_activates(node->sense) || node->role == Role::combo) && press_shortcut(event.key, event.mods)) {
         key_ran_shortcut_ = true;
         return;
     }
-    const bool unseen = node != nullptr && !ringed_ && begins_entry(node->sense, event.key);
+    const bool unseen = node != nullptr && !ringed_ && leaves(*node, event.key);
     if (node != nullptr && !unseen && !is_for_picture(*node, event) && takes(*node, event.key, event.mods)) {
         const bool pressed = has(node->sense, Sense::activate) && (event.key == Key::enter || event.key == Key::space);
         if (pressed && event.repeat && !has(node->sense, Sense::editing)) return;  // a button held down is one click
@@ -183,6 +211,12 @@ bool Ui::is_for_picture(const Node& focused, const Event& event) const {
 
 bool Ui::navigate(const Event& event) {
     const bool back = has(event.mods, Mods::shift);
+    if (opens_bar(event.key, event.mods)) {
+        const bool modal = std::any_of(overlays_.begin(), overlays_.end(),
+                                       [](const Overlay& o) { return o.kind == OverlayKind::modal; });
+        for (const Node& node : nodes_before())
+            if (node.role == Role::menu_bar && !modal) return send(node.id, event), true;
+    }
     switch (event.key) {
         case Key::tab:
             has(event.mods, Mods::command) ? move_panel(back ? -1 : 1) : move_focus(back ? -1 : 1);
@@ -242,22 +276,18 @@ bool Ui::send_to_around(const Event& event, Sense sense) {
     return false;
 }
 
-/// Scrolls the innermost area that can go that way, by a page or to its end.
+/// Scrolls the innermost area that can go that way, by a page or to its end. A tab stands for the first area of its
+/// page.
 bool Ui::scroll_by_key(Key key) {
-    for (std::uint32_t i = key_place(); i != no_node; i = nodes_before()[i].parent) {
-        const Node& area = nodes_before()[i];
-        if (area.scroll == nullptr || !area.scrolls[1]) continue;
-        ScrollState& scroll = *area.scroll;
-        const float most = std::max(0.0F, scroll.content.y - scroll.view.y);
-        const float page = std::max(1.0F, scroll.view.y - row_height());  // one row of the last page stays in sight
-        float to = key == Key::home ? 0.0F : most;
-        if (key == Key::page_up || key == Key::page_down) to = scroll.offset.y + (key == Key::page_up ? -page : page);
-        to = std::clamp(to, 0.0F, most);
-        if (to == scroll.offset.y) continue;
-        scroll.offset.y = to;
-        again_ = true;
-        return true;
+    const std::uint32_t place = key_place();
+    if (place != no_node && nodes_before()[place].role == Role::tab) {
+        const std::uint32_t strip = nodes_before()[nodes_before()[place].parent].parent;
+        const std::uint32_t page = nodes_before()[strip].next;
+        for (std::uint32_t i = page; page != no_node && i < nodes_before()[page].end; ++i)
+            if (scroll_area(nodes_before()[i], key, row_height())) return again_ = true;
     }
+    for (std::uint32_t i = place; i != no_node; i = nodes_before()[i].parent)
+        if (scroll_area(nodes_before()[i], key, row_height())) return again_ = true;
     return false;
 }
 

@@ -229,7 +229,7 @@ void Ui::route_text(const Event& event) {
     // that has the focus now.
     if (std::exchange(key_came_, false) && typed_for_ != focus_) return;
     const Node* node = before(focus_);
-    if (node == nullptr) return;
+    if (node == nullptr || (node->role == Role::combo && !ringed_)) return;
     const char32_t c = event.codepoint;
     // Characters that an expression can begin with. Letters count unless they are a shortcut: "sqrt(16)" must not
     // become "(16)".

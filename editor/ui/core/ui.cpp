@@ -29,6 +29,15 @@ float tooltip_height(Ui& ui, const Node& node, float width) {
            static_cast<float>(node.padding[1] * 2);
 }
 
+/// The area of rows that scroll around a node, as far as it is seen; empty: there is none.
+Rect rows_around(std::span<const Node> all, std::uint32_t index) {
+    for (std::uint32_t i = index; i < all.size() && !all[i].overlay; i = all[i].parent)
+        if (all[i].scroll != nullptr && all[i].scrolls[1]) return all[i].seen();
+    return {};
+}
+
+constexpr float widest_tip = 26, tip_pad = 0.5F;  // em
+
 std::uint8_t byte_of(float v) {
     return static_cast<std::uint8_t>(std::clamp(v, 0.0F, 255.0F));
 }
@@ -80,9 +89,15 @@ void Ui::add_tooltip() {
     const double due = rested_since_ + (by_keys ? tooltip_by_keys : tooltip_after);
     if (time() < due) return wake_at(due, "tooltip");
     const glm::vec2 away(em(0.6F), em(1.3F));
-    const Placement placement =
+    Placement placement =
         by_keys ? Placement{.side = Placement::Side::below, .offset = {0, em(0.2F)}, .anchor = of}
                 : Placement{.side = Placement::Side::pointer, .offset = away, .rect = {pointer_.x, pointer_.y, 0, 0}};
+    // Of a row it lies beside the rows, where there is room: the row below is the one that is read next.
+    const Rect rows = rows_around(nodes_before(), index_before(of));
+    const float width = em(widest_tip + 2 * tip_pad) + em(0.2F);
+    if (!rows.empty() && (rows.right() + width <= window().x || rows.x - width >= 0))
+        placement = {
+            .side = Placement::Side::right_of, .offset = {em(0.2F), 0}, .rect = {rows.x, rect_before(of).y, rows.w, 0}};
     put_tip(tip, placement);
 }
 
@@ -103,8 +118,8 @@ void Ui::put_tip(std::string_view tip, const Placement& placement) {
     node.end = static_cast<std::uint32_t>(nodes().size());
     node.text = tip;
     node.placement = arena().make(placement);
-    for (std::uint8_t& pad : node.padding) pad = byte_of(em(0.5F));
-    const float widest = em(26), wish = paragraph_width(fonts_, tip, text_style());
+    for (std::uint8_t& pad : node.padding) pad = byte_of(em(tip_pad));
+    const float widest = em(widest_tip), wish = paragraph_width(fonts_, tip, text_style());
     node.size[0] = px(std::ceil(std::min(wish, widest)) + static_cast<float>(node.padding[0] * 2));
     node.height_for_width = tooltip_height;
     draw_with<draw_tooltip>(node, text_style());

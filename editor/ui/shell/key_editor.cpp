@@ -21,6 +21,7 @@ constexpr float sheet_column = 19, sheet_gap = 2, sheet_padding = 1;  // em
 constexpr SheetLine fixed_keys[] = {{"Next field", "Tab"},
                                     {"Field before", "Shift+Tab"},
                                     {"Next panel", "F6"},
+                                    {"Menu bar", "F10, Alt+letter"},
                                     {"Press, choose", "Enter"},
                                     {"Close, cancel", "Esc"},
                                     {"Menu of what has the keyboard", "Menu"},

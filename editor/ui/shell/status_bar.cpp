@@ -48,7 +48,7 @@ void status_text(Ui& ui, std::string_view label_text, std::string_view text, con
     const float wish = std::ceil(ui.fonts().run(text, style).width) + icon;
     node.size[0] = px(std::max(wish, ui.em(options.width)));
     node.size[1] = px(ui.row_height());
-    node.rigid = false;
+    node.rigid = options.number;
     const Rect before = ui.rect_before(node.id);
     node.tip = options.tip.empty() && before.w > 0 && before.w < wish ? node.text : ui.copy(options.tip);
     ui.respond(node);

@@ -24,7 +24,7 @@ class StatusBar {
 struct StatusOptions {
     Tone tone = Tone::dim;
     Icon icon = Icon::none;
-    bool number = false;        ///< digits of one width
+    bool number = false;        ///< digits of one width; never cut, since a number without its end is another one
     float width = 0;            ///< em at least: what follows does not dance
     std::string_view tip = {};  ///< the text itself where it is cut
 };

@@ -69,6 +69,17 @@ struct MenuOf {
     std::string panel;
 };
 
+/// The panel whose tab was pressed: its picture gets the keyboard once it is built.
+struct Pressed {
+    std::string panel;
+};
+
+bool is_picture(const Node& node) {
+    const bool shown = node.role == Role::canvas || node.role == Role::image || node.role == Role::timeline ||
+                       node.role == Role::plot || node.role == Role::curve;
+    return shown && has(node.sense, Sense::focus);
+}
+
 struct Drop {
     int leaf = -1, position = -1;
     DockSide side = DockSide::center;
@@ -104,6 +115,7 @@ struct Making {
     float least(int index, int a) const;
     void arrange(int index, const Rect& rect);
     void leaf(int index);
+    void focus_picture(std::string_view panel);
     void menu();
     void edges();
     Drop drop_at(glm::vec2 pointer, const Rect& whole);
@@ -157,13 +169,25 @@ void Making::leaf(int index) {
     if (tabs.chosen >= 0) wish = {.kind = Wish::Kind::front, .leaf = index, .tab = tabs.chosen};
     if (tabs.closed >= 0) wish = {.kind = Wish::Kind::close, .leaf = index, .tab = tabs.closed};
     if (tabs.dropped >= 0) wish = {.kind = Wish::Kind::move, .leaf = index, .tab = tabs.dropped};
+    if (tabs.pressed >= 0) ui.memory<Pressed>(id).panel = names[static_cast<std::size_t>(tabs.pressed)];
     if (count > 0) {
         const std::string_view front = names[static_cast<std::size_t>(n.active)];
         const auto panel = static_cast<std::size_t>(std::find(panels.begin(), panels.end(), front) - panels.begin());
         const Panel ground(ui, front, {.width = grow(), .height = grow(), .padding = options.padding});
         if (panel < panels.size()) build(panel);
+        focus_picture(front);
     }
     ui.close();
+}
+
+/// After a press on its tab the keys are for what the panel shows, so that arrows turn a view. A panel without a
+/// picture leaves the keyboard to the tab.
+void Making::focus_picture(std::string_view panel) {
+    std::string& pressed = ui.memory<Pressed>(id).panel;
+    if (pressed.empty() || pressed != panel) return;
+    pressed.clear();
+    for (const Node* node = &ui.parent(); node <= &ui.last(); ++node)
+        if (is_picture(*node)) return ui.set_focus(node->id);
 }
 
 /// The menu of a tab. It closes the tab's panel, or shows a closed panel next to it.

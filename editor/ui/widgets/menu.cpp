@@ -40,7 +40,10 @@ struct MenuState {
     int bar_count = 0, bar_index = 0;
     float bar_text = 0, bar_texts = 0;  ///< px of the titles so far, and of all titles in the last build
     float bar_pad = 0;                  ///< px on each side of a title
-    int bar_want = -1;                  ///< index of the menu to open next, after Left or Right
+    int bar_want = -1;                  ///< index of the menu to open next, after Left, Right or F10
+    char bar_letter = 0;                ///< came with Alt in this build, small
+    std::uint32_t bar_letters = 0;      ///< bits of the letters that open the menus so far, a first
+    bool bar_by_key = false;            ///< a key has opened a menu of the bar, whose first item is to be marked
     std::array<char, 96> open_bar_menu{};
 };
 
@@ -97,12 +100,35 @@ void draw_bar(Painter& painter, const Node& node, const Color& color) {
     painter.ground(node.rect(), color);
 }
 
-void draw_bar_item(Painter& painter, const Node& node, const TextStyle& style) {
+struct BarItemLook {
+    TextStyle style;
+    std::size_t letter = 0;  ///< byte of the title
+    bool underlined = false;
+    friend bool operator==(const BarItemLook&, const BarItemLook&) = default;
+};
+
+void draw_bar_item(Painter& painter, const Node& node, const BarItemLook& look) {
     const Theme& t = painter.theme();
     const bool disabled = has(node.is, Is::disabled), open = has(node.is, Is::expanded);
     if (!disabled && (open || has(node.is, Is::hovered)))
         painter.fill(node.rect(), open ? t.accent_ground : t.control_hover, painter.em(t.radius));
-    painter.text(node.rect(), node.shown, style, disabled ? t.text_disabled : t.text, Align::center);
+    const Color ink = disabled ? t.text_disabled : t.text;
+    painter.text(node.rect(), node.shown, look.style, ink, Align::center);
+    if (!look.underlined) return;
+    const Run& run = painter.fonts().run(node.shown, look.style);
+    const float left = std::round(node.rect().center().x - run.width / 2);
+    const float from = std::round(run.x_of(look.letter)), to = std::round(run.x_of(look.letter + 1));
+    painter.fill({left + from, std::round(node.rect().center().y + painter.em(0.55F)), to - from, painter.hairline()},
+                 ink);
+}
+
+/// The byte of the first letter of the title that opens no menu before it in the bar; the size of the title: none.
+std::size_t letter_of(std::string_view title, std::uint32_t taken) {
+    for (std::size_t i = 0; i < title.size(); ++i) {
+        const char32_t c = lower(static_cast<unsigned char>(title[i]));
+        if (c >= 'a' && c <= 'z' && (taken >> (c - 'a') & 1U) == 0) return i;
+    }
+    return title.size();
 }
 
 /// Reads the events that the item with the keyboard got in this build. This is done before the items are built, because
@@ -129,7 +155,9 @@ void put_keys(Ui& ui, Level& level, std::uint8_t layer) {
     level.keys = node.id;
     level.passed = level.key_target == node.id;
     Id& had = state_of(ui).keys;
-    level.opened_by_key = level.passed && had != node.id && ui.focus_ringed();
+    bool& by_key = state_of(ui).bar_by_key;
+    level.opened_by_key = level.passed && had != node.id && (ui.focus_ringed() || by_key);
+    if (level.passed) by_key = false;
     if (level.passed || had == node.id) had = level.passed ? node.id : 0;
 }
 
@@ -313,6 +341,26 @@ Submenu::~Submenu() {
     if (open_) end_menu(ui_);
 }
 
+namespace {
+
+/// F10 opens the first menu, or closes the one that is open; a letter opens the menu that has it.
+void take_bar_key(Ui& ui, MenuState& state, const Event& event) {
+    if (event.kind != EventKind::key) return;
+    const std::string_view shown(state.open_bar_menu.data());
+    const bool open = !shown.empty() && ui.overlay_open(shown);
+    if (event.key != Key::f10) {
+        state.bar_letter = static_cast<char>(lower(static_cast<char32_t>(event.key)));
+    } else if (open) {
+        ui.close_overlays_over(shown);
+        ui.close_overlay(shown);
+    } else {
+        state.bar_want = 0;
+        state.bar_by_key = true;
+    }
+}
+
+}  // namespace
+
 MenuBar::MenuBar(Ui& ui) : ui_(ui) {
     Node& node = ui.open(Role::menu_bar, "Menu bar", Axis::x, Sense::hover);  // known in the next build by its id
     node.size[0] = grow();
@@ -322,7 +370,10 @@ MenuBar::MenuBar(Ui& ui) : ui_(ui) {
     MenuState& state = state_of(ui);
     state.bar_index = 0;
     state.bar_text = 0;
+    state.bar_letter = 0;
+    state.bar_letters = 0;
     state.bar_pad = ui.em(0.6F);
+    ui.events_of(node.id, [&](const Event& event) { take_bar_key(ui, state, event); });
     // In a narrow window titles are closer to each other, so that none is cut.
     const float width = ui.rect_before(node.id).w;
     const float room = width - 2 * ui.em(0.3F) - state.bar_texts;
@@ -353,9 +404,15 @@ BarMenu::BarMenu(Ui& ui, std::string_view label) : ui_(ui) {
     const Response r = ui.respond(node);
     bool opens = r.pressed || r.clicked, down = false;
     ui.events_of(id, [&](const Event& e) { down |= e.kind == EventKind::key && e.key == Key::down; });
-    opens = (opens && !r.released) || down || state.bar_want == index;
+    const std::size_t letter = letter_of(node.shown, state.bar_letters);
+    const char32_t with_alt = letter < node.shown.size() ? lower(static_cast<unsigned char>(node.shown[letter])) : 0;
+    if (with_alt != 0) state.bar_letters |= 1U << (with_alt - 'a');
+    const bool by_letter = state.bar_letter != 0 && with_alt == static_cast<unsigned char>(state.bar_letter);
+    if (opens) state.bar_by_key = false;
+    if (by_letter) state.bar_by_key = true;
+    opens = (opens && !r.released) || down || by_letter || state.bar_want == index;
     const bool another_open = !other.empty() && other != name && ui.overlay_open(other);
-    if (r.hovered && another_open) {
+    if ((r.hovered || by_letter) && another_open) {
         ui.close_overlays_over(other);
         ui.close_overlay(other);
         opens = true;
@@ -369,7 +426,8 @@ BarMenu::BarMenu(Ui& ui, std::string_view label) : ui_(ui) {
         open = true;
     }
     node.is |= when(open, Is::expanded);
-    ui.draw_with<draw_bar_item>(node, ui.text_style());
+    const bool underlined = with_alt != 0 && has(ui.mods(), Mods::alt);
+    ui.draw_with<draw_bar_item>(node, BarItemLook{ui.text_style(), letter, underlined});
     Node* menu = ui.open_overlay_node(name, Role::menu, label, Axis::y);
     open_ = menu != nullptr;
     if (open_) begin_menu(ui, *menu, name, index);

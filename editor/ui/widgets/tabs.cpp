@@ -104,7 +104,7 @@ Id Making::tab(int index, std::string_view name) {
     if (r.context) events.context = index;
     if (r.pressed) strip.dragging = false;
     if (r.pressed && !from_cross) {
-        events.chosen = index;
+        events.chosen = events.pressed = index;
         ui.set_focus(id);
     }
     ui.events_of(id, [&](const Event& event) {

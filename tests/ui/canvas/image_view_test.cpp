@@ -165,6 +165,12 @@ TEST(ImageView, ACheckerboardLiesBehindATransparentPicture) {
     v.picture.transparent = true;
     v.ui.frame();
     EXPECT_EQ(v.drawn(InstanceKind::checker), 1U);
+    v.ui.ui().set_theme(light_theme());
+    v.ui.frame();
+    for (const Instance& each : v.ui.output().list->instances) {
+        if (each.kind != InstanceKind::checker) continue;
+        EXPECT_GT(contrast(each.color, rgb(0xd0d0d0)), 4.5) << "light smoke is seen in either theme";
+    }
 }
 
 TEST(ImageView, TheMagnifierIsASecondImage) {

@@ -7,6 +7,7 @@
 #include "ui/core/tree.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
+#include "ui/support/texts.h"
 
 namespace lapfx::ui {
 namespace {
@@ -440,6 +441,20 @@ TEST_F(TimelineTest, AnyInputLeavesItemsInTime) {
             for (const TimelineItem& item : track.items)
                 ASSERT_TRUE(item.start >= -1e-9 && item.start <= item.end && item.end <= 10 + 1e-9) << item.name;
         }
+    }
+}
+
+TEST(Timeline, TheRulerCutsNoTime) {
+    TimelineState state;
+    state.view = {0, 12};
+    for (int width = 420; width < 480; width += 7) {
+        Harness ui(
+            [&](Ui& u) { timeline(u, "Time", state, {}, {.length = 12, .rate = 25, .unit = TimeUnit::timecode}); },
+            {width, 200});
+        ui.frame();
+        const std::vector<TextSeen> texts = texts_seen(*ui.output().list, Harness::fonts(), ui.ui().em(1));
+        EXPECT_GE(texts.size(), 2U);
+        for (const TextSeen& text : texts) EXPECT_LE(text.glyphs.back().right(), text.clip.right() + 0.5F) << width;
     }
 }
 

@@ -5,6 +5,7 @@
 #include "ui/core/tree.h"
 #include "ui/support/harness.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/scroll.h"
 
 namespace lapfx::ui {
 namespace {
@@ -176,6 +177,32 @@ TEST(Ui, ATooltipComesWhenThePointerRestsAndGoesWithIt) {
     EXPECT_EQ(shown(), "Back to the defaults");
     ui.move({500, 400});
     EXPECT_EQ(shown(), "");
+}
+
+TEST(Ui, TheTooltipOfARowLeavesTheRowsBelowInSight) {
+    Harness ui(
+        [](Ui& u) {
+            Row row(u, {.width = grow(), .height = grow()});
+            for (const char* list : {"Left", "Right"}) {
+                ScrollArea area(u, list, {.width = px(250)});
+                for (const char* name : {"First", "Second", "Third"})
+                    button(u, name, {.tip = "A tip that is long enough to be broken into several lines, as most are"});
+            }
+        },
+        {1000, 300});
+    const auto tip = [&] {
+        for (const Node& node : ui.ui().tree())
+            if (node.role == Role::tooltip) return node.rect();
+        return Rect{};
+    };
+    ui.move_to("Right/First").frame(1).frame();
+    EXPECT_FALSE(tip().empty());
+    EXPECT_GE(tip().x, ui.rect("Right").right());
+    EXPECT_EQ(tip().y, ui.rect("Right/First").y);
+    ui.size = {500, 300};  // no room beside the lists
+    ui.move_to("Left/First").frame(1).frame();
+    EXPECT_FALSE(tip().empty());
+    EXPECT_LE(tip().right(), 500);
 }
 
 TEST(Ui, AnOverlayOpensByNameClosesByEscapeAndGivesTheFocusBack) {

@@ -77,6 +77,7 @@ TEST(StatusBar, TextsAreLiveAndCutOnesAreWholeInTheirTooltip) {
     ui.frame().frame();
     EXPECT_EQ(ui.tip("Status bar/State"), text);
     EXPECT_LE(ui.rect("Status bar/State").right(), ui.rect("Status bar/Frame time").x);
+    EXPECT_EQ(ui.rect("Status bar/Frame time").w, 84) << "numbers stay whole";
 }
 
 }  // namespace

@@ -251,5 +251,34 @@ TEST(ContainsWords, WantsAllOfThemInAnyOrderAndCase) {
     EXPECT_FALSE(contains_words("", "x"));
 }
 
+/// Space and letters as the program's shortcuts.
+struct Pressed : Shortcuts {
+    std::string keys;
+    bool press(Key key, Mods) override {
+        if (!printable(key)) return false;
+        keys += static_cast<char>(key);
+        return key == Key::space || key == key_of('P');
+    }
+};
+
+TEST(Combo, AfterAChoiceByThePointerKeysAreTheProgramsAgain) {
+    const std::vector<std::string_view> choices = {"Apple", "Pear", "Plum"};
+    int chosen = 0;
+    Pressed shortcuts;
+    Harness ui([&](Ui& u) { combo(u, "Fruit", chosen, choices, {}); }, {640, 480}, 1, &shortcuts);
+    ui.click("Fruit").click("**/Pear");
+    EXPECT_EQ(chosen, 1);
+    ui.type("p l");
+    EXPECT_EQ(shortcuts.keys, "P L");
+    EXPECT_EQ(chosen, 1) << "no letter changes the choice";
+    EXPECT_FALSE(ui.exists("Fruit choices")) << "Space does not open it again";
+    ui.key(Key::down);
+    EXPECT_EQ(chosen, 2) << "arrows still do";
+    ui.key(Key::escape).focus("Fruit").type("a");
+    EXPECT_EQ(chosen, 0) << "by keyboard, letters choose";
+    ui.key(Key::space);
+    EXPECT_TRUE(ui.exists("Fruit choices"));
+}
+
 }  // namespace
 }  // namespace lapfx::ui

@@ -2,10 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include "ui/canvas/viewport.h"
 #include "ui/core/tree.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/scroll.h"
 #include "ui/widgets/section.h"
 
 namespace lapfx::ui {
@@ -222,6 +224,56 @@ TEST(Dock, TheLastPanelCannotBeClosedFromItsMenu) {
     t.ui.frame().right_click("Desk/tabs/Parameters");
     EXPECT_TRUE(t.ui.is("Panels/Close Parameters", Is::disabled));
     EXPECT_TRUE(t.ui.exists("Panels/Show Log"));
+}
+
+/// Notes the keys that a view gets, and Ctrl+Home as a shortcut.
+struct Home : Shortcuts {
+    int pressed = 0;
+    bool press(Key key, Mods mods) override {
+        const bool is = key == Key::home && mods == Mods::command;
+        pressed += is ? 1 : 0;
+        return is;
+    }
+};
+
+TEST(Dock, APressOnATabGivesTheKeysToItsPicture) {
+    constexpr std::string_view panels[] = {"Reference", "View", "List"};
+    DockLayout layout = dock_tabs({"Reference", "View", "List"});
+    Home shortcuts;
+    int left = 0;
+    Harness ui(
+        [&](Ui& u) {
+            dock(u, "Desk", layout, panels, [&](std::size_t panel) {
+                if (panel == 2) {
+                    const ScrollArea area(u, "Rows");
+                    for (int i = 0; i < 60; ++i) label(u, "row");
+                    return;
+                }
+                button(u, "Above");
+                const ViewportResult view = viewport(u, panel == 1 ? "Preview" : "Video", 0);
+                for (const ViewportKey& key : view.keys) left += key.key == Key::left ? 1 : 0;
+            });
+        },
+        {600, 400}, 1, &shortcuts);
+    for (int i = 0; i < 2; ++i) {  // the second time it is in front already
+        ui.click("Desk/tabs/View").frame();
+        EXPECT_EQ(ui.focused(), "Desk/View/Preview");
+        ui.key(Key::left);
+        EXPECT_EQ(left, i + 1);
+        ui.key(Key::escape);
+    }
+    ui.click("Desk/tabs/List").frame();
+    ui.key(Key::home, Mods::command).key(Key::home).key(Key::del).key(Key::space);
+    EXPECT_EQ(shortcuts.pressed, 1) << "not the first tab";
+    EXPECT_TRUE(ui.exists("Desk/List")) << "neither another tab nor closed";
+    const float top = ui.rect("Desk/List/Rows").y;
+    ui.key(Key::page_down).frame();
+    EXPECT_EQ(ui.rect("Desk/List/Rows").y, top);
+    EXPECT_TRUE(ui.exists("Desk/List"));
+    float scrolled = 0;
+    for (const Node& node : ui.ui().tree())
+        if (node.scroll != nullptr && node.scrolls[1]) scrolled = std::max(scrolled, node.scroll->offset.y);
+    EXPECT_GT(scrolled, 100) << "pages turn in what the tab shows";
 }
 
 }  // namespace

@@ -248,5 +248,56 @@ TEST(Menu, OneThatIsTallerThanTheWindowScrollsToTheItemOfTheKeyboard) {
     EXPECT_EQ(chosen, 39);
 }
 
+TEST_F(MenuTest, F10OpensTheFirstMenuAndClosesIt) {
+    ui.focus("Field").key(Key::f10).frame();
+    EXPECT_TRUE(ui.is("File/Open", Is::ringed)) << ui.focused();
+    ui.key(Key::f10).frame();
+    EXPECT_FALSE(ui.exists("File/Open"));
+    EXPECT_EQ(ui.focused(), "Field");
+    ui.key(Key::escape).key(Key::f10).frame();
+    EXPECT_TRUE(ui.is("File/Open", Is::ringed)) << "also if nothing had the keyboard";
+    ui.key(Key::enter);
+    EXPECT_EQ(chosen, "Open;");
+    EXPECT_FALSE(ui.exists("File/Open"));
+}
+
+TEST_F(MenuTest, AltAndALetterOpenAMenu) {
+    ui.key('V', Mods::alt).frame();
+    EXPECT_TRUE(ui.is("View/Grid", Is::ringed)) << ui.focused();
+    ui.key('F', Mods::alt).frame();
+    EXPECT_FALSE(ui.exists("View/Grid"));
+    EXPECT_TRUE(ui.is("File/Open", Is::ringed)) << ui.focused();
+    ui.key(Key::escape).key('X', Mods::alt).frame();
+    EXPECT_EQ(ui.ui().overlay_count(), 0U) << "no menu has this letter";
+}
+
+TEST(Menu, TheFirstFreeLetterOfATitleOpensIt) {
+    Harness ui([](Ui& u) {
+        MenuBar bar(u);
+        for (const char* name : {"Preset", "Play"})
+            if (BarMenu menu(u, name); menu) menu_item(u, u.join({"In ", name}));
+    });
+    ui.key('P', Mods::alt).frame();
+    EXPECT_TRUE(ui.exists("Preset/In Preset"));
+    ui.key('L', Mods::alt).frame();
+    EXPECT_TRUE(ui.exists("Play/In Play"));
+}
+
+TEST(Menu, ADialogKeepsItsKeysFromTheBar) {
+    Harness ui([](Ui& u) {
+        {
+            MenuBar bar(u);
+            if (BarMenu menu(u, "File"); menu) menu_item(u, "Open");
+        }
+        if (!u.overlay_open("box")) u.open_overlay("box", OverlayKind::modal, {});
+        if (u.open_overlay_node("box", Role::dialog, "Box", Axis::y) != nullptr) {
+            button(u, "Done");
+            u.close_overlay_node();
+        }
+    });
+    ui.frame().key('F', Mods::alt).key(Key::f10).frame();
+    EXPECT_FALSE(ui.exists("File/Open"));
+}
+
 }  // namespace
 }  // namespace lapfx::ui

@@ -130,5 +130,23 @@ TEST(Tables, WhatCanBeReadIsRead) {
     EXPECT_THAT(read_what_can_be(preset_table(), &preset, "[[[["), testing::ElementsAre("not JSON"));
 }
 
+TEST(Words, AStrokeOfManyContactsIsOneEvent) {
+    const Content before = content();
+    Content after = before;
+    const auto stroke = [&](double start, double x) {
+        for (int i = 0; i < 8; ++i)
+            after.scene.events.push_back({.action = ToolAction::cauterise,
+                                          .time = start + 0.25 * i,
+                                          .duration = 0.25,
+                                          .position = {x + i, 0, 0},
+                                          .to = {x + i + 1, 0, 0}});
+    };
+    stroke(10, 0);
+    EXPECT_EQ(title_of(step("Cauterise", before, after)), "Cauterise: cauterise added");
+    EXPECT_EQ(title_of(step("Delete", after, before)), "Delete: cauterise removed");
+    stroke(20, 50);
+    EXPECT_EQ(title_of(step("Paste", before, after)), "Paste: 2 events added");
+}
+
 }  // namespace
 }  // namespace lapfx::document

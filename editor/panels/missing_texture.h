@@ -1,0 +1,18 @@
+// A texture that the organ names and that cannot be read: the organ then is of one colour.
+#pragma once
+
+#include "panels/edited.h"
+#include "ui/core/ui.h"
+
+namespace lapfx::app {
+class PreviewHost;
+}
+
+namespace lapfx::panels {
+
+/// In the Scene panel: that it is missing, and a button with the picture that may be meant.
+void texture_notice(ui::Ui& ui, const Edited& edited, const app::PreviewHost& preview);
+/// The same over the view, where one looks, if there is such a picture; until it is taken or left.
+void texture_box(ui::Ui& ui, const Edited& edited, const app::PreviewHost& preview, ui::Size width);
+
+}  // namespace lapfx::panels
