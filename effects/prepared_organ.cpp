@@ -2,12 +2,14 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <future>
 #include <mutex>
 
 #include "foundation.h"
 #include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/placed_picture.h"
 #include "lapfx/authoring/tissue_report.h"
 #include "media/plate_picture.h"
 #include "organ/load.h"
@@ -47,7 +49,9 @@ bool same_file(const Scene& a, const std::string& in_a, const Scene& b, const st
 
 bool same_plate(const Scene& a, const Scene& b) {
     const SceneCamera &from = a.camera, &to = b.camera;
+    static const Table& placement = *scene_table().find("reference")->find("placement");
     return same_file(a, a.reference.file, b, b.reference.file) && a.reference.aspect == b.reference.aspect &&
+           equal(placement, &a.reference.placement, &b.reference.placement) &&
            equal(*scene_table().find("plate"), &a.plate, &b.plate) && from.eye == to.eye && from.target == to.target &&
            from.up == to.up && from.field_of_view == to.field_of_view;
 }
@@ -153,7 +157,20 @@ std::string plate_name(const media::PlatePicture& picture, const std::filesystem
     return text;
 }
 
-/// The plate of the scene, in place of its organ.
+/// Of the round view: shares of the picture's width and height.
+struct Rim {
+    glm::dvec2 center{0.5}, radius{0.5};
+};
+Rim placed(const Rim& rim, const ReferencePlacement& placement, double aspect) {
+    const glm::dvec2 heights(aspect, 1.0), radius = rim.radius * heights;
+    const double c = std::cos(glm::radians(placement.rotation)), s = std::sin(glm::radians(placement.rotation));
+    const glm::dvec2 turned(std::hypot(c * radius.x, s * radius.y), std::hypot(s * radius.x, c * radius.y));
+    return {.center = lapfx::placed(placement, aspect, rim.center * heights) / heights,
+            .radius = placement.scale * turned / heights};
+}
+
+/// The plate of the scene, in place of its organ. It lies where the reference is placed, so that both pictures show the
+/// same tissue at the same place.
 Organ plate_organ(const Scene& scene, std::optional<organ::Plate>& plate, const work::Stages& stages) {
     if (scene.reference.file.empty())
         throw Error(Failure::bad_input, Fault{.file = "",
@@ -161,11 +178,15 @@ Organ plate_organ(const Scene& scene, std::optional<organ::Plate>& plate, const 
                                               .reason = "the scene has no reference video to take the plate from"});
     const std::filesystem::path video = path_of(scene, scene.reference.file, "/reference/file");
     media::PlatePicture picture = plate_picture(video, scene.plate, stages);
-    glm::dvec2 size(picture.image.width, picture.image.height), center(0.5);
-    glm::dvec2 radius = glm::length(size) / 2.0 / size;  // without a round view, its rim is in the corners
-    if (picture.view.disc) center = picture.view.disc->center / size, radius = picture.view.disc->radius / size;
+    glm::dvec2 size(picture.image.width, picture.image.height);
+    Rim rim{.center = glm::dvec2(0.5), .radius = glm::length(size) / 2.0 / size};  // without one it is in the corners
+    if (picture.view.disc) rim = {picture.view.disc->center / size, picture.view.disc->radius / size};
     if (scene.reference.aspect > 0.0) size.x = size.y * scene.reference.aspect;
-    plate = organ::plate_of(scene, size, center, radius);
+    if (const ReferencePlacement& placement = scene.reference.placement; placement.moved()) {
+        picture.image = placed(picture.image, placement, size.x / size.y);
+        rim = placed(rim, placement, size.x / size.y);
+    }
+    plate = organ::plate_of(scene, size, rim.center, rim.radius);
     picture.image.name = video.filename().string();
     Organ organ = organ::plate_organ(*plate, std::move(picture.image));
     organ.name = plate_name(picture, video);

@@ -4,6 +4,7 @@
 
 #include "commands/command.h"
 #include "commands/fit_run.h"
+#include "match/fit/worse.h"
 
 namespace lapfx::commands {
 
@@ -40,6 +41,7 @@ void run(const FitOptions& o) {
     const match::FitResult& result = done.report.result;
     print(result);
     for (const std::string& line : done.report.colors) std::cout << line << '\n';
+    for (const std::string& line : match::what_is_worse(result)) std::cout << "farther than before: " << line << '\n';
     std::cout << "curves drawn: " << result.curves << ", evaluations of the core: " << result.evaluations << ", "
               << done.report.seconds << " s" << (result.ended_early ? ", ended early: the best so far" : "") << '\n';
 }

@@ -109,7 +109,7 @@ double joint_error(const Amount& preview, const Amount& reference) {
 
 /// Differences over time.
 void compare_levels(AmountLikeness& found, const Pairs& pairs, const Measured& what) {
-    double weights = 0.0, sum = 0.0, squares = 0.0, in_errors = 0.0;
+    double weights = 0.0, sum = 0.0, squares = 0.0, in_errors = 0.0, errors = 0.0;
     for (std::size_t i = 0; i < pairs.preview.size(); ++i)
         if (measurable(pairs.preview[i], what.curve)) found.seconds += pairs.seconds[i];
     for (std::size_t i = 0; i < pairs.preview.size(); ++i) {
@@ -117,16 +117,18 @@ void compare_levels(AmountLikeness& found, const Pairs& pairs, const Measured& w
         const Amount &preview = pairs.preview[i].*what.amount, &reference = pairs.reference[i].*what.amount;
         const double weight = found.seconds > 0.0 ? pairs.seconds[i] : 1.0;  // of a single picture
         const double difference = preview.value - reference.value;
-        const double share = difference / joint_error(preview, reference);
+        const double error = joint_error(preview, reference), share = difference / error;
         weights += weight;
         sum += weight * difference;
         squares += weight * difference * difference;
         in_errors += weight * share * share;
+        errors += weight * error * error;
     }
     if (weights == 0.0) return;
     found.bias = sum / weights;
     found.rms = std::sqrt(squares / weights);
     found.rms_over_error = std::sqrt(in_errors / weights);
+    found.error = std::sqrt(errors / weights);
 }
 
 /// The peak with the interval of the frame that has it; of a curve without change with that of all, on average.
@@ -272,9 +274,14 @@ bool AmountLikeness::missing_in_reference() const {
     return in_preview == Presence::shown && in_reference == Presence::none && peak_over_error > 1.0 && !lost_in_error();
 }
 
-bool AmountLikeness::matches() const {
+bool AmountLikeness::within_error() const {
     const bool neither = in_preview == Presence::none && in_reference == Presence::none;
     return peak_over_error && *rms_over_error <= 1.0 && (neither || *peak_over_error <= 1.0);
+}
+
+bool AmountLikeness::cannot_tell() const {
+    const double peak = std::max(preview.peak.value_or(0.0), reference.peak.value_or(0.0));
+    return within_error() && error.value_or(0.0) > std::max(most_error, most_error_of_peak * peak);
 }
 
 Likeness likeness_of(std::span<const FrameAmounts> preview, std::span<const FrameAmounts> reference, double offset) {

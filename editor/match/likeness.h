@@ -22,6 +22,10 @@ namespace lapfx::match {
 /// s between two frames of the preview up to which an amount is told between them.
 inline constexpr double longest_gap = 0.5;
 
+/// Joint error of measuring, as a share of the view, up to which two amounts that do not differ by more are said to
+/// match; of an amount whose peaks are high, that share of the higher one, if it is more. Beyond it nobody can tell.
+inline constexpr double most_error = 0.1, most_error_of_peak = 0.5;
+
 enum class Presence : std::uint8_t {
     shown,         ///< it changes, or mostly is above 0, beyond the error of measuring
     none,          ///< it may be 0 all the time
@@ -39,6 +43,7 @@ struct AmountLikeness {
     /// each that half which faces the other. Up to 1: within the error of measuring.
     std::optional<double> rms_over_error;
     std::optional<double> peak_over_error;  ///< the same of the two peaks, 0 or more
+    std::optional<double> error;            ///< root mean square of the joint error over time, as the amount 0..1
 
     Presence in_preview = Presence::unmeasurable, in_reference = Presence::unmeasurable;
     /// Of the times that are compared, in the scene's time; empty where either has too few frames with the amount.
@@ -61,7 +66,10 @@ struct AmountLikeness {
     bool missing_in_reference() const;
     /// Both are measurable, and curve and peak differ by no more than the error of measuring. Of an amount that neither
     /// shows the peak is noise.
-    bool matches() const;
+    bool within_error() const;
+    /// They are, but so large is the error that entirely different pictures would be, too: nothing is known.
+    bool cannot_tell() const;
+    bool matches() const { return within_error() && !cannot_tell(); }
 };
 
 /// s, how far late is looked for by shifting.
@@ -75,7 +83,7 @@ struct Likeness {
 /// Frames ascend in time. The preview's time is that of the scene, the reference's is that + `offset`, s.
 Likeness likeness_of(std::span<const FrameAmounts> preview, std::span<const FrameAmounts> reference, double offset);
 
-/// One plain line without a full stop: what differs first, what matches last.
+/// One plain line without a full stop: what differs first, then what nobody can tell, what matches last.
 std::string in_words(const Likeness& likeness);
 
 }  // namespace lapfx::match

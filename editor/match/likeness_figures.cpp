@@ -19,6 +19,8 @@ constexpr AmountRow amount_rows[] = {
     {"bias", "", "mean difference, above 0 where the preview has more", Farness::size, &AmountLikeness::bias},
     {"rms_over_error", "", "root mean square of difference / error of measuring, up to 1 none is known", Farness::size,
      &AmountLikeness::rms_over_error},
+    {"error", "", "error of measuring over time: what differs by less is not known to", Farness::size,
+     &AmountLikeness::error},
     {"late", "s", "how late the preview is; below 0 it is early", Farness::size, &AmountLikeness::late},
     {"peak_ratio", "", "peak of the preview / peak of the reference", Farness::ratio, &AmountLikeness::peak_ratio},
     {"peak_over_error", "", "difference of the peaks / error of measuring, up to 1 none is known", Farness::size,

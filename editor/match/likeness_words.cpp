@@ -95,7 +95,11 @@ class Telling {
         : a_(amount), words_(words), events_(events) {}
 
     std::vector<Clause> run() {
-        if (const std::string apart = rough_match(a_, words_); !apart.empty())
+        if (a_.cannot_tell())
+            say("cannot tell whether " + std::string(words_.amount) +
+                    text(" matches: the error of measuring is %.0f %% of the view", 100.0 * *a_.error),
+                Said::cannot_tell);
+        else if (const std::string apart = rough_match(a_, words_); !apart.empty())
             say("matches within the error of measuring, which is large: " + apart, Said::rough_match);
         else if (a_.matches())
             say("matches within the error of measuring", Said::match);
@@ -178,8 +182,13 @@ class Telling {
 std::string sentence_of(const std::vector<Clause>& all, std::string_view amount) {
     std::vector<std::string> parts;
     for (const Clause& clause : all)
-        if (clause.amount == amount) parts.push_back(clause.text);
-    return std::string(amount) + ' ' + joined(parts);
+        if (clause.amount == amount) parts.push_back(parts.empty() ? clause.sentence() : clause.text);
+    return joined(parts);
+}
+
+/// Lower is told first.
+int rank(const AmountLikeness& amount) {
+    return amount.matches() ? 2 : amount.cannot_tell() ? 1 : 0;
 }
 
 }  // namespace
@@ -189,7 +198,7 @@ std::vector<Clause> clauses(const Likeness& likeness, std::span<const ToolContac
         return {{.text = "preview and reference have no time in common", .what = Said::no_time, .key = {}}};
     std::vector<Clause> all = Telling(likeness.blood, blood_words, events).run();
     std::vector<Clause> of_veil = Telling(likeness.veil, veil_words, events).run();
-    const bool veil_first = likeness.blood.matches() && !likeness.veil.matches();
+    const bool veil_first = rank(likeness.veil) < rank(likeness.blood);
     all.insert(veil_first ? all.begin() : all.end(), std::make_move_iterator(of_veil.begin()),
                std::make_move_iterator(of_veil.end()));
     return all;

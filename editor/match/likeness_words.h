@@ -27,6 +27,7 @@ enum class Said : std::uint8_t {
     surplus,       ///< it is, or changes, in the preview alone
     course,        ///< its course differs otherwise
     unmeasurable,  ///< nothing is known
+    cannot_tell,   ///< what it differs by is within an error so large that nothing is known
     match,         ///< it does not differ
     rough_match,   ///< what it differs by is within an error that is large
     no_time,       ///< preview and reference have no time in common
@@ -40,12 +41,16 @@ struct Clause {
     /// there is none.
     std::string key = {};
 
-    std::string sentence() const { return amount.empty() ? text : std::string(amount) + ' ' + text; }
+    /// "veil is 30 % too thin", "cannot tell whether veil matches: ..."
+    std::string sentence() const {
+        return amount.empty() || what == Said::cannot_tell ? text : std::string(amount) + ' ' + text;
+    }
 };
 
-/// What differs first, what matches last, as in_words(). Without the scene's events no key names one. An event is the
-/// nearest of those that make the amount, hot ones and those that divide tissue: to where the preview's amount begins,
-/// or to where the reference's does, which is missing in the preview. A silenced one needs power or strength.
+/// What differs first, then what nobody can tell, what matches last, as in_words(). Without the scene's events no key
+/// names one. An event is the nearest of those that make the amount, hot ones and those that divide tissue: to where
+/// the preview's amount begins, or to where the reference's does, which is missing in the preview. A silenced one needs
+/// power or strength.
 std::vector<Clause> clauses(const Likeness& likeness, std::span<const ToolContact> events = {});
 
 }  // namespace lapfx::match

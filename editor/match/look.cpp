@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <opencv2/imgproc.hpp>
 
 #include "lapfx/preset.h"
@@ -20,6 +21,12 @@ constexpr double least_code = 18;     // darker pixels are unlit
 constexpr double least_tissue = 0.3;  // of the view
 constexpr int least_pixels = 400;     // of the worked size: fewer say nothing
 constexpr double least_exposure = 0.01, most_exposure = 100;
+
+// What is overexposed, as light before the shoulder, where 1 is white.
+constexpr double bright_end = 0.98;  // share of the tissue that is darker: the rest are highlights
+constexpr double most_tissue = 0.8;  // at the bright end, unless the video's is brighter
+constexpr double most_haze = 0.7;    // of a dense veil
+constexpr double most_blood = 0.45;  // beyond it, blood is coral
 
 // The disc of the view.
 constexpr double whole_view = 0.985;    // share of the frame from which there is no surround
@@ -154,6 +161,24 @@ std::optional<Vec> tissue_light(const Worked& w, double drawn, double wanted) {
     return glm::max(mean, Vec(1e-4));
 }
 
+/// The brightest channel at the bright end of the tissue, as tissue_light(). `gain`: what each channel is brightened
+/// by.
+double brightest_light(const Worked& w, double drawn, double wanted, const Vec& gain) {
+    std::vector<double> values;
+    each_pixel(w.counts, [&](int x, int y) {
+        if (brightest_code(w.code, x, y) < least_code) return;
+        const Vec light = at(w.linear, x, y);
+        const double before = fall_off(w.code.size(), x, y, drawn), after = fall_off(w.code.size(), x, y, wanted);
+        double most = 0;
+        for (int c = 0; c < 3; ++c) most = std::max(most, without_shoulder(light[c] / before) * after * gain[c]);
+        values.push_back(most);
+    });
+    if (values.empty()) return 0;
+    const auto end = values.begin() + static_cast<std::ptrdiff_t>(bright_end * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), end, values.end());
+    return *end;
+}
+
 /// The lamp's colour by what is reflected without colour, linear, 1 as its largest channel.
 std::optional<Vec> lamp_color(const Worked& w) {
     std::vector<int> codes;
@@ -229,6 +254,37 @@ void balance(const Vec& gain, const std::optional<Vec>& lamp, const Look& now, L
     look.exposure = std::clamp(largest(tissue), least_exposure, most_exposure);
 }
 
+/// With less light, where it would be overexposed as it is lit and exposed now; else the same to the last bit.
+Vec unbleached(const Vec& color, const Look& look, double most) {
+    const double shown = largest(linear_color(color) * linear_color(look.light)) * look.exposure;
+    return shown > most ? srgb_color(linear_color(color) * (most / shown)) : color;
+}
+
+/// Blood and haze as bright as the exposure allows. Those that were brighter than that before stay.
+void guard_colors(const Look& now, LookProposal& made) {
+    struct Guarded {
+        Vec Look::*color;
+        double most;
+    };
+    bool darker = false;
+    for (const Guarded& each :
+         {Guarded{&Look::blood_thin, most_blood}, {&Look::blood_deep, most_blood}, {&Look::haze, most_haze}}) {
+        Vec& color = made.look.*each.color;
+        const double before = largest(linear_color(now.*each.color) * linear_color(now.light)) * now.exposure;
+        const Vec guarded = unbleached(color, made.look, std::max(each.most, before));
+        darker = darker || guarded != color;
+        color = guarded;
+    }
+    if (darker) made.notes.emplace_back("Blood or haze would be overexposed: they are darker for it.");
+}
+
+/// "1.9 to 2.4: ".
+std::string exposure_text(double before, double after) {
+    char text[64];
+    std::snprintf(text, sizeof text, "Exposure %.3g to %.3g: ", before, after);
+    return text;
+}
+
 LookProposal impossible(const Look& now, std::string why) {
     return {.possible = false, .look = now, .notes = {std::move(why)}};
 }
@@ -288,10 +344,16 @@ void put_look(const Look& look, Scene& scene, Preset& preset) {
     put_color(preset.smoke.haze.color, look.haze);
 }
 
-LookProposal propose_look(const Image& reference, const Image& preview, const Look& now) {
-    const Worked video = worked(reference), ours = worked(preview);
+LookProposal propose_look(const Image& reference, const Image& preview, const Look& now, const cv::Mat& organ) {
+    const Worked video = worked(reference);
+    Worked ours = worked(preview);
     if (video.viewed < least_pixels) return impossible(now, "This frame of the reference is black.");
     if (ours.viewed < least_pixels) return impossible(now, "The preview is black: light the organ first.");
+    if (!organ.empty()) {  // the dark cavity beside it is no tissue
+        cv::Mat seen;
+        cv::resize(organ, seen, ours.code.size(), 0, 0, cv::INTER_NEAREST);
+        ours.counts &= seen;
+    }
     LookProposal made{.possible = true, .look = now, .notes = {}};
     Look& look = made.look;
     look.vignette = disc_of(video.view) ? 1 : 0;
@@ -302,11 +364,18 @@ LookProposal propose_look(const Image& reference, const Image& preview, const Lo
     if (!own) return impossible(now, "The preview shows too little lit tissue.");
     const auto haze = haze_light_of(video);
     const auto lamp = haze ? std::nullopt : lamp_color(video);  // behind smoke, highlights have its colour
-    balance(*theirs / *own, lamp, now, look);
-    made.notes.emplace_back(
-        haze   ? "Exposure and tissue colour follow the tissue; behind smoke the lamp keeps its colour."
-        : lamp ? "Exposure and tissue colour follow the tissue, the lamp's colour the highlights."
-               : "Exposure and tissue colour follow the tissue; without clear highlights the lamp keeps its colour.");
+    const Vec gain = *theirs / *own;
+    const double white = std::max(most_tissue, brightest_light(video, 0, 0, Vec(1)));
+    const double ours_white = std::max(white, brightest_light(ours, now.vignette, look.vignette, Vec(1)));
+    const double brightest = brightest_light(ours, now.vignette, look.vignette, gain);
+    const double held = std::min(1.0, ours_white / std::max(brightest, 1e-6));
+    balance(gain * held, lamp, now, look);
+    made.notes.push_back(
+        exposure_text(now.exposure, look.exposure) +
+        (haze   ? "exposure and tissue colour follow the tissue; behind smoke the lamp keeps its colour."
+         : lamp ? "exposure and tissue colour follow the tissue, the lamp's colour the highlights."
+                : "exposure and tissue colour follow the tissue; without clear highlights the lamp keeps its colour."));
+    if (held < 1) made.notes.emplace_back("More exposure would bleach the brightest tissue of the preview.");
     const Vec shown = linear_color(look.light);
     if (const auto blood = blood_light(video)) {
         look.blood_thin = with_hue_of(*blood, shown, now.blood_thin);
@@ -321,6 +390,7 @@ LookProposal propose_look(const Image& reference, const Image& preview, const Lo
     } else {
         made.notes.emplace_back("No veil is seen: the haze keeps its colour.");
     }
+    guard_colors(now, made);
     return made;
 }
 

@@ -47,9 +47,11 @@ struct LookProposal {
     Look look;
     std::vector<std::string> notes;  ///< what was found and what not, a sentence each
 };
-/// `preview`: drawn with `now`, of any size. Light and organ have 1 as their largest channel afterwards; the rest is in
-/// the exposure. Blood and haze take over the hue and saturation that the frame shows, and keep their brightness, which
-/// a single frame does not determine.
-LookProposal propose_look(const Image& reference, const Image& preview, const Look& now);
+/// `preview`: drawn with `now`, of any size; `organ`: CV_8U of any size, where it shows the organ, which need not fill
+/// the frame; empty: everywhere. Light and organ have 1 as their largest channel afterwards; the rest is in the
+/// exposure, up to where the brightest tissue of the preview would be overexposed that is not in the video. Blood and
+/// haze take over the hue and saturation that the frame shows, and keep their brightness, which a single frame does not
+/// determine, unless the new exposure would bleach them.
+LookProposal propose_look(const Image& reference, const Image& preview, const Look& now, const cv::Mat& organ = {});
 
 }  // namespace lapfx::match

@@ -3,10 +3,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/clips/clip_shelf.h"
 #include "app/measure/fit_reporting.h"
 #include "app/measure/fitting.h"
 #include "app/reference/reference.h"
+#include "app/tuning/key_titles.h"
 #include "app/tuning/parameters.h"
+#include "match/fit/worse.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "panels/preset_rows.h"
@@ -68,8 +71,17 @@ void tools(ui::Ui& ui, const FitParts& on) {
     for (const char* id : {"fit.take", "fit.leave", "fit.start"}) ui::command_button(ui, on.commands, id);
 }
 
+/// What is wrong with a clip is mended where it is told.
+void choose_clip(ui::Ui& ui, const FitParts& on) {
+    if (!on.fitting.lost_clip()) return;
+    if (!ui::button(ui, "Choose file...", {.icon = ui::Icon::folder, .tip = "Use another file for this clip"})) return;
+    on.clips.selected = *on.fitting.lost_clip();
+    on.commands.run("clip.replace");
+}
+
 void state(ui::Ui& ui, const FitParts& on) {
     for (const Fault& fault : on.fitting.faults()) wrapped(ui, ui.copy(fault.text()), ui::Tone::error);
+    choose_clip(ui, on);
     if (on.fitting.busy() || !on.fitting.faults().empty()) return;
     const FitFound* const found = on.fitting.found();
     if (found == nullptr) {
@@ -125,7 +137,8 @@ void interval(ui::Ui& ui, const match::FittedParameter& p) {
 }
 
 void why_not(ui::Ui& ui, const match::FittedParameter& p) {
-    if (!p.determined && !p.why.empty()) wrapped(ui, ui.join({"Not determined: ", ui.copy(p.why)}), ui::Tone::warning);
+    if (!p.determined && !p.why.empty())
+        wrapped(ui, ui.join({"Not determined: ", app::with_titles(p.why)}), ui::Tone::warning);
 }
 
 /// When a tool works, of "events.1.time": "Event 2, time: 1.4 to 2.1 s".
@@ -142,14 +155,23 @@ void tool_line(ui::Ui& ui, const match::FittedParameter& p) {
     why_not(ui, p);
 }
 
+/// Before it is taken: what becomes nearer may be at the cost of something else.
+void worse_lines(ui::Ui& ui, const match::FitResult& result) {
+    const std::vector<std::string> worse = match::what_is_worse(result);
+    if (worse.empty()) return;
+    wrapped(ui, "Farther from the reference than before:", ui::Tone::warning);
+    for (const std::string& line : worse) wrapped(ui, ui.copy(line), ui::Tone::warning);
+}
+
 void found_lines(ui::Ui& ui, const FitFound& found) {
     if (found.result) {
+        worse_lines(ui, *found.result);
         misfit_line(ui, "Blood", found.result->blood_before, found.result->blood_after);
         misfit_line(ui, "Veil", found.result->veil_before, found.result->veil_after);
         for (const match::FittedParameter& p : found.result->parameters) tool_line(ui, p);
     }
     for (const auto* const lines : {&found.lines, &found.colors})
-        for (const std::string& line : *lines) wrapped(ui, line, ui::Tone::dim);
+        for (const std::string& line : *lines) wrapped(ui, ui.copy(app::with_titles(line)), ui::Tone::dim);
 }
 
 // --- what may change -------------------------------------------------------------------------------------------------

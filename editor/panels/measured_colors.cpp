@@ -5,6 +5,7 @@
 
 #include "app/measure/measuring.h"
 #include "app/measure/preview_measuring.h"
+#include "app/tuning/key_titles.h"
 #include "document/document.h"
 #include "match/peak_colors.h"
 #include "panels/measured_words.h"
@@ -76,8 +77,9 @@ void known(ui::Ui& ui, const AmountsParts& on, const Part& part, double apart, s
     text.add(part.name).add(" ").add(apart, 1).add(end);
     const bool clicked = ui::button(
         ui, ui.join({text.view(), "###", part.name}),
-        {.tip = ui.join({"How far the colour of ", part.name, " is from the reference's, ", part.where,
-                         ": CIE Delta E 2000. About 1 is just noticeable. Goes to what mends it: ", part.key}),
+        {.tip = ui.join(
+             {"How far the colour of ", part.name, " is from the reference's, ", part.where,
+              ": CIE Delta E 2000. About 1 is just noticeable. Goes to what mends it: ", app::title_of(part.key)}),
          .quiet = true});
     ui.last().rigid = false;
     if (clicked) go_to_what_mends(ui, on, part.key);

@@ -9,6 +9,7 @@
 #include "app/measure/measuring.h"
 #include "app/measure/preview_measuring.h"
 #include "app/preview/timeline.h"
+#include "app/tuning/key_titles.h"
 #include "app/tuning/parameters.h"
 #include "app/tuning/tuning.h"
 #include "match/likeness_words.h"
@@ -81,8 +82,8 @@ namespace {
 void link(ui::Ui& ui, const AmountsParts& on, const Clause& clause, const std::string& text) {
     if (clause.key.empty())
         return ui::label(ui, text, {.tone = clause.what == Said::match ? ui::Tone::good : ui::Tone::dim});
-    const bool clicked =
-        ui::button(ui, text, {.tip = ui.join({text, ". Goes to what mends it: ", clause.key}), .quiet = true});
+    const bool clicked = ui::button(
+        ui, text, {.tip = ui.join({text, ". Goes to what mends it: ", app::title_of(clause.key)}), .quiet = true});
     ui.last().rigid = false;  // in a narrow panel its text is cut
     if (clicked) go_to_what_mends(ui, on, clause.key);
 }

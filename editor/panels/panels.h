@@ -116,6 +116,7 @@ struct FitParts {
     app::Fitting& fitting;
     app::FitReporting& reporting;
     const app::Reference& reference;
+    app::ClipShelf& clips;
     ui::CommandTable& commands;
 };
 void fit_panel(ui::Ui& ui, const FitParts& parts);

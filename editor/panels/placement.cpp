@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/reference/placed_picture.h"
+#include "lapfx/authoring/placed_picture.h"
 #include "lapfx/scene.h"
 #include "panels/place_handle.h"
 #include "panels/table_rows.h"
@@ -49,7 +49,7 @@ void draw_outline(ui::Painter& painter, const ui::Node&, const Outline& outline)
 void put_outline(ui::Ui& ui, const ui::View& view, const ReferencePlacement& now) {
     const double aspect = double(view.size.x) / view.size.y;
     const auto on_screen = [&](glm::dvec2 place) {
-        return glm::vec2(view.to_screen(app::placed(now, aspect, place) * double(view.size.y)));
+        return glm::vec2(view.to_screen(placed(now, aspect, place) * double(view.size.y)));
     };
     Outline outline{.frame = {}, .middle = on_screen({aspect / 2, 0.5}), .side = on_screen({aspect / 2 + arm, 0.5})};
     constexpr std::array<glm::dvec2, 5> corners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}};
@@ -80,7 +80,7 @@ void PlacementHandles::build(ui::Ui& ui, const ui::View& view, void* with) {
     };
 
     put_outline(ui, view, now);
-    const glm::dvec2 center = app::placed(now, aspect, middle);
+    const glm::dvec2 center = placed(now, aspect, middle);
     glm::dvec2 place = center / heights;
     ui::HandleMoves moves =
         put_place(ui, view, "Reference's middle", "Moves the reference. Delete: as it was stored", place);
@@ -92,7 +92,7 @@ void PlacementHandles::build(ui::Ui& ui, const ui::View& view, void* with) {
     take(moves, edit, wanted);
     if (moves.reset) return;
 
-    place = app::placed(now, aspect, middle + glm::dvec2(arm, 0)) / heights;
+    place = placed(now, aspect, middle + glm::dvec2(arm, 0)) / heights;
     moves = put_place(ui, view, "Reference's side", "Turns and scales the reference. Delete: as it was stored", place);
     knob(ui, 0.6F);
     edit = edit_place(ui, view, moves, anywhere, place);

@@ -136,10 +136,25 @@ void add_reference_commands(app::Editor& editor) {
                  editor.layouts().bring_to_front("Reference");
                  editor.reference().propose_look();
              },
-         .enabled = [&editor] { return editor.reference().video() != nullptr && !editor.document.scene().plate.use; },
-         .tip = "Sets vignette, exposure and colours by the frame of the reference that is shown, as one "
-                "undo step. Best on a clear frame of tissue",
-         .missing = "there is no reference, or its plate stands in for the organ: that looks like it already"});
+         .enabled = [&editor] { return editor.reference().video() != nullptr; },
+         .tip = "Finds vignette, exposure and colours by the frame of the reference that is shown; nothing changes "
+                "until they are taken. Best on a clear frame of tissue",
+         .missing = "there is no reference that can be shown"});
+    const auto proposed = [&editor] { return editor.reference().look_proposed(); };
+    editor.commands.add({.id = "reference.take_look",
+                         .title = "Take look",
+                         .group = "Reference",
+                         .run = [&editor] { editor.reference().take_look(); },
+                         .enabled = proposed,
+                         .tip = "Takes the look that is proposed into scene and preset, as one undo step",
+                         .missing = "no look is proposed"});
+    editor.commands.add({.id = "reference.leave_look",
+                         .title = "Leave look",
+                         .group = "Reference",
+                         .run = [&editor] { editor.reference().leave_look(); },
+                         .enabled = proposed,
+                         .tip = "Forgets the look that is proposed; scene and preset stay as they are",
+                         .missing = "no look is proposed"});
     editor.commands.add(
         {.id = "reference.take_circle",
          .title = "Take the circle",

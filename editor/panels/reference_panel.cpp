@@ -15,6 +15,7 @@
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "panels/placement.h"
+#include "panels/reference_notes.h"
 #include "panels/region_shapes.h"
 #include "ui/canvas/image_view.h"
 #include "ui/core/node.h"
@@ -190,12 +191,16 @@ void mix_field(ui::Ui& ui, Reference& reference) {
     ui::number_field(ui, "Mix", reference.compare.mix, options);
 }
 
-void plate_toggle(ui::Ui& ui, document::Document& document) {
+void plate_toggle(ui::Ui& ui, const Reference& reference, document::Document& document) {
     bool on = document.scene().plate.use;
+    const bool coming = reference.plate_progress().has_value();
+    ui.push_disabled(coming);  // a second click would take it away: its progress has a button for that
     if (ui::toggle(ui, "Plate", on,
-                   {.tip = "A clear frame of the reference in place of the organ: then both pictures show the same "
-                           "tissue, and what differs is smoke and blood"}))
+                   {.tip = coming ? "The plate is being made; the cross beside its progress ends that"
+                                  : "A clear frame of the reference in place of the organ: then both pictures show the "
+                                    "same tissue, and what differs is smoke and blood"}))
         app::show_plate(document, on);
+    ui.pop_disabled();
 }
 
 /// What lies on the first or the second side.
@@ -241,7 +246,7 @@ void way_of_comparing(ui::Ui& ui, Reference& reference, const Edited& edited, ui
         if (item == scopes)
             ui::toggle(ui, "Scopes", reference.scopes_look.on,
                        {.tip = "Levels, waveform and colours of both pictures, next to each other"});
-        if (item == plate) plate_toggle(ui, edited.document);
+        if (item == plate) plate_toggle(ui, reference, edited.document);
         if (item == aspect) aspect_choice(ui, edited.document);
         if (item == measure &&
             ui::button(ui, "Measure...", {.tip = "Shows the Measure panel: how much blood and smoke there is"}))
@@ -454,18 +459,6 @@ void pictures(ui::Ui& ui, Reference& reference, const Edited& edited, const ui::
     ui.build_again();
 }
 
-/// What a proposal of the look found.
-void look_notes(ui::Ui& ui, Reference& reference) {
-    if (reference.look_notes().empty()) return;
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::start});
-    {
-        const ui::Column lines(ui, {.width = ui::grow(), .gap = 0.1F});
-        for (const std::string& note : reference.look_notes())
-            ui::label(ui, note, {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
-    }
-    if (ui::icon_button(ui, ui::Icon::cross, "Dismiss", {.quiet = true})) reference.forget_look_notes();
-}
-
 /// The pictures and, where they are wanted, their scopes below. `room`: px.
 void pictures_and_scopes(ui::Ui& ui, Reference& reference, const Edited& edited, glm::vec2 room) {
     app::ScopesLook& look = reference.scopes_look;
@@ -497,7 +490,7 @@ void low(ui::Ui& ui, Reference& reference, const Edited& edited, ui::CommandTabl
     }
     warn_of_refused(ui, reference, edited.chooser);
     warn_of_faults(ui, reference, edited.chooser);
-    look_notes(ui, reference);
+    reference_notes(ui, reference, edited, commands);
 }
 
 void without_video(ui::Ui& ui, Reference& reference, app::FileChooser& chooser) {
@@ -539,7 +532,7 @@ void reference_panel(ui::Ui& ui, Reference& reference, app::Measuring& measuring
     time_row(ui, reference, edited, commands, room);
     warn_of_refused(ui, reference, edited.chooser);
     warn_of_faults(ui, reference, edited.chooser);
-    look_notes(ui, reference);
+    reference_notes(ui, reference, edited, commands);
     pictures_and_scopes(ui, reference, edited, {room, panel.h - 2 * ui.row_height() - ui.em(1.6F)});
     pick_hint(ui, edited.eyedropper);
 }

@@ -106,9 +106,11 @@ void turn_plate(app::Editor& editor) {
     if (on) editor.looking.endoscope = true;
 }
 
-/// One that has lost its reference can still be turned off.
-bool can_turn_plate(const Scene& scene) {
-    return !scene.reference.file.empty() || scene.plate.use;
+/// One that has lost its reference can still be turned off. While one is being made, a second press would take it away
+/// again: the progress that is shown has a button for that.
+bool can_turn_plate(app::Editor& editor) {
+    const Scene& scene = editor.document.scene();
+    return !scene.reference.file.empty() ? !editor.reference().plate_progress() : scene.plate.use;
 }
 
 }  // namespace
@@ -141,11 +143,11 @@ void add_view_commands(app::Editor& editor) {
                          .group = "View",
                          .chord = {ui::key_of('P'), Mods::none},
                          .run = [&editor] { turn_plate(editor); },
-                         .enabled = [&editor] { return can_turn_plate(editor.document.scene()); },
+                         .enabled = [&editor] { return can_turn_plate(editor); },
                          .checked = [&editor] { return editor.document.scene().plate.use; },
                          .tip = "A clear frame of the reference in place of the organ: smoke and blood over the same "
                                 "tissue as in the video",
-                         .missing = "the scene has no reference"});
+                         .missing = "the scene has no reference, or its plate is being made"});
     editor.commands.add(
         {.id = "view.underlay",
          .title = "Underlay",

@@ -11,6 +11,7 @@
 #include "app/files/organ_choice.h"
 #include "app/preview/events.h"
 #include "app/preview/orbit.h"
+#include "app/reference/plate.h"
 #include "app/reference/reference.h"
 #include "document/words.h"
 #include "panels/band_strip.h"
@@ -464,8 +465,12 @@ class ViewPanel {
         const ui::Panel panel(ui_, "Loading", {.width = box_width(), .height = ui::fit(), .padding = 0.6F});
         const float y = on_.preview.ready() ? 0.0F : 0.5F;
         place({.fraction = {0.5F, y}, .offset = {0, y > 0 ? 0 : ui_.em(0.6F)}, .pivot = {0.5F, y}});
-        if (ui::progress(ui_, ui_.join({"Loading ", loading->name}), loading->progress, {.cancellable = true}))
-            on_.preview.cancel_loading();
+        const bool is_plate =
+            on_.edited.document.scene().plate.use && !on_.preview.organ_of(on_.edited.document.scene());
+        if (!ui::progress(ui_, is_plate ? "Making the plate" : ui_.join({"Loading ", loading->name}), loading->progress,
+                          {.cancellable = true}))
+            return;
+        is_plate ? app::show_plate(on_.edited.document, false) : on_.preview.cancel_loading();
     }
 
     // --- what keeps it from being shown ---

@@ -66,6 +66,7 @@ constexpr PanelRow panel_rows[] = {
          fit_panel(ui, {.fitting = e.fitting(),
                         .reporting = e.fit_reporting(),
                         .reference = e.reference(),
+                        .clips = e.clips(),
                         .commands = e.commands});
      }},
     {"Library", "Presets in folders, with pictures",

@@ -342,9 +342,10 @@ constexpr Table reference_tables[] = {
                                   {mark_rows, {}, mark_rules}),
     table<&SceneReference::loop>("loop", "Loop", "The part of the reference that is played again and again.",
                                  {loop_rows, {}, loop_rules}),
-    table<&SceneReference::placement>("placement", "Placement",
-                                      "Where the reference lies under the preview when both are compared.",
-                                      {placement_rows}),
+    table<&SceneReference::placement>(
+        "placement", "Placement",
+        "Where the reference lies under the preview when both are compared, and where a plate of it lies.",
+        {placement_rows}),
     table<&SceneReference::measure>("measure", "Measure", "How the reference's blood and smoke are measured.",
                                     {measure_rows, measure_tables, measure_rules}),
     list<&SceneReference::regions, most_compared_regions>(

@@ -132,8 +132,10 @@ TEST_F(CommandsTest, EachDoesSomethingWhereItIsOn) {
     }
     EXPECT_THAT(idle, IsEmpty());
     EXPECT_THAT(off, UnorderedElementsAre("clip.copy", "fit.leave", "fit.report", "fit.take", "measure.export_csv",
-                                          "measure.export_json", "measure.export_png", "measure.take_marks"))
-        << "copy_clips_test has clips that lie elsewhere, measure_panel_test measures, fit_panel_test fits";
+                                          "measure.export_json", "measure.export_png", "measure.take_marks",
+                                          "reference.leave_look"))
+        << "copy_clips_test has clips that lie elsewhere, measure_panel_test measures, fit_panel_test fits, "
+           "regions_test leaves a look";
 }
 
 TEST_F(CommandsTest, WhatIsOffSaysWhatIsMissing) {

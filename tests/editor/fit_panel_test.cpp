@@ -5,16 +5,19 @@
 #include <fstream>
 
 #include "app/base/layouts.h"
+#include "app/clips/clip_shelf.h"
 #include "app/measure/fit_reporting.h"
 #include "app/measure/fitting.h"
 #include "app/measure/measuring.h"
 #include "app/reference/reference.h"
+#include "app/tuning/key_titles.h"
 #include "app/tuning/parameters.h"
 #include "app/tuning/tuning.h"
 #include "document/document.h"
 #include "editor/support/editor_test.h"
 #include "lapfx/authoring/preview.h"
 #include "match/fit/report.h"
+#include "match/fit/worse.h"
 #include "output/files.h"
 #include "support/wait_until.h"
 
@@ -59,7 +62,7 @@ TEST_F(FitPanel, TheProposalIsTakenAsOneStep) {
     EXPECT_FALSE(fitting().found()->result) << "nothing is drawn";
     EXPECT_TRUE(document::same(before, editor().document.content())) << "nothing changes until it is taken";
     ASSERT_FALSE(fitting().found()->lines.empty());
-    EXPECT_TRUE(says(fitting().found()->lines.front()));
+    EXPECT_TRUE(says(app::with_titles(fitting().found()->lines.front())));
     EXPECT_FALSE(says("(null)")) << "a parameter without a unit";
     const match::Tuned found = fitting().found()->tuned;
     press("Take");
@@ -110,7 +113,7 @@ TEST_F(FitPanel, WhenToolsWorkIsTold) {
         EXPECT_TRUE(says("Event " + std::to_string(event + 1) + ", " + std::string(p.parameter.row->key)))
             << p.parameter.key << '\n'
             << ui().dump();
-        EXPECT_TRUE(p.determined || says("Not determined: " + p.why)) << p.why;
+        EXPECT_TRUE(p.determined || says("Not determined: " + app::with_titles(p.why))) << p.why;
         ++told;
     }
     EXPECT_GE(told, 1);
@@ -159,6 +162,88 @@ TEST_F(FitPanel, BeginsThoughNothingElseBringsAFrame) {
     fitting().cancel();
     ui().frame();
     EXPECT_GT(fitting().due(), ui().time);
+}
+
+TEST_F(FitPanel, WhatIsTakenAndUndoneCanBeTakenAgain) {
+    press("Propose");
+    ASSERT_NE(fitting().found(), nullptr);
+    press("Take");
+    ASSERT_TRUE(fitting().taken());
+    editor().document.undo();
+    ui().frame().frame();
+    EXPECT_FALSE(fitting().taken());
+    EXPECT_FALSE(says("Taken"));
+    EXPECT_FALSE(fitting().stale()) << "all is as it was when it was found";
+    editor().document.redo();
+    ui().frame().frame();
+    EXPECT_TRUE(fitting().taken());
+    editor().document.undo();
+    ui().frame().frame();
+    press("Take");
+    EXPECT_TRUE(fitting().taken());
+    EXPECT_EQ(editor().document.steps().back().name, "Take proposal");
+}
+
+TEST_F(FitPanel, WhatWasFoundGoesWithItsReference) {
+    press("Propose");
+    press("Take");
+    ASSERT_TRUE(fitting().taken());
+    fs::copy_file(editor().reference().file(), folder() / "other.mp4");
+    editor().reference().choose(folder() / "other.mp4");
+    ui().frame().frame();
+    EXPECT_EQ(fitting().found(), nullptr);
+    EXPECT_FALSE(says("Taken"));
+}
+
+TEST_F(FitPanel, KeysAreNamedAsTheWindowNamesThem) {
+    press("Propose");
+    ASSERT_NE(fitting().found(), nullptr) << ui().dump();
+    bool named = false;
+    for (const std::string& line : fitting().found()->lines) named = named || line.find("smoke.haze.") != line.npos;
+    ASSERT_TRUE(named) << "files and commands name keys";
+    EXPECT_TRUE(says("Haze: "));
+    EXPECT_EQ(ui().dump().find(" smoke.haze.ventilation: "), std::string::npos) << ui().dump();
+    EXPECT_EQ(ui().dump().find("\"smoke.haze."), std::string::npos) << ui().dump();
+}
+
+TEST_F(FitPanel, AClipThatIsGoneIsToldBeforeMeasuringWithTheWayOut) {
+    editor().document.change("Gone", [](document::Content& c) {
+        ASSERT_GE(c.preset.smoke.clips.size(), 2U);
+        c.preset.smoke.clips[1].file = "gone.mp4";
+    });
+    ui().frame().frame();
+    press("Fit");
+    EXPECT_FALSE(fitting().busy());
+    EXPECT_EQ(editor().measuring().found(), nullptr) << "nothing was measured for it";
+    EXPECT_EQ(fitting().lost_clip(), std::optional<std::size_t>(1));
+    EXPECT_TRUE(says("gone.mp4: no such clip")) << ui().dump();
+    editor().clips().selected = 0;
+    ui().click(panel + "Choose file...").frame();
+    EXPECT_EQ(editor().clips().selected, 1U);
+    EXPECT_TRUE(says("Another file for this clip")) << ui().dump();
+    ui().key(ui::Key::escape).frame();
+    editor().document.undo();
+    ui().frame().frame();
+    EXPECT_FALSE(fitting().lost_clip());
+    EXPECT_TRUE(fitting().faults().empty()) << "it is there again";
+    EXPECT_FALSE(ui().exists(panel + "Choose file..."));
+}
+
+TEST_F(FitPanel, TheProgressOfACurveNeverGoesBack) {
+    const Scene& scene = editor().document.scene();
+    match::PreviewCurve curve(editor().preview.organ_of(scene),
+                              {.clip_folders = editor().options().clip_folders, .wait_for_clips = true},
+                              {.size = match::preview_size({64, 48})});
+    std::vector<double> times, told;
+    for (int i = 0; i < 40; ++i) times.push_back(0.1 * i);
+    const auto frames = curve.measure(scene, editor().document.preset(), times, {.progress = [&](double share) {
+                                          told.push_back(share);
+                                          return true;
+                                      }});
+    ASSERT_TRUE(frames);
+    EXPECT_GT(told.size(), times.size());
+    EXPECT_TRUE(std::ranges::is_sorted(told)) << testing::PrintToString(told);
+    EXPECT_LE(told.back(), 1.0);
 }
 
 TEST_F(FitPanel, NothingFreeIsTold) {
@@ -278,7 +363,7 @@ TEST_F(FitColors, HiddenOnesAreFoundAndTakenInTheOneStep) {
         EXPECT_GT(far, 3) << name;
         EXPECT_LT(near, std::max(3.0, 0.4 * far)) << name;
     }
-    for (const std::string& line : fitting().found()->colors) EXPECT_TRUE(says(line)) << line;
+    for (const std::string& line : fitting().found()->colors) EXPECT_TRUE(says(app::with_titles(line))) << line;
     const match::FitResult& result = *fitting().found()->result;
     const std::vector<match::FrameAmounts> drawn = curve_of_found();
     ASSERT_EQ(result.after.size(), drawn.size());
@@ -300,6 +385,21 @@ TEST_F(FitColors, HiddenOnesAreFoundAndTakenInTheOneStep) {
     EXPECT_LT(apart(now.scene.organ.color, hidden_.scene.organ.color), 0.1) << "the same organ under the same lamp";
     editor().document.undo();
     EXPECT_TRUE(document::same(before, editor().document.content()));
+}
+
+TEST_F(FitColors, WhatGetsWorseIsToldBeforeItIsTaken) {
+    // More of a haze whose colour is not the video's: the amount comes nearer, the colour of the picture does not.
+    fitting().look.keys = {"smoke.haze.accumulation"};
+    editor().document.change("Thin", [](document::Content& c) {
+        c.preset.smoke.haze.accumulation *= 0.15;
+        c.preset.smoke.haze.color = {0.9, 0.5, 0.2}, c.preset.smoke.plume.color = {0.9, 0.5, 0.2};
+    });
+    press("Fit");
+    ASSERT_NE(fitting().found(), nullptr) << ui().dump();
+    match::FitResult result = *fitting().found()->result;
+    ASSERT_TRUE(result.colors_before.tissue && result.colors_after.tissue) << "compared, though not matched";
+    EXPECT_EQ(says("Farther from the reference than before:"), !match::what_is_worse(result).empty());
+    for (const std::string& line : match::what_is_worse(result)) EXPECT_TRUE(says(line)) << line;
 }
 
 TEST_F(FitColors, ThoseThatAreLockedStay) {
@@ -396,6 +496,7 @@ TEST_F(FitBeside, ACancelledFitGivesTheNearestSoFar) {
     ASSERT_TRUE(wait_for([&] { return !fitting().busy(); }));
     ASSERT_NE(fitting().found(), nullptr);
     EXPECT_TRUE(fitting().found()->result->ended_early);
+    EXPECT_FALSE(fitting().found()->result->colors_after.tissue) << "it ends at once, nothing else is drawn";
     ui().frame();
     EXPECT_TRUE(says("the nearest so far")) << ui().dump();
     EXPECT_TRUE(document::same(before, editor().document.content()));

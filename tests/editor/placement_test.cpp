@@ -15,7 +15,6 @@ namespace lapfx::test {
 namespace {
 
 using app::on_the_vignette;
-using app::placed;
 
 Image picture_of(const cv::Mat& rgba) {
     Image image{.width = rgba.cols, .height = rgba.rows, .pixels = {}, .name = ""};
@@ -231,19 +230,85 @@ TEST_F(Placement, TheCircleComesToLieOnThePreviews) {
     editor().commands.run("reference.take_circle");
     EXPECT_EQ(placement().scale, before.scale);
     EXPECT_EQ(placement().right, before.right);
-    // A video that is stored squeezed says what to do, and lies right in its aspect.
+    // A video that is stored squeezed gets its aspect with it, and lies right.
     cv::resize(view, view, {480, 480}, 0, 0, cv::INTER_AREA);
     write_picture(folder() / "squeezed.png", picture_of(view));
     editor().reference().choose(folder() / "squeezed.png");
     ui().frame().frame();
+    const std::size_t steps = editor().document.done();
     editor().commands.run("reference.take_circle");
-    EXPECT_FALSE(placement().moved());
-    EXPECT_NE(editor().reference().look_notes().back().find("aspect"), std::string::npos);
-    editor().document.change("Aspect", [](document::Content& c) { c.scene.reference.aspect = 854.0 / 480; });
-    editor().commands.run("reference.take_circle");
+    EXPECT_EQ(editor().document.done(), steps + 1);
+    EXPECT_NEAR(editor().document.scene().reference.aspect, 16.0 / 9, 1e-4);
     EXPECT_NEAR(placement().scale, before.scale, 0.01);
     EXPECT_NEAR(placement().right, before.right, 0.005);
     EXPECT_NEAR(placement().up, before.up, 0.005);
+    ASSERT_EQ(editor().reference().look_notes().size(), 2U);
+    editor().document.change("Else", [](document::Content& c) { c.scene.duration += 1; });
+    ui().frame();
+    EXPECT_EQ(editor().reference().look_notes().size(), 2U);
+    editor().document.undo();
+    editor().document.undo();
+    ui().frame();
+    EXPECT_TRUE(editor().reference().look_notes().empty()) << "it does not lie there any more";
+}
+
+class ProposedAspect : public Placement {
+  protected:
+    /// A round view, stored in 256 x 256.
+    std::filesystem::path squeezed(const std::string& name, double aspect) {
+        const glm::ivec2 shown(static_cast<int>(std::lround(480 * aspect)), 480);
+        const Image seen = behind_round_view(tissue_picture(shown), glm::dvec2(shown) / 2.0, 216);
+        cv::Mat4b pixels(seen.height, seen.width,
+                         reinterpret_cast<cv::Vec4b*>(const_cast<std::uint8_t*>(seen.pixels.data())));
+        cv::resize(pixels, pixels, {256, 256}, 0, 0, cv::INTER_AREA);
+        write_picture(folder() / name, picture_of(pixels));
+        return folder() / name;
+    }
+    void choose(const std::filesystem::path& file) {
+        editor().reference().choose(file);
+        ui().frame().frame().frame();
+    }
+    app::Reference& reference() { return editor().reference(); }
+    double aspect() { return editor().document.scene().reference.aspect; }
+};
+
+TEST_F(ProposedAspect, IsThatOfASqueezedVideoAndStaysWithTheScene) {
+    choose(squeezed("wide.png", 16.0 / 9));
+    ASSERT_TRUE(reference().proposed_aspect());
+    EXPECT_NEAR(*reference().proposed_aspect(), 16.0 / 9, 1e-4);
+    EXPECT_EQ(aspect(), 0) << "it is proposed";
+    EXPECT_NE(ui().dump().find("shown at 16:9 it is round"), std::string::npos) << ui().dump();
+    ui().click("**/Reference/Use 16:9").frame().frame();
+    EXPECT_NEAR(aspect(), 16.0 / 9, 1e-4);
+    EXPECT_FALSE(reference().proposed_aspect());
+    EXPECT_FALSE(ui().exists("**/Reference/Use 16:9"));
+    const glm::ivec2 size = reference().compared_size();
+    EXPECT_NEAR(static_cast<double>(size.x) / size.y, 16.0 / 9, 0.01);
+    choose(folder() / "wide.png");
+    EXPECT_NEAR(aspect(), 16.0 / 9, 1e-4) << "the same file is stored as it was";
+    choose(squeezed("other.png", 4.0 / 3));
+    EXPECT_EQ(aspect(), 0);
+    ASSERT_TRUE(reference().proposed_aspect());
+    EXPECT_NEAR(*reference().proposed_aspect(), 4.0 / 3, 1e-3);
+    editor().document.change("By hand", [](document::Content& c) { c.scene.reference.aspect = 1.5; });
+    ui().frame();
+    EXPECT_FALSE(reference().proposed_aspect());
+}
+
+TEST_F(ProposedAspect, IsLeftAndIsNoneWhereNothingIsSqueezed) {
+    choose(squeezed("wide.png", 16.0 / 9));
+    const std::size_t steps = editor().document.done();
+    ui().click("**/Reference/Leave as stored").frame();
+    EXPECT_FALSE(reference().proposed_aspect());
+    editor().timeline.seek(1);
+    ui().frame().frame();
+    EXPECT_FALSE(reference().proposed_aspect()) << "nor with another frame";
+    EXPECT_EQ(editor().document.done(), steps);
+    choose(squeezed("round.png", 1));
+    EXPECT_FALSE(reference().proposed_aspect());
+    write_picture(folder() / "all.png", tissue_picture({256, 256}));
+    choose(folder() / "all.png");
+    EXPECT_FALSE(reference().proposed_aspect());
 }
 
 TEST_F(Placement, TheCircleOfTheSampleIsTaken) {

@@ -5,7 +5,9 @@
 #include "app/base/layouts.h"
 #include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
+#include "editor/support/held_jobs.h"
 #include "support/endoscope.h"
+#include "support/wait_until.h"
 #include "ui/core/tree.h"
 
 namespace lapfx::test {
@@ -79,6 +81,84 @@ TEST_F(PlateSwitch, TheFrameThatIsShownComesOutPixelByPixel) {
     };
     EXPECT_GT(apart(later.size / 2), 30.0F) << "blood in the middle";
     EXPECT_LT(apart({later.size.x / 2, later.size.y - 6}), 40.0F) << "thin haze below";
+}
+
+TEST_F(PlateSwitch, LiesWhereTheReferenceIsPlaced) {
+    layout("Compare");
+    reference().way = app::CompareWay::difference;
+    editor().timeline.seek(0);
+    ui().frame();
+    editor().commands.run("reference.plate_here");
+    const auto apart = [&] {
+        ui().frame().frame();
+        const ui::Picture preview = reference().compared_preview(), video = reference().compared_reference();
+        EXPECT_EQ(preview.size, video.size);
+        double sum = 0, count = 0;
+        for (int y = 3; y < preview.size.y; y += 11)
+            for (int x = 5; x < preview.size.x; x += 13) {
+                const glm::vec4 off = glm::abs(preview.pixels->pixel({x, y}) - video.pixels->pixel({x, y}));
+                sum += static_cast<double>(off.r + off.g + off.b), count += 3;
+            }
+        return sum / count;
+    };
+    EXPECT_LT(apart(), 2);
+    editor().document.change("Place", [](document::Content& c) {
+        c.scene.reference.placement = {.right = 0.08, .up = -0.05, .scale = 0.71, .rotation = 9};
+    });
+    EXPECT_LT(apart(), 2) << "code values, on average";
+    editor().document.change("Aspect", [](document::Content& c) { c.scene.reference.aspect = 16.0 / 9; });
+    EXPECT_LT(apart(), 2);
+    editor().document.change("Large", [](document::Content& c) { c.scene.reference.placement.scale = 1.6; });
+    EXPECT_LT(apart(), 2);
+}
+
+/// Beside the UI, as in the window.
+class PlateOnItsWay : public PlateSwitch {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        start({1440, 900}, false);
+        open_sample();
+        ASSERT_TRUE(wait_until([&] { return editor().preview.ready() && reference().video() != nullptr; },
+                               [&] { ui().frame(0.02); }));
+        ASSERT_TRUE(wait_until([&] { return !editor().preview.loading(); }, [&] { ui().frame(0.02); }));
+    }
+};
+
+TEST_F(PlateOnItsWay, IsToldAndASecondClickDoesNotTakeItAway) {
+    layout("Compare");
+    ui().frame().frame();
+    HeldJobs held(editor().jobs);
+    ui().click("Workspace/Reference/Plate").frame();
+    ASSERT_TRUE(scene().plate.use);
+    EXPECT_TRUE(reference().plate_progress());
+    EXPECT_NE(ui().dump().find("Making the plate"), std::string::npos) << ui().dump();
+    EXPECT_TRUE(ui().is("Workspace/Reference/Plate", ui::Is::disabled));
+    ui().key('P').frame();
+    EXPECT_TRUE(scene().plate.use) << "a second press does nothing";
+    held.let_go();
+    ASSERT_TRUE(wait_until([&] { return organ().starts_with("frame at "); }, [&] { ui().frame(0.02); }));
+    ui().frame();
+    EXPECT_FALSE(reference().plate_progress());
+    EXPECT_EQ(ui().dump().find("Making the plate"), std::string::npos);
+    ui().key('P').frame();
+    EXPECT_FALSE(scene().plate.use);
+}
+
+TEST_F(PlateOnItsWay, IsCancelledAndTheOrganIsStillThere) {
+    layout("Compare");
+    ui().frame().frame();
+    const std::string former = organ();
+    HeldJobs held(editor().jobs);
+    ui().click("Workspace/Reference/Plate").frame();
+    ASSERT_TRUE(reference().plate_progress());
+    ui().click("Workspace/Reference/Cancel Making the plate").frame();
+    EXPECT_FALSE(scene().plate.use);
+    EXPECT_FALSE(editor().preview.loading()) << "the organ that is shown is not loaded again";
+    EXPECT_EQ(organ(), former);
+    EXPECT_TRUE(editor().preview.organ_faults().empty());
+    EXPECT_EQ(ui().dump().find("Making the plate"), std::string::npos);
 }
 
 TEST_F(PlateSwitch, IsByTheReferenceToo) {

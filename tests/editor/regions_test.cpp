@@ -218,6 +218,11 @@ class ProposedLook : public EditorTest {
         editor().reference().propose_look();
         ui().frame().frame();
     }
+    void take() {
+        propose();
+        editor().reference().take_look();
+        ui().frame();
+    }
     static Image round_view() { return behind_round_view(tissue_picture({320, 256}), {160, 128}, 120); }
 };
 
@@ -233,15 +238,55 @@ TEST_F(ProposedLook, IsOneUndoStepAndSaysWhatItFound) {
     const std::size_t steps = editor().document.done();
     editor().commands.run("reference.propose_look");
     ui().frame().frame();
+    EXPECT_EQ(editor().document.done(), steps) << "nothing changes until it is taken";
+    EXPECT_EQ(editor().document.scene().camera.exposure, 12);
+    EXPECT_TRUE(editor().reference().look_proposed());
+    ASSERT_FALSE(editor().reference().look_notes().empty());
+    EXPECT_NE(ui().dump().find(editor().reference().look_notes()[0]), std::string::npos);
+    EXPECT_NE(ui().dump().find("Exposure 12 to "), std::string::npos) << ui().dump();
+    ui().click("Workspace/Reference/Take look").frame().frame();
     ASSERT_EQ(editor().document.done(), steps + 1);
     EXPECT_EQ(editor().document.steps().back().name, "Propose look");
+    EXPECT_FALSE(editor().reference().look_proposed());
+    EXPECT_TRUE(editor().reference().look_notes().empty()) << "what is done is in the history";
     ui().frame().frame();
     EXPECT_LT(apart(), 0.5 * before) << "as bright as the video";
-    EXPECT_FALSE(editor().reference().look_notes().empty());
-    EXPECT_NE(ui().dump().find(editor().reference().look_notes()[0]), std::string::npos);
     editor().document.undo();
     ui().frame();
     EXPECT_EQ(editor().document.scene().camera.exposure, 12);
+}
+
+TEST_F(ProposedLook, IsLeftAndGoesWithItsReference) {
+    const document::Content before = editor().document.content();
+    propose();
+    ASSERT_TRUE(editor().reference().look_proposed());
+    ui().click("Workspace/Reference/Leave look").frame();
+    EXPECT_FALSE(editor().reference().look_proposed());
+    EXPECT_TRUE(editor().reference().look_notes().empty());
+    EXPECT_TRUE(document::same(before, editor().document.content()));
+    EXPECT_FALSE(ui().exists("Workspace/Reference/Take look"));
+    propose();
+    show({round_view()});
+    EXPECT_FALSE(editor().reference().look_proposed());
+    EXPECT_TRUE(editor().reference().look_notes().empty());
+}
+
+/// The organ fills a small part of the frame, and all around is the dark cavity.
+TEST_F(ProposedLook, IsOfTheOrganAloneHoweverSmallItIs) {
+    show({tissue_picture({320, 256})});
+    const auto exposure_from = [&](double distance) {
+        editor().document.change("Far", [&](document::Content& c) {
+            SceneCamera& camera = c.scene.camera;
+            camera.eye = camera.target + distance * (camera.eye - camera.target);
+            c.scene.light.focus_distance = std::min(2000.0, 100 * distance);  // as bright from there
+            camera.exposure = 1.9;
+        });
+        ui().frame().frame();
+        take();
+        return editor().document.scene().camera.exposure;
+    };
+    const double near = exposure_from(1), far = exposure_from(4);
+    EXPECT_NEAR(far / near, 1, 0.5) << near << ' ' << far;
 }
 
 TEST_F(ProposedLook, IsOfTheFrameOfThisTimeAlsoWhileThePanelIsHidden) {
@@ -252,7 +297,7 @@ TEST_F(ProposedLook, IsOfTheFrameOfThisTimeAlsoWhileThePanelIsHidden) {
     ui().frame();
     ASSERT_EQ(editor().reference().frame(), 1);
     ASSERT_EQ(editor().reference().shown_frame(), 0) << "nobody has looked at the other one";
-    propose();
+    take();
     EXPECT_EQ(editor().document.steps().back().name, "Propose look");
     EXPECT_EQ(vignette(), 1) << "the second frame is round";
 }
@@ -266,27 +311,25 @@ TEST_F(ProposedLook, IsOfTheShapeThatTheVideoIsShownWith) {
     Image stored{.width = 180, .height = 256, .pixels = {}, .name = ""};
     stored.pixels.assign(squeezed.data, squeezed.data + 4 * squeezed.total());
     show({stored});
-    propose();
+    take();
     EXPECT_EQ(vignette(), 0) << "as it is stored it is no circle";
     editor().document.change("Aspect", [](document::Content& c) { c.scene.reference.aspect = 1.25; });
-    propose();
+    take();
     EXPECT_EQ(vignette(), 1);
 }
 
 TEST_F(ProposedLook, IsNotOfThePlateWhichIsTheVideoItself) {
-    const auto possible = [&] {
-        return editor().commands.enabled(editor().commands.index_of("reference.propose_look"));
-    };
-    ASSERT_TRUE(possible());
     editor().commands.run("view.plate");
     ui().frame().frame();
-    EXPECT_FALSE(possible());
     const std::size_t steps = editor().document.done();
-    propose();
+    ui().click("Workspace/Reference/Propose look").frame().frame();
+    EXPECT_FALSE(editor().reference().look_proposed());
     EXPECT_EQ(editor().document.done(), steps);
+    EXPECT_NE(ui().dump().find("Turn Plate off"), std::string::npos) << "the reason is told" << ui().dump();
     editor().commands.run("view.plate");
-    ui().frame();
-    EXPECT_TRUE(possible());
+    ui().frame().frame();
+    propose();
+    EXPECT_TRUE(editor().reference().look_proposed());
 }
 
 }  // namespace

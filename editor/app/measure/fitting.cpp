@@ -12,6 +12,8 @@
 #include "app/preview/scene_pace.h"
 #include "app/reference/reference.h"
 #include "app/tuning/tuning.h"
+#include "document/steps.h"
+#include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/compare.h"
 
 namespace lapfx::app {
@@ -73,11 +75,50 @@ double Fitting::seconds_left() const {
 
 void Fitting::begin(bool proposal_alone) {
     end_run();
-    faults_.clear();
+    faults_.clear(), lost_clip_.reset();
     leave();
     measuring_asked_ = false;
     asked_ = proposal_alone;
-    due_ = now_;  // a click may be the last thing that happens in this frame
+    due_ = now_;                 // a click may be the last thing that happens in this frame
+    if (proposal_alone) return;  // it draws nothing
+    // Before the reference is measured, which may take minutes.
+    if (std::vector<Fault> lost = lost_clips(); !lost.empty())
+        fail(std::move(lost));
+    else if (!host_.loading() && !host_.preset_faults().empty())
+        fail(host_.preset_faults());
+}
+
+/// Looks for the file of every clip.
+std::vector<Fault> Fitting::lost_clips() {
+    std::vector<Fault> faults;
+    lost_clip_.reset();
+    looked_ = document_.version();
+    const Preset& preset = document_.preset();
+    for (std::size_t i = 0; i < preset.smoke.clips.size(); ++i) {
+        try {
+            (void)find_clip(preset.smoke.clips[i].file, preset.folder, clip_folders_);
+        } catch (const Error& error) {
+            if (!lost_clip_) lost_clip_ = i;
+            faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+        }
+    }
+    return faults;
+}
+
+void Fitting::forget_found_clip() {
+    if (!lost_clip_ || looked_ == document_.version()) return;
+    if (lost_clips().empty()) faults_.clear();
+}
+
+/// What was found of another video says nothing about this one; what was taken and is undone can be taken again.
+void Fitting::follow_document() {
+    if (!found_) return;
+    if (!reference_.opening() && found_->of.reference != reference_.file()) return leave();
+    if (taken_step_ == 0 || taken_ == document::in_effect(document_, taken_step_)) return;
+    taken_ = !taken_;
+    const document::Content start{found_->start.scene, found_->start.preset};
+    if (!taken_ && document::same(start, document_.content())) of_version_ = document_.version();
+    ++version_;
 }
 
 void Fitting::cancel() {
@@ -89,7 +130,7 @@ void Fitting::cancel() {
 
 void Fitting::leave() {
     found_.reset(), best_.reset();
-    taken_ = false;
+    taken_ = false, taken_step_ = 0;
     ++version_;
 }
 
@@ -97,7 +138,7 @@ void Fitting::forget() {
     asked_.reset();
     end_run();
     leave();
-    faults_.clear();
+    faults_.clear(), lost_clip_.reset();
 }
 
 void Fitting::end_run() {
@@ -116,6 +157,8 @@ void Fitting::fail(std::vector<Fault> faults) {
 
 void Fitting::update(double now) {
     now_ = now, due_ = never;
+    forget_found_clip();
+    follow_document();
     if (!asked_) return;
     if (!run_ && (!measured() || !prepare(now))) return;
     go_on(now);
@@ -174,11 +217,9 @@ bool Fitting::prepare(double now) {
                      .weights = look.weights,
                      .reference = measuring_.found()->frames,
                      .aspect = static_cast<double>(size.x) / size.y};
-    if (look.colors) {
-        wanted.color_keys = free_keys({match::color_keys().begin(), match::color_keys().end()});
-        const double offset = scene.reference.offset;
-        wanted.reference_colors = measuring_.colors()->at_peak(offset, offset + scene.duration);
-    }
+    if (look.colors) wanted.color_keys = free_keys({match::color_keys().begin(), match::color_keys().end()});
+    const double offset = scene.reference.offset;
+    wanted.reference_colors = measuring_.colors()->at_peak(offset, offset + scene.duration);
     began_ = now, of_version_ = document_.version();
     run_ = std::make_unique<FittingRun>(std::move(wanted), curve_.get(), *steps_, jobs_, !exact_);
     return true;
@@ -192,7 +233,10 @@ void Fitting::go_on(double now) {
     if (std::shared_ptr<const FittingRun::Frames> best = run_->best(); best != best_)
         best_ = std::move(best), ++version_;
     if (!run_->ended()) return;
-    if (std::vector<Fault> faults = run_->faults(); !faults.empty()) return fail(std::move(faults));
+    if (std::vector<Fault> faults = run_->faults(); !faults.empty()) {
+        (void)lost_clips();  // one that has gone meanwhile may be the reason
+        return fail(std::move(faults));
+    }
     found_ = run_->take();
     if (found_) found_->seconds = now - began_;
     best_.reset();
@@ -207,6 +251,7 @@ void Fitting::take() {
     const bool moved = !same_tools(found.tuned.scene, found.start.scene);
     const bool tools = !moved || same_tools(found.start.scene, document_.scene());
     bool kept_locked = false;
+    const std::uint64_t before = document::newest_step(document_);
     document_.change(found.result ? "Fit" : "Take proposal", [&](document::Content& content) {
         match::Tuned present{std::move(content.scene), std::move(content.preset)};
         for (const match::FreeParameter& p : found.parameters)
@@ -222,6 +267,8 @@ void Fitting::take() {
         content.scene.events = found.tuned.scene.events;
         content.scene.curves.emission = found.tuned.scene.curves.emission;
     });
+    const std::uint64_t step = document::newest_step(document_);
+    taken_step_ = step != before ? step : 0;
     if (!tools)
         notices_.add({.kind = ui::ToastKind::warning,
                       .text = "The scene has changed since: its tools stay as they are, the parameters are taken"});

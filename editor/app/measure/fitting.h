@@ -79,12 +79,15 @@ class Fitting {
     double progress() const { return run_ ? run_->progress() : 0.0; }
     double seconds_left() const;  ///< negative: not known yet
     const std::vector<Fault>& faults() const { return faults_; }
+    /// Of faults(): the clip of the preset, by its number, whose file is not there. Once another file is chosen, or
+    /// undone what named it, it is no fault any more.
+    const std::optional<std::size_t>& lost_clip() const { return lost_clip_; }
     bool locked(const std::string& key) const;  ///< it is no parameter of a fit as long as it is
 
     // --- found -------------------------------------------------------------------------------------------------------
-    /// The last that was found, also once it has been taken; null: nothing.
+    /// The last that was found, also once it has been taken; null: nothing. It goes with its reference.
     const FitFound* found() const { return found_ ? &*found_ : nullptr; }
-    bool taken() const { return taken_; }
+    bool taken() const { return taken_; }  ///< and that is not undone
     /// Its curve until it is taken, and the best so far while it fits; empty: none.
     const std::vector<match::FrameAmounts>& frames() const;
     std::uint64_t version() const { return version_; }  ///< changes with frames() and found()
@@ -98,6 +101,9 @@ class Fitting {
     void go_on(double now);
     bool measured();
     bool prepare(double now);
+    std::vector<Fault> lost_clips();
+    void forget_found_clip();
+    void follow_document();
     std::vector<std::string> free_keys(std::vector<std::string> keys) const;
     FitOf of_now(std::shared_ptr<const PreparedOrgan> organ) const;
     void fail(std::vector<Fault> faults);
@@ -122,8 +128,11 @@ class Fitting {
     std::shared_ptr<const FittingRun::Frames> best_;
     std::optional<FitFound> found_;
     bool taken_ = false;
+    std::uint64_t taken_step_ = 0;  ///< 0: taking it changed nothing
     std::uint64_t of_version_ = 0, version_ = 1;
     std::vector<Fault> faults_;
+    std::optional<std::size_t> lost_clip_;
+    std::uint64_t looked_ = 0;  ///< the version of the document whose clips were looked for
 };
 
 }  // namespace lapfx::app

@@ -1,5 +1,7 @@
 #include "app/measure/fitting_run.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/base/jobs.h"
@@ -10,7 +12,8 @@ namespace lapfx::app {
 
 namespace {
 
-constexpr double amounts_part = 0.7;  // of the progress, where the colours are matched, too
+// Of the progress: the amounts, where the colours are matched, too, and where they are only compared.
+constexpr double amounts_beside_matching = 0.7, amounts_beside_comparing = 0.9;
 
 }  // namespace
 
@@ -70,13 +73,17 @@ void FittingRun::work() {
 
 /// `share`: 0..1 of the curve that is being drawn.
 bool FittingRun::drawing(double share) {
-    progress_ = share_ + share * (next_ - share_);
-    return !cancelled_;
+    return reached(share_ + share * (next_ - share_));
 }
 
-/// `share`: 0..1 of matching the colours.
+/// `share`: 0..1 of matching the colours, or comparing them.
 bool FittingRun::matching(double share) {
-    progress_ = amounts_part + (1.0 - amounts_part) * share;
+    return reached(std::lerp(amounts_part_, 1.0, share));
+}
+
+/// A picture that is drawn once more does not take it back.
+bool FittingRun::reached(double share) {
+    progress_ = std::max(progress_.load(), share);
     return !cancelled_;
 }
 
@@ -95,13 +102,14 @@ FitFound FittingRun::find() {
     if (wanted_.tools || wanted_.proposal_alone) found.lines = std::move(lines);
     found.tuned = input.proposed.value_or(input.start);
     if (wanted_.proposal_alone) return found;
-    const double part = wanted_.color_keys.empty() ? 1.0 : amounts_part;
+    const bool with_colors = !wanted_.color_keys.empty();
+    amounts_part_ = with_colors ? amounts_beside_matching : amounts_beside_comparing;
     input.draw = [this](const match::Tuned& tuned, std::span<const double> times) {
         return curve_->measure(tuned.scene, tuned.preset, times,
                                {.progress = [this](double share) { return drawing(share); }});
     };
-    input.progress = [this, part](const match::FitProgress& progress) {
-        share_ = part * progress.share, next_ = part * progress.next;
+    input.progress = [this](const match::FitProgress& progress) {
+        share_ = amounts_part_ * progress.share, next_ = amounts_part_ * progress.next;
         if (progress.best != nullptr && std::exchange(curves_, progress.curves) != progress.curves) {
             {
                 const std::lock_guard lock(mutex_);
@@ -117,11 +125,13 @@ FitFound FittingRun::find() {
                              .amidst = [this](double) { return drawing(0.0); },
                              .finish = [this](double share) { return matching(share); }},
                             *curve_);
-    const bool with_colors = !wanted_.color_keys.empty();
     if (with_colors) input.match_colors = [&colors](const match::Tuned& tuned) { return colors.amidst(tuned); };
     found.result = match::fit(input);
     if (found.result->proposal_left) found.lines = {match::scene_was_nearer(wanted_.start.scene)};
-    if (with_colors && !found.result->after.empty()) found.colors = colors.finish(*found.result);
+    if (with_colors && !found.result->after.empty())
+        found.colors = colors.finish(*found.result);
+    else if (!found.result->ended_early)
+        colors.compare(*found.result, wanted_.start);
     found.tuned = found.result->tuned;
     return found;
 }

@@ -45,8 +45,8 @@ struct FitWanted {
     bool tools = true;            ///< the proposal may move, add and silence them
     bool proposal_alone = false;  ///< nothing is drawn
     match::Weights weights = {};
-    std::vector<std::string> color_keys = {};  ///< whose colours are matched once the amounts are fitted
-    match::ColorsAtPeak reference_colors = {};
+    std::vector<std::string> color_keys = {};   ///< whose colours are matched once the amounts are fitted
+    match::ColorsAtPeak reference_colors = {};  ///< what they are matched with, or only compared
     std::vector<match::FrameAmounts> reference = {};
     double aspect = 1.25;  ///< of the pictures, width over height
 };
@@ -90,6 +90,7 @@ class FittingRun {
     FitFound find();
     bool drawing(double share);
     bool matching(double share);
+    bool reached(double share);
 
     const FitWanted wanted_;
     match::PreviewCurve* curve_;
@@ -97,8 +98,8 @@ class FittingRun {
     Jobs& jobs_;
     std::atomic<bool> cancelled_ = false;
     std::atomic<double> progress_ = 0.0;
-    double share_ = 0.0, next_ = 0.0;  ///< of the thread that works,
-    int curves_ = 0;                   ///< and the curve that best_ is of
+    double share_ = 0.0, next_ = 0.0, amounts_part_ = 1.0;  ///< of the thread that works,
+    int curves_ = 0;                                        ///< and the curve that best_ is of
     mutable std::mutex mutex_;
     std::shared_ptr<const Frames> best_;
     bool ended_ = false;

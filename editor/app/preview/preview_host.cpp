@@ -121,8 +121,9 @@ void PreviewHost::follow(const document::Document& document) {
     do {
         if (!std::exchange(stale_, false)) return;
         if (!asked_scene_ || !same_organ(*asked_scene_, wanted_.scene)) {
+            const bool shown = asked_scene_ && preview_ && organ_of(wanted_.scene);
             asked_scene_ = wanted_.scene;
-            load_organ();
+            shown ? keep_organ() : load_organ();
         }
         // One that cannot be shown, for a gravity without direction, waits until the scene is another one.
         if (ready_organ_ && show(ready_organ_)) ready_organ_ = nullptr;
@@ -130,6 +131,16 @@ void PreviewHost::follow(const document::Document& document) {
         follow_scene();
         if (options_.wait_for_clips) jobs_.finish();
     } while (options_.wait_for_clips);
+}
+
+/// The one that is shown is wanted again: what is on its way is not.
+void PreviewHost::keep_organ() {
+    if (organ_job_) std::exchange(organ_job_, nullptr)->cancel();
+    ready_organ_ = nullptr;
+    organ_files_ = files_of(*organ_);
+    organ_faults_.clear();
+    scene_fault_ = false;
+    ++organ_version_;
 }
 
 void PreviewHost::load_organ() {

@@ -164,6 +164,7 @@ class PreviewHost {
 
   private:
     void load_organ();
+    void keep_organ();
     bool show(const std::shared_ptr<const PreparedOrgan>& organ);
     void follow_preset();
     void follow_scene();

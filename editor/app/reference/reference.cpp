@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 #include <set>
 #include <utility>
 
@@ -12,10 +11,9 @@
 #include "app/base/settings.h"
 #include "app/preview/pick_color.h"
 #include "app/preview/timeline.h"
-#include "app/reference/placed_picture.h"
 #include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/formats.h"
-#include "match/look.h"
+#include "lapfx/authoring/placed_picture.h"
 
 namespace lapfx::app {
 
@@ -23,12 +21,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double look_height = 256;  // px of the pictures that a look is proposed from
 constexpr const char* sample = "samples/reference/operation.mp4";
 /// s: a sum of time and offset may fall just short of a frame's own time.
 constexpr double frame_slack = 5e-4;
 constexpr std::uint64_t placed_bit = std::uint64_t{1} << 63U;  // of the number of a picture
-constexpr std::string_view decoding_note = "The frame is still being decoded: the look follows when it is there.";
 
 /// The name of a file in a scene in `folder`: relative if it is in that folder or below.
 std::string named_in(const fs::path& folder, const fs::path& file) {
@@ -39,23 +35,6 @@ std::string named_in(const fs::path& folder, const fs::path& file) {
     const fs::path relative = whole.lexically_relative(fs::weakly_canonical(fs::absolute(folder), error));
     const bool below = !error && !relative.empty() && *relative.begin() != "..";
     return below ? relative.generic_string() : whole.string();
-}
-
-Image in_size(const Image& image, glm::ivec2 size) {
-    if (glm::ivec2(image.width, image.height) == size) return image;
-    Image made{.width = size.x, .height = size.y, .pixels = {}, .name = image.name};
-    made.pixels.resize(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-    const cv::Mat from(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.pixels.data()));
-    cv::Mat to(size.y, size.x, CV_8UC4, made.pixels.data());
-    cv::resize(from, to, to.size(), 0, 0,
-               size.x > image.width || size.y > image.height ? cv::INTER_LINEAR : cv::INTER_AREA);
-    return made;
-}
-
-/// The picture as wide for its height as `shape` is; the side that is squeezed gets shorter.
-Image in_shape(const Image& image, glm::dvec2 shape) {
-    const double scale = std::min(image.width / shape.x, image.height / shape.y);
-    return in_size(image, glm::max(glm::ivec2(glm::round(shape * scale)), glm::ivec2(1)));
 }
 
 }  // namespace
@@ -148,7 +127,8 @@ void Reference::choose(const fs::path& file) {
 void Reference::take(const fs::path& file, std::shared_ptr<VideoReader> reader) {
     const std::string name = named_in(document_.scene().folder, file);
     document_.change("Reference video", [&](document::Content& c) {
-        c.scene.reference = {.file = name};
+        // The same file again is stored as it was.
+        c.scene.reference = {.file = name, .aspect = c.scene.reference.file == name ? c.scene.reference.aspect : 0};
         c.scene.plate.frame = PlateFrame::clearest;  // the chosen one is of the former video
         c.scene.plate.time = 0;
     });
@@ -226,8 +206,10 @@ void Reference::follow_scene(std::shared_ptr<VideoReader> reader) {
     file_ = file;
     refused_.clear();
     held_.reset();
-    look_notes_.clear();
+    forget_look_notes();
+    leave_look();
     proposes_ = false;
+    proposed_aspect_.reset(), looked_for_aspect_ = 0;
     compare.view = {};
     feed_.open(file_, std::move(reader));
     follow_video();
@@ -250,6 +232,7 @@ void Reference::show_newest() {
     ++shown_;
     upload();
     place_newest();
+    look_for_aspect();
 }
 
 /// With what was counted in it, where that is wanted and known.
@@ -308,6 +291,7 @@ void Reference::place_newest() {
 void Reference::update(double) {
     if (choosing_ && choosing_->cancelled()) choosing_.reset();  // by the list of jobs
     follow_scene();
+    forget_undone();
     if (feed_.take()) show_newest();
     follow_video();  // also one that has changed on disk
     compares_ = counts_ = false;
@@ -332,11 +316,15 @@ ui::Picture Reference::picture() const {
     return {.image = image_, .size = shown_size(), .pixels = pixels_.get()};
 }
 
-/// In the aspect that the scene gives it; the side that is stretched grows, so that no pixel is lost.
+/// In the aspect that the scene gives it.
 glm::ivec2 Reference::shown_size() const {
+    return size_with(document_.scene().reference.aspect);
+}
+
+/// The side that is stretched grows, so that no pixel is lost. 0: as stored.
+glm::ivec2 Reference::size_with(double aspect) const {
     if (feed_.image().width < 1) return largest_compared;  // without a video: that of `lapfx render`
     const glm::dvec2 stored = glm::max(glm::dvec2(feed_.image().width, feed_.image().height), glm::dvec2(1));
-    const double aspect = document_.scene().reference.aspect;
     if (!(aspect > 0)) return glm::ivec2(stored);
     return glm::max(glm::ivec2(glm::round(glm::max(stored, {stored.y * aspect, stored.x / aspect}))), glm::ivec2(1));
 }
@@ -416,29 +404,6 @@ ui::Picture Reference::placed_picture() const {
     return shown;
 }
 
-void Reference::take_circle() {
-    follow();  // the panel may be hidden
-    if (feed_.frame() < 0 || feed_.image().pixels.empty()) {
-        look_notes_ = {"The frame is still being decoded: take the circle when it is there."};
-        return;
-    }
-    const SceneReference& reference = document_.scene().reference;
-    const auto found = on_the_vignette(in_size(feed_.image(), shown_size()), reference.placement);
-    if (!found) {
-        look_notes_ = {"This frame of the reference shows no round view of an endoscope."};
-        if (!(reference.aspect > 0))
-            look_notes_.emplace_back(
-                "If its picture looks squeezed, choose its aspect first (As stored, above): only then is the view "
-                "round.");
-        return;
-    }
-    look_notes_ = {"The round view of the reference lies on the preview's vignette now."};
-    document_.change("Take the circle", [&](document::Content& c) {
-        c.scene.reference.placement = *found;
-        c.scene.camera.vignette = 1;
-    });
-}
-
 const std::array<PictureScopes, 2>& Reference::scopes() {
     counts_ = true;
     return scopes_;
@@ -486,40 +451,6 @@ bool Reference::count_regions() {
         regions_.count(i, *image, frame_of(side));
     }
     return regions_.version() != before;
-}
-
-/// It waits for the frame of this time: the newest one may be of another.
-void Reference::follow_proposal() {
-    if (video() == nullptr || document_.scene().plate.use) {
-        proposes_ = false;
-        return look_notes_.clear();
-    }
-    follow();  // the panel may be hidden
-    if (feed_.frame() == frame()) {
-        proposes_ = false;
-        return take_proposal();
-    }
-    if (look_notes_.size() == 1 && look_notes_[0] == decoding_note) return;
-    look_notes_ = {std::string(decoding_note)};
-    screen_.wake("a look waits for its frame");
-}
-
-void Reference::take_proposal() {
-    if (feed_.image().height < 1) return;
-    const glm::dvec2 shape(shown_size());
-    clean_.resize(glm::max(glm::ivec2(glm::round(shape * (look_height / shape.y))), glm::ivec2(1)));
-    const SceneCamera& camera = document_.scene().camera;
-    if (!clean_.draw(preview_, {.time = 0, .camera = camera}) && !clean_.drawn()) {
-        look_notes_ = {"There is no preview to compare with: load an organ first."};
-    } else {
-        const match::Look now = match::look_of(document_.scene(), document_.preset());
-        match::LookProposal found = match::propose_look(in_shape(feed_.image(), shape), clean_.image(), now);
-        look_notes_ = std::move(found.notes);
-        if (found.possible)
-            document_.change("Propose look",
-                             [&](document::Content& c) { match::put_look(found.look, c.scene, c.preset); });
-    }
-    screen_.wake("a look is proposed");
 }
 
 bool Reference::draw(double scale) {

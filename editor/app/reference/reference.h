@@ -27,6 +27,10 @@
 #include "ui/canvas/compare_view.h"
 #include "ui/draw/images.h"
 
+namespace lapfx::match {
+struct Look;
+}
+
 namespace lapfx::app {
 
 class Job;
@@ -142,9 +146,17 @@ class Reference {
     /// has nothing; the reference alone, what is measured of it, its plate and a proposal of
     /// the look are of the video as it is stored: they are about all of its tissue, wherever that lies.
     ui::Picture placed_picture() const;
-    /// An undo step: placed so that its round view lies on the preview's vignette, which is turned on. look_notes() say
-    /// what was found.
+    /// An undo step: placed so that its round view lies on the preview's vignette, which is turned on; of a squeezed
+    /// video with its proposed_aspect(). look_notes() say what was found.
     void take_circle();
+    /// Width over height at which the round view of the video is round, where the scene has no aspect yet and the video
+    /// is stored squeezed: looked for in its first frames that are shown. None: it looks right, or shows no round view,
+    /// or that was left.
+    const std::optional<double>& proposed_aspect() const { return proposed_aspect_; }
+    void take_aspect();  ///< an undo step
+    void leave_aspect();
+    /// 0..1 while the plate is being made, negative where nobody knows; none: it is not.
+    std::optional<double> plate_progress() const;
     bool placing = false;  ///< handles to place it lie over the comparison
     /// As large as compare_view shows them (CompareResult::zoom): the preview is drawn with as many pixels, but pixel
     /// for pixel with the video where both are subtracted or single pixels are looked at. Gives whether that is another
@@ -173,12 +185,15 @@ class Reference {
 
     // --- look --------------------------------------------------------------------------------------------------------
     /// After this frame, or when frame() is decoded: camera and look as that frame proposes them (match/look.h),
-    /// against the preview at 0 s, without blood and smoke. One undo step, or none where nothing can be said. Nothing
-    /// while the plate stands in for the organ: it is the reference itself.
-    void propose_look() { proposes_ = true; }
-    /// What the last proposal found and what not, a sentence each.
+    /// against the preview at 0 s, without blood and smoke. Nothing changes until it is taken. None while the plate
+    /// stands in for the organ: it is the reference itself.
+    void propose_look();
+    bool look_proposed() const { return look_ != nullptr; }  ///< and neither taken nor left yet
+    void take_look();                                        ///< one undo step
+    void leave_look();
+    /// What the last proposal found and what not, a sentence each; of what was done they go when that is undone.
     const std::vector<std::string>& look_notes() const { return look_notes_; }
-    void forget_look_notes() { look_notes_.clear(); }
+    void forget_look_notes() { say({}); }
 
     // --- of the editor -----------------------------------------------------------------------------------------------
     void set_wake(std::function<void()> wake) { feed_.set_wake(std::move(wake)); }
@@ -204,6 +219,7 @@ class Reference {
     bool is_placed() const;
     bool shows_placed() const;  ///< in the panel
     glm::ivec2 shown_size() const;
+    glm::ivec2 size_with(double aspect) const;
     ui::Picture drawn(DrawnPicture& picture, const PreviewHost* preview);
     bool draw_compared(double scale);
     bool draw_compared(DrawnPicture& picture, PreviewHost& preview, double scale);
@@ -215,7 +231,10 @@ class Reference {
     void forget_regions(std::size_t side);
     int frame_of(CompareSide side) const;
     void follow_proposal();
-    void take_proposal();
+    void make_proposal();
+    void say(std::vector<std::string> notes, std::uint64_t step = 0);
+    void forget_undone();
+    void look_for_aspect();
 
     document::Document& document_;
     const Timeline& timeline_;
@@ -248,9 +267,13 @@ class Reference {
     Image placed_;
     ui::ImageHandle placed_image_ = 0;
     bool proposes_ = false;
-    DrawnPicture clean_;  ///< the preview at 0 s, for a proposal
+    DrawnPicture clean_;                       ///< the preview at 0 s, for a proposal
+    std::shared_ptr<const match::Look> look_;  ///< that is proposed; null: none
     std::vector<std::string> look_notes_;
-    bool counts_ = false;  ///< the last build asked for scopes()
+    std::uint64_t noted_step_ = 0;  ///< that the notes tell of; 0: none
+    std::optional<double> proposed_aspect_;
+    int looked_for_aspect_ = 0;  ///< in so many frames of this video
+    bool counts_ = false;        ///< the last build asked for scopes()
     std::array<PictureScopes, 2> scopes_;
     ComparedRegions regions_;
     std::uint64_t shown_ = 0;  ///< how many frames have been shown

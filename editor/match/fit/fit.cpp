@@ -40,6 +40,7 @@ struct Drawn {
 struct Shared {
     CoreAmounts core;
     int curves = 0;                         ///< drawn
+    int most_curves = 0;                    ///< of all of them, at most
     std::vector<FrameAmounts> before = {};  ///< of the scene without a proposal; empty: the start is that scene
 };
 
@@ -55,6 +56,12 @@ class Fit {
         for (const TargetPoint& aim : input.target) times_.push_back(aim.time);
         best_.coordinates = start_;
         known_ = known_to_core();
+    }
+
+    /// That are drawn.
+    int most_curves() const {
+        const auto unknown = std::count(known_.begin(), known_.end(), false);
+        return 2 + input_.rounds + rounds_beside_held + static_cast<int>(unknown) + (input_.match_colors ? 2 : 0);
     }
 
     /// Draws the start. False: it was ended.
@@ -129,16 +136,13 @@ class Fit {
             return false;
         }
     }
-    int most_curves() const {
-        const auto unknown = std::count(known_.begin(), known_.end(), false);
-        return 2 + input_.rounds + rounds_beside_held + static_cast<int>(unknown) + (input_.match_colors ? 2 : 0);
-    }
     bool goes_on() {
         if (early_) return false;
+        const auto share = [this](double curves) { return std::min(curves / shared_.most_curves, 1.0); };
         if (input_.progress)
-            early_ = !input_.progress({.share = std::min(static_cast<double>(shared_.curves) / most_curves(), 1.0),
+            early_ = !input_.progress({.share = share(shared_.curves),
                                        .curves = shared_.curves,
-                                       .next = std::min((shared_.curves + 1.0) / most_curves(), 1.0),
+                                       .next = share(shared_.curves + 1.0),
                                        .best = best_.frames.empty() ? nullptr : &best_.frames});
         return !early_;
     }
@@ -502,6 +506,7 @@ FitResult fit(const FitInput& input) {
     require_something(input);
     Shared shared{.core = CoreAmounts(input.organ)};
     Fit begun(input, shared);
+    shared.most_curves = begun.most_curves();
     if (!input.before) return begun.run(!begun.begin());
     const FitInput without = without_proposal(input);
     Fit as_it_is(without, shared);

@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "match/color_likeness.h"
 #include "match/fit/free_parameter.h"
 #include "match/fit/objective.h"
 #include "match/fit/target.h"
@@ -81,6 +82,7 @@ struct FitResult {
     std::vector<FrameAmounts> before = {}, after = {};  ///< as drawn and measured, at the target's times
     std::optional<double> blood_before = {}, blood_after = {};  ///< root mean square differences
     std::optional<double> veil_before = {}, veil_after = {};
+    ColorLikeness colors_before = {}, colors_after = {};  ///< Delta E 2000; measured by FitColors, else missing
     bool proposal_left = false;       ///< with the tools of `before` the curves are nearer: it began with those
     bool ended_early = false;         ///< cancelled, or out of budget
     int curves = 0, evaluations = 0;  ///< drawn; of the core

@@ -61,6 +61,7 @@ std::vector<std::string> FitColors::finish(FitResult& result) {
     };
     const ColorMatch found = match(result.tuned, input_.keys, progress);
     if (found.drawn == 0) return ended_lines(result);
+    result.colors_before = found.before, result.colors_after = found.after;
     const bool same = different_colors(result.tuned, found.tuned).empty();
     result.tuned = found.tuned;
     std::vector<std::string> lines = likeness_lines(found);
@@ -69,6 +70,18 @@ std::vector<std::string> FitColors::finish(FitResult& result) {
         lines.emplace_back("the curves are those before the colours were matched: the fit ended early");
     if (found.ended_early) lines.emplace_back("colours: the fit ended before they were as near as they can be");
     return lines;
+}
+
+void FitColors::compare(FitResult& result, const Tuned& before) {
+    const auto likeness = [this](const Tuned& tuned, double from) -> std::optional<ColorLikeness> {
+        const std::optional<ColorsAtPeak> seen = drawn_colors(*curve_, tuned, input_.target, [&](double share) {
+            return !input_.finish || input_.finish(from + 0.5 * share);
+        });
+        return seen ? std::optional(likeness_of(seen->colors, input_.reference.colors)) : std::nullopt;
+    };
+    const std::optional<ColorLikeness> was = likeness(before, 0.0);
+    const std::optional<ColorLikeness> is = was ? likeness(result.tuned, 0.5) : std::nullopt;
+    if (was && is) result.colors_before = *was, result.colors_after = *is;
 }
 
 }  // namespace lapfx::match

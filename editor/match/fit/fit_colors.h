@@ -37,6 +37,9 @@ class FitColors {
     /// What was found becomes the result's, with its curves. Lines for people, of the differences and of what was
     /// changed. Throws as PreviewCurve::measure().
     std::vector<std::string> finish(FitResult& result);
+    /// Where no colour was to be matched: how far they are from the reference's before and after, since amounts change
+    /// them, too. `before`: without the proposal. Missing where it was ended. Throws as PreviewCurve::measure().
+    void compare(FitResult& result, const Tuned& before);
 
   private:
     ColorMatch match(const Tuned& start, std::vector<std::string> keys,

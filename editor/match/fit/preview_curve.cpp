@@ -76,6 +76,7 @@ class PreviewCurve::Pictures {
         : curve_(curve), times_(times), drawn_(times.size()) {}
 
     std::size_t count() const { return times_.size(); }
+    std::size_t surveyed() const { return std::min<std::size_t>(surveyed_frames, count()); }
     /// Null: it was stopped.
     Image* picture(std::size_t i) {
         Image& picture = drawn_[i];
@@ -91,11 +92,12 @@ class PreviewCurve::Pictures {
 };
 
 /// Whether it came to its end.
-bool PreviewCurve::survey(Pictures& pictures, Estimator& estimator, const Progress& progress) {
-    const std::size_t surveyed = std::min<std::size_t>(surveyed_frames, pictures.count());
+bool PreviewCurve::survey(Pictures& pictures, Estimator& estimator,
+                          const std::function<bool(std::size_t surveyed)>& goes_on) {
+    const std::size_t surveyed = pictures.surveyed();
     std::future<void> surveying;  // one picture, while the next is drawn
     for (std::size_t i = 0; i < surveyed; ++i) {
-        if (progress && !progress(static_cast<double>(i) / static_cast<double>(pictures.count()))) return false;
+        if (!goes_on(i)) return false;
         const Image* const picture = pictures.picture(i * pictures.count() / surveyed);
         if (picture == nullptr) return false;
         if (surveying.valid()) surveying.get();
@@ -121,7 +123,12 @@ std::optional<std::vector<FrameAmounts>> PreviewCurve::measure(const Scene& scen
     if (!clear) return {};
     Estimator estimator(baseline, of_estimator);
     Pictures pictures(*this, times);
-    if (!survey(pictures, estimator, calls.progress)) return {};
+    // Those that are surveyed count twice, so that what is told never goes back.
+    const auto goes_on = [&](std::size_t done) {
+        const std::size_t all = pictures.surveyed() + times.size();
+        return !calls.progress || calls.progress(static_cast<double>(done) / static_cast<double>(all));
+    };
+    if (!survey(pictures, estimator, goes_on)) return {};
     std::vector<FrameAmounts> frames;
     std::future<void> measuring;  // one frame, while the next is drawn
     for (std::size_t i = 0; i < times.size(); ++i) {
@@ -129,7 +136,7 @@ std::optional<std::vector<FrameAmounts>> PreviewCurve::measure(const Scene& scen
         if (picture == nullptr) return {};
         if (calls.drawn && !draw([&] { calls.drawn(*preview_, times[i]); })) return {};
         if (measuring.valid()) measuring.get();
-        if (calls.progress && !calls.progress(static_cast<double>(i) / static_cast<double>(times.size()))) return {};
+        if (!goes_on(pictures.surveyed() + i)) return {};
         measuring = std::async(std::launch::async, [&, i, picture] {
             frames.push_back(estimator.measure(*picture, times[i]));
             if (calls.measured) calls.measured(*picture, &estimator, frames.back());

@@ -65,7 +65,7 @@ class PreviewCurve {
 
   private:
     class Pictures;
-    bool survey(Pictures& pictures, Estimator& estimator, const Progress& progress);
+    bool survey(Pictures& pictures, Estimator& estimator, const std::function<bool(std::size_t surveyed)>& goes_on);
     void take(const Scene& scene, const Preset& preset);
     void show(const Scene& scene, const Preset& preset);
     bool draw(const std::function<void()>& step) const { return render_ ? render_(step) : (step(), true); }

@@ -6,6 +6,7 @@
 #include "match/fit/markup.h"
 #include "match/fit/page.h"
 #include "match/fit/report_plot.h"
+#include "match/fit/worse.h"
 #include "match/likeness.h"
 
 namespace lapfx::match {
@@ -34,13 +35,19 @@ std::vector<FrameAmounts> frames_of(std::span<const TargetPoint> target) {
     return frames;
 }
 
+std::string worse(const FitResult& result) {
+    std::string all;
+    for (const std::string& line : what_is_worse(result)) all += (all.empty() ? "" : "; ") + escaped(line);
+    return all.empty() ? all : paragraph("<strong>Farther than before:</strong> " + all, "notice");
+}
+
 std::string closeness(const FitReport& report) {
     const std::vector<FrameAmounts> reference = frames_of(report.target);
     const auto words = [&](const std::vector<FrameAmounts>& shown) {
         return escaped(in_words(likeness_of(shown, reference, 0.0)));
     };
     return "<div class=\"closeness\">\n" + paragraph("<strong>After:</strong> " + words(report.result.after), "main") +
-           paragraph("Before: " + words(report.result.before), "quiet") + "</div>\n";
+           paragraph("Before: " + words(report.result.before), "quiet") + worse(report.result) + "</div>\n";
 }
 
 std::string misfits(const FitResult& result) {

@@ -74,7 +74,8 @@ struct ReferenceLoop {
     bool set() const { return to > from; }
 };
 
-/// Where the reference lies under the preview when both are compared: moved, then scaled and turned about its middle.
+/// Where the reference lies under the preview when both are compared: moved, then scaled and turned about its middle. A
+/// plate (ScenePlate) lies there, too.
 struct ReferencePlacement {
     double right = 0.0, up = 0.0;  ///< heights of the picture
     double scale = 1.0;

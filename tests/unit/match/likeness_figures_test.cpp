@@ -27,7 +27,8 @@ TEST(LikenessFigures, EachIsItsOwnValue) {
     double next = 1.0;
     const auto fill = [&next](std::optional<double>& value) { value = next++; };
     for (AmountLikeness* amount : {&compared.amounts.blood, &compared.amounts.veil}) {
-        fill(amount->rms), fill(amount->bias), fill(amount->rms_over_error), fill(amount->late);
+        fill(amount->rms), fill(amount->bias), fill(amount->rms_over_error), fill(amount->error);
+        fill(amount->late);
         fill(amount->peak_ratio), fill(amount->peak_over_error), fill(amount->area_ratio);
         fill(amount->rise_difference), fill(amount->decay_difference);
     }

@@ -265,15 +265,47 @@ TEST(Likeness, WithinTheIntervalsMatches) {
 
 TEST(Likeness, AMatchThatTheErrorAloneMakesSaysHowFarApartItIs) {
     const auto words = [](double shown) {
-        const Taken taken{.half = 0.2};
+        const Taken taken{.half = 0.17};
         return in_words(likeness_of(frames_of(tent(0.5, 4), tent(shown, 4), taken),
                                     frames_of(tent(0.5, 4), tent(0.5, 4), taken), 0));
     };
     EXPECT_EQ(words(0.4), "blood and veil match within the error of measuring");
     EXPECT_EQ(
-        words(0.25),
-        "blood matches within the error of measuring, which is large: it is measured 50 % too small; veil matches "
+        words(0.3),
+        "blood matches within the error of measuring, which is large: it is measured 40 % too small; veil matches "
         "within the error of measuring");
+}
+
+TEST(Likeness, AnErrorThatLeavesNothingKnownIsNoMatch) {
+    // 5 % of the view is bloody in one and 30 % in the other, each measured to 20 %.
+    const auto likeness = [](double half) {
+        const Taken taken{.half = half};
+        return likeness_of(frames_of(tent(0.5, 4), even(0.05), taken), frames_of(tent(0.5, 4), even(0.3), taken), 0);
+    };
+    const Likeness wide = likeness(0.2);
+    EXPECT_TRUE(wide.blood.within_error());
+    EXPECT_TRUE(wide.blood.cannot_tell());
+    EXPECT_FALSE(wide.blood.matches());
+    EXPECT_NEAR(*wide.blood.error, 0.2 * std::numbers::sqrt2, 1e-9);
+    EXPECT_TRUE(wide.veil.cannot_tell()) << "0.28 is more than half of its peak of 0.5";
+    EXPECT_EQ(in_words(wide),
+              "cannot tell whether blood matches: the error of measuring is 28 % of the view; cannot tell whether veil "
+              "matches: the error of measuring is 28 % of the view");
+    const Likeness less = likeness(0.16);
+    EXPECT_FALSE(less.blood.within_error()) << "0.25 is beyond 0.23";
+    EXPECT_TRUE(less.veil.matches()) << "0.23 is less than half of its peak";
+    EXPECT_EQ(in_words(less).substr(0, 8), "blood is");
+}
+
+TEST(Likeness, WhatNeitherShowsIsNotKnownWhereTheErrorIsLarge) {
+    const auto blood = [](double half) {
+        return likeness_of(frames_of(even(0.3), even(0.0), {.half = half}),
+                           frames_of(even(0.3), even(0.02), {.half = half}), 0)
+            .blood;
+    };
+    EXPECT_TRUE(blood(0.06).matches()) << "to 8.5 % of the view";
+    EXPECT_FALSE(blood(0.08).matches()) << "to 11 %";
+    EXPECT_TRUE(blood(0.08).cannot_tell());
 }
 
 TEST(Likeness, AShortEventIsNotLostInALongVideo) {

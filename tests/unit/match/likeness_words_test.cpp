@@ -145,6 +145,25 @@ TEST(LikenessWords, PeaksWithinALargeErrorAreToldThough) {
               "reference 10 %; veil matches within the error of measuring");
 }
 
+TEST(LikenessWords, WhatDiffersIsSaidBeforeWhatNobodyCanTellAndThatBeforeAMatch) {
+    AmountLikeness unknown = alike(), thin = different();
+    unknown.error = 0.21, unknown.preview.peak = 0.3, unknown.reference.peak = 0.1;
+    thin.peak_ratio = 0.7;
+    expect(of_blood(unknown), "cannot tell whether blood matches: the error of measuring is 21 % of the view",
+           Said::cannot_tell, "");
+    EXPECT_EQ(in_words({.overlap = 10.0, .blood = unknown, .veil = thin}),
+              "veil is 30 % too thin; cannot tell whether blood matches: the error of measuring is 21 % of the view");
+    EXPECT_EQ(in_words({.overlap = 10.0, .blood = alike(), .veil = unknown}),
+              "cannot tell whether veil matches: the error of measuring is 21 % of the view; blood matches within the "
+              "error of measuring");
+    unknown.error = 0.09;
+    expect(
+        of_blood(unknown),
+        "blood matches within the error of measuring, which is large: its peak is 30 % of the view, in the reference "
+        "10 %",
+        Said::rough_match, "");
+}
+
 TEST(LikenessWords, WhatCannotBeMendedHasNoKey) {
     const std::vector<Clause> same = told(alike(), alike());
     ASSERT_EQ(same.size(), 2U);

@@ -166,6 +166,66 @@ TEST(Look, BloodAndHazeTakeTheirHueWhereTheyAreSeen) {
     EXPECT_GT(haze.look.haze.b, haze.look.haze.r) << "bluish, as the veil is";
 }
 
+/// The right part of the picture shows no organ, but the dark cavity beside it.
+Image beside_cavity(Image image, cv::Mat& organ) {
+    organ = cv::Mat(height / 4, width / 4, CV_8U, cv::Scalar(255));
+    organ.colRange(width / 8, width / 4).setTo(0);
+    for (int y = 0; y < height; ++y)
+        for (int x = width / 2; x < width; ++x) {
+            std::uint8_t* const pixel = image.pixels.data() + 4 * (y * width + x);
+            pixel[0] = 24, pixel[1] = 6, pixel[2] = 6;
+        }
+    return image;
+}
+
+TEST(Look, TheCavityBesideTheOrganIsNoTissue) {
+    const Tissue truth{.exposure = 1.6, .organ = {1.0, 0.8, 0.9}};
+    cv::Mat organ;
+    const Image ours = beside_cavity(Tissue{}.image(), organ);
+    const LookProposal found = propose_look(truth.image(), ours, look_of(Tissue{}), organ);
+    ASSERT_TRUE(found.possible);
+    expect_near(product(found.look), product(look_of(truth)), 0.06, "product");
+    const LookProposal taken_for_tissue = propose_look(truth.image(), ours, look_of(Tissue{}));
+    EXPECT_GT(taken_for_tissue.look.exposure, 1.3 * found.look.exposure) << "what the mask is for";
+    EXPECT_FALSE(propose_look(truth.image(), ours, look_of(Tissue{}), cv::Mat::zeros(64, 80, CV_8U)).possible);
+}
+
+TEST(Look, NothingIsOverexposedThatIsNotInTheVideo) {
+    // A dark organ with bright folds: as bright as the video on average, the folds would be white.
+    const Tissue truth{.exposure = 2.2, .highlights = false};
+    Image ours = Tissue{.exposure = 0.12, .highlights = false}.image();
+    const Image bright = Tissue{.exposure = 1.0, .highlights = false}.image();
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            if (x % 32 < 2)
+                std::copy_n(bright.pixels.begin() + 4 * (y * width + x), 4, ours.pixels.begin() + 4 * (y * width + x));
+    const Look now = look_of(Tissue{.exposure = 0.12});
+    const LookProposal found = propose_look(truth.image(), ours, now);
+    ASSERT_TRUE(found.possible);
+    EXPECT_TRUE(notes_contain(found, "bleach"));
+    const double fold = 0.30 * 1.2 * found.look.exposure / 0.12;
+    EXPECT_LT(fold, 1.05) << "in the light of its brightest channel";
+    EXPECT_GT(fold, 0.5) << "and no darker than that";
+}
+
+TEST(Look, BloodAndHazeAreNotBleachedByMoreExposure) {
+    const Tissue dim{.exposure = 1.0}, truth{.exposure = 6.0, .highlights = false};
+    const LookProposal found = propose_look(truth.image(), dim.image(), look_of(dim));
+    ASSERT_TRUE(found.possible);
+    EXPECT_GT(found.look.exposure, 1.5);
+    const auto shown = [](const Look& look, const Vec& color) {
+        const Vec light = linear(color) * linear(look.light) * look.exposure;
+        return std::max({light.r, light.g, light.b});
+    };
+    EXPECT_LE(shown(found.look, found.look.blood_thin), 0.46);
+    EXPECT_LE(shown(found.look, found.look.haze), 0.71);
+    EXPECT_TRUE(notes_contain(found, "overexposed"));
+    Look pale = look_of(dim);
+    pale.haze = {0.9, 0.9, 0.9};
+    const Look as_pale = propose_look(dim.image(), dim.image(), pale).look;
+    EXPECT_NEAR(shown(as_pale, as_pale.haze), shown(pale, pale.haze), 0.03) << "what was as bright before stays";
+}
+
 TEST(Look, ABlackPictureProposesNothing) {
     Image black{.width = 64, .height = 48, .pixels = std::vector<std::uint8_t>(64 * 48 * 4, 0), .name = ""};
     const Look now = look_of(Tissue{});

@@ -124,6 +124,22 @@ TEST_F(PreparedPlate, HasTheAspectThatTheReferenceIsShownWith) {
     EXPECT_NEAR((high.x - low.x) / (high.y - low.y), 2.0f, 1e-3f);
 }
 
+TEST_F(PreparedPlate, LiesWhereTheReferenceIsPlaced) {
+    scene.reference.placement = {.right = 0.25, .up = 0.1, .scale = 0.5};
+    const auto made = prepare_organ(scene);
+    const SceneCamera& camera = scene.camera;
+    const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye),
+                     right = glm::normalize(glm::cross(ahead, camera.up)), up = glm::cross(right, ahead);
+    glm::dvec3 nearest(0.0);  // the middle of the bowl
+    double least = 1e9;
+    for (const glm::vec3& p : made->organ().positions)
+        if (const double away = glm::dot(glm::dvec3(p) - camera.eye, ahead); away < least)
+            least = away, nearest = glm::dvec3(p) - camera.eye;
+    const double height = 2.0 * std::tan(glm::radians(camera.field_of_view) / 2.0) * least;
+    EXPECT_NEAR(glm::dot(nearest, right) / height, 0.25, 0.03);
+    EXPECT_NEAR(glm::dot(nearest, up) / height, 0.1, 0.03);
+}
+
 TEST_F(PreparedPlate, WhatIsWrongIsOneLine) {
     scene.reference.file = "gone.png";
     EXPECT_THAT(test::faults_of([&] { prepare_organ(scene); }), testing::ElementsAre(testing::HasSubstr("gone.png")));
@@ -161,6 +177,7 @@ TEST_F(PreparedPlate, IsMadeForOneCameraAndOnePlate) {
     EXPECT_TRUE(differs([](Scene& s) { s.plate.depth = PlateDepth::flat; }));
     EXPECT_TRUE(differs([](Scene& s) { s.reference.file = "other.png"; }));
     EXPECT_TRUE(differs([](Scene& s) { s.reference.aspect = 1.3; }));
+    EXPECT_TRUE(differs([](Scene& s) { s.reference.placement.scale = 0.7; }));
     EXPECT_FALSE(differs([](Scene& s) { s.reference.offset = 3.0; }));
 }
 

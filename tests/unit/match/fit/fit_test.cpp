@@ -437,6 +437,26 @@ TEST(Fit, ProgressGrowsAndShowsTheBest) {
     EXPECT_GT(last, 0.2);
 }
 
+TEST(Fit, ProgressNeverGoesBackWhereTheSceneWithoutTheProposalIsSearchedToo) {
+    Camera camera;
+    FitInput input = input_of({.hidden = hidden(7.0, 8.0, 0.3, 0.15)}, camera);
+    input.before = input.start;
+    input.start.scene.events[1].time += 0.5;
+    // One that the core's amounts do not depend on costs a curve more, and it exists beside the proposal only.
+    for (FreeParameter& p : free_parameters(input.start, std::vector<std::string>{"bleeding.noise_scale"}))
+        input.parameters.push_back(std::move(p));
+    input.of_proposal = 1;
+    double last = 0.0, next = 0.0;
+    input.progress = [&](const FitProgress& progress) {
+        EXPECT_GE(progress.share, last);
+        EXPECT_GE(progress.next, next);
+        last = progress.share, next = progress.next;
+        return true;
+    };
+    fit(input);
+    EXPECT_GT(last, 0.2);
+}
+
 TEST(Fit, TellsTheValuesThatAreThere) {
     for (const double until : {5.0, seconds}) {
         const FitResult found = found_for({.hidden = hidden(2.0, 30.0, 0.1, 0.08), .noise = 0.02, .until = until});
