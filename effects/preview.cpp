@@ -107,11 +107,14 @@ struct Preview::State {
     std::vector<std::uint8_t> view_part(const View& view, double time, const SceneCamera& seen, glm::ivec2 size);
     void draw_tool(const View& view, double time) noexcept {
         if (!tool) return;
-        const auto pose = render::tool_pose(effects.contacts(), scene.tool.port, time);
+        const auto pose = render::tool_pose(effects.contacts(), scene.tool.port, time,
+                                            PreparedOrganAccess::state(*prepared).foundation->surface);
         if (!pose) return;
         const gl::StateGuard guard;
         view_block.bind(view, plate().has_value());
-        tool->draw(*pose);
+        const PreparedOrganAccess::State& known = PreparedOrganAccess::state(*prepared);
+        const glm::dvec3 eye(glm::inverse(view.view)[3]);
+        tool->draw(render::out_of_tissue(*pose, known.tool->positions, eye, known.foundation->surface));
     }
 };
 

@@ -338,7 +338,7 @@ void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, ui::Comman
     const bool two = reference.way != CompareWay::reference;
     // Once on, it stays in sight as long as anything does: it is switched off here.
     items[places] = {.width = two ? ui::tool_width(ui, "Move reference") : 0, .rank = reference.placing ? 1 : 3};
-    items[warning] = {.width = place.warning.empty() ? 0 : ui.text_width(place.warning), .rank = 3, .end = true};
+    items[warning] = {.width = place.warning.empty() ? 0 : ui.text_width(place.warning), .rank = 2, .end = true};
     items[text] = {.width = ui.text_width(place.text) + ui.em(1), .rank = 4, .end = true};
     ui::toolbar(ui, "Reference time tools", room, items, [&](std::size_t item) {
         if (item == before &&

@@ -28,7 +28,7 @@ std::string_view formatted(ui::Ui& ui, const char* format, double value) {
     return ui.copy(text);
 }
 
-/// The oldest job that no panel shows, and how many more there are.
+/// The oldest job that no panel shows, and how many more there are: "43 %, +2".
 void jobs(ui::Ui& ui, const StatusParts& parts) {
     if (parts.fitting.busy() && !parts.fitting.proposes() && !parts.fitting.measures_first() &&
         !parts.layouts.seen("Fit")) {
@@ -44,7 +44,7 @@ void jobs(ui::Ui& ui, const StatusParts& parts) {
     if (running.empty()) return;
     app::Job& job = *running.front();
     const std::string_view more =
-        running.size() > 1 ? formatted(ui, "and %.0f more", static_cast<double>(running.size() - 1)) : "";
+        running.size() > 1 ? formatted(ui, "+%.0f", static_cast<double>(running.size() - 1)) : "";
     if (ui::progress(ui, job.name(), job.progress(), {.cancellable = true, .text = more, .width = ui::px(ui.em(20))}))
         job.cancel();
 }

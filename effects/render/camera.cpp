@@ -1,7 +1,11 @@
 #include "render/camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <vector>
+
+#include "cautery/heat.h"
 
 namespace lapfx::render {
 
@@ -18,6 +22,14 @@ std::optional<double> retreat(const ToolContact& contact, double time) {
     const double share = time < contact.time ? (contact.time - time) / approach : (time - contact.end()) / withdrawal;
     if (share >= 1.0) return std::nullopt;
     return drawn_back * glm::smoothstep(0.0, 1.0, share);
+}
+
+/// Where the tip acts; as the contact says where it touches nothing, or need not.
+glm::dvec3 on_surface(const ToolContact& contact, double time, const Surface& surface) {
+    const glm::dvec3 tip = contact.tip(time);
+    if (row_of(contact.action).clears || surface.triangles.empty()) return tip;
+    const SurfacePoint place = surface.closest_point(tip);
+    return place.distance <= cautery::farthest_touch ? place.position : tip;
 }
 
 }  // namespace
@@ -50,14 +62,15 @@ glm::dvec3 ray_through(const SceneCamera& camera, glm::dvec2 pixel, glm::ivec2 s
     return glm::normalize(glm::transpose(to_camera) * in_camera);
 }
 
-std::optional<glm::mat4> tool_pose(std::span<const ToolContact> contacts, glm::dvec3 port, double time) {
+std::optional<glm::mat4> tool_pose(std::span<const ToolContact> contacts, glm::dvec3 port, double time,
+                                   const Surface& surface) {
     std::optional<double> least;
     glm::dvec3 tip{0.0};
     for (const ToolContact& contact : contacts) {
         const std::optional<double> away = retreat(contact, time);
         if (!away || (least && *least <= *away)) continue;
         least = away;
-        tip = contact.tip(time);
+        tip = on_surface(contact, time, surface);
     }
     if (!least || glm::distance(port, tip) < 1e-6) return std::nullopt;
     const glm::dvec3 shaft = glm::normalize(port - tip);
@@ -66,6 +79,31 @@ std::optional<glm::mat4> tool_pose(std::span<const ToolContact> contacts, glm::d
     const glm::dvec3 x = glm::normalize(glm::cross(reference, shaft));
     return glm::mat4(glm::dmat4(glm::dvec4(x, 0.0), glm::dvec4(glm::cross(shaft, x), 0.0), glm::dvec4(shaft, 0.0),
                                 glm::dvec4(tip + *least * shaft, 1.0)));
+}
+
+glm::mat4 out_of_tissue(const glm::mat4& pose, std::span<const glm::vec3> instrument, const glm::dvec3& eye,
+                        const Surface& surface) {
+    constexpr float end_length = 12.0f;  // mm from the tip
+    constexpr double deepest = 6.0;      // mm: what lies farther before it hides it rightly
+    constexpr std::size_t most_rays = 48;
+    if (surface.triangles.empty()) return pose;
+    std::vector<glm::dvec3> end;
+    for (const glm::vec3& p : instrument)
+        if (glm::dot(p, p) <= end_length * end_length) end.emplace_back(pose * glm::vec4(p, 1.0f));
+    const std::size_t step = 1 + end.size() / most_rays;
+    double most = 0.0;
+    for (std::size_t i = 0; i < end.size(); i += step) {
+        const double away = glm::distance(end[i], eye);
+        SurfacePoint hit;
+        if (!(away > 0.0) || !surface.intersect_ray(eye, (end[i] - eye) / away, hit)) continue;
+        const double hidden = away - hit.distance;
+        if (hidden <= deepest) most = std::max(most, hidden);
+    }
+    const glm::dvec3 tip(pose[3]);
+    if (most <= 0.0 || glm::distance(eye, tip) <= 2.0 * deepest) return pose;
+    glm::mat4 moved = pose;
+    moved[3] += glm::vec4(most * glm::normalize(eye - tip), 0.0);
+    return moved;
 }
 
 }  // namespace lapfx::render

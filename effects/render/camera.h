@@ -7,6 +7,7 @@
 
 #include "lapfx/scene.h"
 #include "lapfx/view.h"
+#include "organ/surface.h"
 
 namespace lapfx::render {
 
@@ -21,7 +22,15 @@ glm::dvec3 ray_through(const SceneCamera& camera, glm::dvec2 pixel, glm::ivec2 s
 
 /// The place of the instrument at `time`: its tip is on the organ during a contact and drawn back along the shaft
 /// shortly before and after; otherwise nothing. The tip is the origin of the instrument, and the shaft runs along +z to
-/// the port.
-std::optional<glm::mat4> tool_pose(std::span<const ToolContact> contacts, glm::dvec3 port, double time);
+/// the port. A tip that touches is drawn on the surface, where it acts: the way of a contact is straight, and leads
+/// through tissue that bulges or past it.
+std::optional<glm::mat4> tool_pose(std::span<const ToolContact> contacts, glm::dvec3 port, double time,
+                                   const Surface& surface);
+
+/// That place, moved so far towards the eye that no fold of the tissue beside the tip hides the end of the instrument:
+/// it is rigid here and comes straight from its port, where a hand would turn it out of the tissue. The tip keeps its
+/// place in the picture. `instrument`: vertices of its mesh.
+glm::mat4 out_of_tissue(const glm::mat4& pose, std::span<const glm::vec3> instrument, const glm::dvec3& eye,
+                        const Surface& surface);
 
 }  // namespace lapfx::render

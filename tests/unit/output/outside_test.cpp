@@ -143,6 +143,9 @@ TEST_F(Outside, NoStatementOfAnObjReadsBeyondItsFolder) {
         }
     write("organ.mtl", "newmtl m\nmap_Kd -o 0 0 0 C:\\\\maps\\own.png\n");
     fs::copy_file(case_ / "maps/own.png", case_ / "own.png");
+    EXPECT_THAT(load_organ(case_ / "organ.obj").files, Contains(case_ / "maps/own.png"))
+        << "its last names lie beside it";
+    write("organ.mtl", "newmtl m\nmap_Kd C:\\\\old\\own.png\n");
     EXPECT_THAT(load_organ(case_ / "organ.obj").files, Contains(case_ / "own.png")) << "the last name lies beside it";
 }
 
