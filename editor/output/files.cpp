@@ -80,18 +80,19 @@ bool is_video_name(const fs::path& path) {
 
 VideoFile::VideoFile(const fs::path& path, double fps, cv::Size size) : path_(fs::absolute(path)), size_(size) {
     require_replaceable(path_);
+    const std::string what = "a video of " + std::to_string(size.width) + "x" + std::to_string(size.height) + " pixels";
+    // OpenCV would leave the last column or row away.
+    if (size.width % 2 != 0 || size.height % 2 != 0)
+        throw cannot_write(path, what + " cannot be encoded here (the sides must be even)");
     // The extension stays last: the container is chosen by it.
     beside_ = std::make_unique<Beside>(path_, Beside::Kind::file, path_.extension().string());
     // H.264 where FFmpeg can encode it, else MPEG-4 part 2, which it always can.
     for (const int codec : {cv::VideoWriter::fourcc('a', 'v', 'c', '1'), cv::VideoWriter::fourcc('m', 'p', '4', 'v')})
         if (writer_.open(beside_->path().string(), cv::CAP_FFMPEG, codec, fps, size)) return;
     require_room(path);
-    const bool odd = size.width % 2 != 0 || size.height % 2 != 0;
     char rate[32];
     std::snprintf(rate, sizeof rate, "%.6g", fps);
-    throw cannot_write(path, "a video of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
-                                 " pixels" + (odd ? "" : std::string(" and ") + rate + " frames a second") +
-                                 " cannot be encoded here" + (odd ? " (the sides must be even)" : ""));
+    throw cannot_write(path, what + " and " + rate + " frames a second cannot be encoded here");
 }
 
 /// The file is closed before `beside_` removes it.

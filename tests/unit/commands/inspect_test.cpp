@@ -88,10 +88,16 @@ TEST_F(InspectCommand, AnimatedPicturesAreVideosOrToldAsWhatTheyAre) {
     std::vector<unsigned char> png;
     cv::imencode(".png", cv::Mat(3, 5, CV_8UC1, cv::Scalar(7)), png);
     std::string still(png.begin(), png.end()), moving = still;
-    moving.insert(33, std::string("\0\0\0\x08"
-                                  "acTL\0\0\0\x01\0\0\0\0"
-                                  "\0\0\0\0",
-                                  20));
+    // One frame, shown for a tenth of a second. FFmpeg does not check the sums of these chunks.
+    constexpr char chunks[] =
+        "\0\0\0\x08"
+        "acTL\0\0\0\x01\0\0\0\0"
+        "\0\0\0\0"
+        "\0\0\0\x1a"
+        "fcTL\0\0\0\0\0\0\0\x05\0\0\0\x03\0\0\0\0\0\0\0\0\0\x01\0\x0a\0\0"
+        "\0\0\0\0";
+    constexpr std::size_t header = 33;  // bytes of the signature and IHDR
+    moving.insert(header, std::string(chunks, sizeof chunks - 1));
     folder.write("a.png", moving);
     folder.write("a.webp", std::string("RIFF\x20\0\0\0WEBPVP8X\x0a\0\0\0\x02\0\0\0\x0f\0\0\x0f\0\0ANIM\0\0", 36));
     const Result result = run("a.png a.webp");
