@@ -24,7 +24,7 @@ struct Options {
 /// What the help of the program says below its lists.
 constexpr std::string_view about =
     "lapfx FILE... alone opens the editor on a scene, a preset, an organ, a smoke clip or a surgery video.\n\n"
-    "No command replaces a file that it reads, and a file gets its name when it is complete.\n"
+    "No command replaces a file that it reads, and a file gets its name when it is complete.\n\n"
     "Exit codes: 0 done, 1 failed while running, 2 wrong usage or bad input, 77 no usable OpenGL.\n"
     "Data goes to stdout, messages to stderr, one line for each fault:\n"
     "  lapfx: FILE: /bleeding/speed: -3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)";

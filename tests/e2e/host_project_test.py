@@ -96,8 +96,9 @@ extern "C" int pack(char* out, int room) {
 """
 
 # All that lapfx's CMake files look for: what the core links, and what builds it.
-NEEDED = {"Threads", "glm", "nlohmann_json", "OpenMesh", "draco", "PNG", "JPEG", "PkgConfig", "tinygltf", "egl", "libavformat", "libavcodec",
-          "libavutil", "libswscale", "opencv2/core.hpp", "opencv_core", "opencv_imgproc", "glad", "ccache"}
+NEEDED = {"Threads", "glm", "nlohmann_json", "OpenMesh", "draco", "PNG", "JPEG", "PkgConfig", "tinygltf", "egl", "libavformat",
+          "libavcodec", "libavutil", "libswscale", "libutf8proc", "opencv2/core.hpp", "opencv_core", "opencv_imgproc", "glad",
+          "ccache"}
 DRAWING = {"egl", "glad"}
 # What a program that scores is neither made of nor linked to. (Debian's libopencv_core loads libGLX for itself.)
 OPENGL = re.compile(r"glad|shaders|lapfx_effects|lib(?:EGL|GL|GLESv2|OpenGL|OSMesa|gbm)\.so")
