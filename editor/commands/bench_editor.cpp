@@ -72,7 +72,7 @@ Costs measure(HeadlessEditor& headless, const Extent& extent, Progress& progress
     return costs;
 }
 
-constexpr std::string_view dragged = "**/Favourites/Bleeding: Noise scale";
+constexpr std::string_view dragged = "**/Favourites/Noise scale";
 
 enum class FrameKind { still, idle, drag };
 
