@@ -80,17 +80,6 @@ MeasuredVideo measured(VideoReader& video, const std::string& file, match::Measu
     return measured;
 }
 
-/// Times of the scene at which the reference has frames: as a fit draws it, and no farther apart than what lies between
-/// can be told from.
-std::vector<double> times_of(std::span<const match::FrameAmounts> reference, double offset, const Window& window) {
-    match::TargetOptions options{.offset = offset, .from = window.from, .to = window.to};
-    const double length = window.to - window.from;
-    options.most = std::max(options.most, static_cast<std::size_t>(std::ceil(length / match::longest_gap)));
-    std::vector<double> times;
-    for (const match::TargetPoint& point : match::target_of(reference, options)) times.push_back(point.time);
-    return times;
-}
-
 /// The scene, measured at those times.
 std::vector<match::FrameAmounts> draw(const Options& o, const ShownScene& shown, match::PreviewCurve& curve,
                                       std::span<const double> times, match::PeakColors& colors, Progress& progress) {
@@ -127,7 +116,7 @@ Found compare_scene(const Options& o) {
                                                     progress.to(reference_part * share);
                                                     return true;
                                                 });
-    const std::vector<double> times = times_of(of_reference.found.frames, offset, window);
+    const std::vector<double> times = match::compared_times(of_reference.found.frames, offset, window.from, window.to);
     if (times.empty()) throw refused(o.match.reference, "has fewer than two moments in common with " + o.shown);
     note_cover(o.match.reference, {times.front(), times.back()}, window, "compared");
     const Context context = Context::create(Backend::automatic);

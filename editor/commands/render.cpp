@@ -1,4 +1,5 @@
 // lapfx render: a scene as a picture, a sequence of pictures or a video.
+#include "commands/beside.h"
 #include "commands/command.h"
 #include "commands/options.h"
 #include "commands/progress.h"
@@ -14,7 +15,7 @@ namespace lapfx::commands {
 namespace {
 
 struct Options {
-    std::string scene, preset, output, amounts, layers, size = "1280x1024", backend = "auto", overlay = "none";
+    std::string scene, preset, output, beside, amounts, layers, size = "1280x1024", backend = "auto", overlay = "none";
     std::vector<std::string> settings;
     double fps = 25.0, from = 0.0, to = -1.0, at = 0.0;
     bool has_at = false, has_span = false;
@@ -74,8 +75,14 @@ void run(const Options& o) {
     const Preset& preset = shown.presets.front();
     require_sound(options, scene.duration);
     const Context context = Context::create(backend);
+    output::Loaded loaded{.organ = nullptr, .clips = shown.clips};
+    std::unique_ptr<output::FramePage> page;
+    if (!o.beside.empty()) {
+        loaded.organ = prepare_organ(scene, preset.vessels);
+        page = beside_page(shown, o.scene, o.beside, options.size, loaded.organ);
+    }
     Progress progress("rendering", 0);  // before the job, which begins its file
-    output::RenderJob job(scene, preset, std::move(options), {.organ = nullptr, .clips = shown.clips});
+    output::RenderJob job(scene, preset, std::move(options), loaded, std::move(page));
     print_warnings(job.preview());
     print_plate_note(scene, job.preview());
     print_smoke_notes(scene, preset);
@@ -125,6 +132,11 @@ void add_render(CLI::App& app) {
         ->option_text("egl|osmesa|auto")
         ->capture_default_str();
     verb->add_option("--overlay", o->overlay, overlay_help())->option_text(overlay_names("|"))->capture_default_str();
+    verb->add_option(
+            "--beside", o->beside,
+            "Put this surgery video (or frame_%04d.png) beside each picture, and below both how much blood and "
+            "veil they show over time; the scene's own reference lies as the scene has it")
+        ->option_text("VIDEO");
     verb->add_option("--amounts", o->amounts,
                      "Write the amounts of each frame (blood mm2 and mm3, wounds, haze, burnt mm2, emission) as CSV")
         ->option_text("FILE.csv");
@@ -140,7 +152,8 @@ void add_render(CLI::App& app) {
         "Examples:\n"
         "  lapfx render samples/lagb.scene.json --at 6 --set bleeding.speed=8 -o out.png\n"
         "  lapfx render samples/lagb.scene.json --at 0 --overlay vessels -o vessels.png\n"
-        "  lapfx render samples/lagb.scene.json --to 1 --fps 10 --size 320x256 --amounts amounts.csv -o out.mp4");
+        "  lapfx render samples/lagb.scene.json --to 1 --fps 10 --size 320x256 --amounts amounts.csv -o out.mp4\n"
+        "  lapfx render samples/lagb.scene.json --size 640x512 --beside samples/reference/operation.mp4 -o both.mp4");
     verb->callback([o, from, to, at] {
         o->has_at = at->count() > 0;
         o->has_span = from->count() + to->count() > 0;

@@ -1,6 +1,7 @@
 #include "output/render_job.h"
 
 #include <array>
+#include <chrono>
 #include <cmath>
 
 #include "lapfx/authoring/file.h"
@@ -91,6 +92,10 @@ void check_output(const RenderOptions& o, Faults& faults) {
     if (!o.amounts.empty() && o.amounts == o.output) faults.add("--amounts", "is also the file of the pictures");
 }
 
+double clock_now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 std::string amounts_line(double time, const Amounts& a) {
     std::array<char, 256> line{};
     std::snprintf(line.data(), line.size(), "%.4f,%.3f,%.3f,%d,%d,%.5f,%.3f,%.4f\n", time, a.blood_area, a.blood_volume,
@@ -125,10 +130,15 @@ std::vector<double> frame_times(const RenderOptions& o, double duration) {
     return times;
 }
 
-RenderJob::RenderJob(const Scene& scene, const Preset& preset, RenderOptions options, const Loaded& loaded)
-    : options_(std::move(options)) {
+RenderJob::RenderJob(const Scene& scene, const Preset& preset, RenderOptions options, const Loaded& loaded,
+                     std::unique_ptr<FramePage> page)
+    : options_(std::move(options)), page_(std::move(page)) {
     if (std::vector<Fault> faults = check(options_, scene.duration); !faults.empty())
         throw Error(Failure::bad_input, std::move(faults));
+    const glm::ivec2 written = page_ ? page_->size() : options_.size;
+    if (const std::string fault = size_fault(written); !fault.empty())
+        throw Error(Failure::bad_input,
+                    Fault{.file = "", .place = "--size", .reason = "the page with both pictures: " + fault});
     times_ = frame_times(options_, scene.duration);
     // What it reads is known before the first file is begun (file_guard.h).
     preview_ =
@@ -138,7 +148,7 @@ RenderJob::RenderJob(const Scene& scene, const Preset& preset, RenderOptions opt
                                                  .overlay = options_.overlay,
                                                  .clip_cache = loaded.clips});
     if (!options_.output.empty())
-        files_ = make_frame_files(options_.output, options_.fps, options_.size, static_cast<int>(times_.size()));
+        files_ = make_frame_files(options_.output, options_.fps, written, static_cast<int>(times_.size()));
     if (!options_.amounts.empty()) require_replaceable(options_.amounts);
     if (!options_.layers.empty())
         layers_ =
@@ -176,9 +186,13 @@ void RenderJob::step() {
 
 void RenderJob::draw() {
     const double time = times_[drawn_];
+    const double begin = clock_now();
     image_ = preview_->image(time, options_.size);
+    const double drawn = clock_now();
     amounts_ += amounts_line(time, preview_->amounts());
-    if (files_) files_->add(image_);
+    if (files_) files_->add(page_ ? page_->page(time, image_) : image_);
+    drawing_seconds_ += drawn - begin;
+    writing_seconds_ += clock_now() - drawn;
     if (layers_) layers_->add(time, preview_->layers(time, options_.size));
     ++drawn_;
     if (!files_ && !layers_ && options_.amounts.empty()) done_ = drawn_ == times_.size();

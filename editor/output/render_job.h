@@ -19,6 +19,7 @@
 #include "lapfx/clip_cache.h"
 #include "lapfx/prepared_organ.h"
 #include "output/frame_files.h"
+#include "output/frame_page.h"
 #include "output/kinds.h"
 #include "output/layer_files.h"
 
@@ -56,8 +57,9 @@ struct Loaded {
 class RenderJob {
   public:
     /// Loads the scene. Throws Error for what check() finds (bad_input), for files that cannot be loaded, and when the
-    /// output cannot be written (runtime).
-    RenderJob(const Scene& scene, const Preset& preset, RenderOptions options, const Loaded& loaded = {});
+    /// output cannot be written (runtime). `page`: what is written of each frame of `options.size`; null: the frame.
+    RenderJob(const Scene& scene, const Preset& preset, RenderOptions options, const Loaded& loaded = {},
+              std::unique_ptr<FramePage> page = nullptr);
     ~RenderJob();
     RenderJob(const RenderJob&) = delete;
     RenderJob& operator=(const RenderJob&) = delete;
@@ -70,7 +72,10 @@ class RenderJob {
     int drawn() const { return static_cast<int>(drawn_); }
     /// The share of all steps that is done, 0..1.
     double progress() const;
-    /// The newest frame.
+    /// s that drawing the frames, and making and writing their files, have taken so far by this computer's clock.
+    double drawing_seconds() const { return drawing_seconds_; }
+    double writing_seconds() const { return writing_seconds_; }
+    /// The newest frame, without its page.
     const Image& image() const { return image_; }
     const RenderOptions& options() const { return options_; }
     const Preview& preview() const { return *preview_; }
@@ -82,11 +87,13 @@ class RenderJob {
     RenderOptions options_;
     std::vector<double> times_;
     std::unique_ptr<Preview> preview_;
+    std::unique_ptr<FramePage> page_;
     std::unique_ptr<FrameFiles> files_;
     std::unique_ptr<LayerFiles> layers_;
     std::string amounts_;
     Image image_;
     std::size_t drawn_ = 0, checked_ = 0;
+    double drawing_seconds_ = 0, writing_seconds_ = 0;
     bool done_ = false;
 };
 

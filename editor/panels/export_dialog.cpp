@@ -1,5 +1,7 @@
 // What is exported, to which file, and what is wrong with that: one dialog for all kinds. While an export runs it shows
 // the progress; so does the status bar, since the dialog can be closed.
+#include <cmath>
+
 #include "app/base/file_chooser.h"
 #include "app/base/file_filters.h"
 #include "app/editor.h"
@@ -140,6 +142,10 @@ void time_rows(ui::Ui& ui, Exports& exports) {
 
 void extra_rows(ui::Ui& ui, Exports& exports, app::FileChooser& chooser) {
     ExportForm& form = exports.form;
+    ui::checkbox(ui, "Beside the reference, with curves", form.beside,
+                 "The surgery video beside each picture, and below them how much blood and veil both show over time: "
+                 "what one sends to a colleague");
+    fault_line(ui, exports, "--beside");
     if (exports.overlaid())
         ui::checkbox(ui, "With the overlay", form.overlay, "With the colours that the view shows over the tissue");
     ui::checkbox(
@@ -151,11 +157,22 @@ void extra_rows(ui::Ui& ui, Exports& exports, app::FileChooser& chooser) {
     fault_line(ui, exports, "--amounts");
 }
 
+/// ", about 3 min": what the export will take, once a few frames have been tried.
+std::string_view time_text(ui::Ui& ui, Exports& exports) {
+    if (const double due = exports.want_estimate(); std::isfinite(due))
+        ui.wake_at(due, "the time of an export is tried");
+    const double seconds = exports.seconds_expected();
+    if (seconds < 0) return "";
+    return ui.join({" Takes about ", ui::duration_text(ui, seconds),
+                    exports.form.beside && exports.comparable() ? ", and measuring both before." : "."});
+}
+
 /// What the export will write, in words.
-std::string_view summary(ui::Ui& ui, const Exports& exports) {
+std::string_view summary(ui::Ui& ui, Exports& exports) {
     const ExportForm& form = exports.form;
     char text[128];
     const int frames = exports.frames();
+    const glm::ivec2 px = exports.written_px();
     switch (form.what()) {
         case OutputKind::preset:
             return "The preset as it is now, saved or not.";
@@ -164,13 +181,13 @@ std::string_view summary(ui::Ui& ui, const Exports& exports) {
                                      "is not copied."
                                    : "All that a simulator needs: the preset and its clips.";
         case OutputKind::picture:
-            std::snprintf(text, sizeof text, "%d x %d pixels through the scene's camera.", form.px().x, form.px().y);
-            break;
+            std::snprintf(text, sizeof text, "%d x %d pixels through the scene's camera.", px.x, px.y);
+            return ui.copy(text);
         default:
-            std::snprintf(text, sizeof text, "%d frames of %d x %d pixels, %.2f s.", frames, form.px().x, form.px().y,
+            std::snprintf(text, sizeof text, "%d frames of %d x %d pixels, %.2f s.", frames, px.x, px.y,
                           frames / form.fps);
     }
-    return ui.copy(text);
+    return ui.join({ui.copy(text), time_text(ui, exports)});
 }
 
 /// What a bundle copies from elsewhere, and whether it may.

@@ -5,9 +5,9 @@
 #include <cstdio>
 
 #include "app/measure/measure_bench.h"
+#include "app/measure/measured_curve.h"
 #include "app/measure/measuring.h"
 #include "app/reference/reference.h"
-#include "panels/measured_curve.h"
 #include "panels/parts.h"
 #include "ui/canvas/plot.h"
 #include "ui/core/node.h"
@@ -78,7 +78,7 @@ void episodes(ui::Ui& ui, const match::Episode& blood, const match::Episode& vei
 
 struct Curves {
     std::uint64_t version = 0, serial = 0;
-    MeasuredCurve blood, veil;
+    app::MeasuredCurve blood, veil;
     ui::PlotState state;
 };
 

@@ -8,11 +8,11 @@
 #include "app/base/jobs.h"
 #include "app/measure/fitting.h"
 #include "app/measure/measure_bench.h"
+#include "app/measure/measured_curve.h"
 #include "app/measure/measuring.h"
 #include "app/measure/preview_measuring.h"
 #include "app/preview/timeline.h"
 #include "app/reference/reference.h"
-#include "panels/measured_curve.h"
 #include "panels/measured_words.h"
 #include "ui/core/node.h"
 #include "ui/widgets/basic.h"
@@ -33,7 +33,7 @@ constexpr float narrow_plot = 26;                    // em: below, the names of 
 /// One amount: of the reference, of the preview as measured, as it is in truth, and as a fit has found it.
 struct MeasuredPlot {
     ui::PlotState state;
-    MeasuredCurve reference, preview, fit;
+    app::MeasuredCurve reference, preview, fit;
     std::vector<double> times, truth;
     ui::PlotData true_data;
 };
@@ -94,7 +94,7 @@ void one_plot(ui::Ui& ui, const AmountsParts& on, MeasuredPlots& plots, std::str
                                               plot.fit.values().size(), plot.true_data.size()};
     // With values three names would leave no room for the plot's own.
     const bool with_values = !narrow || std::ranges::count(sizes, std::size_t{0}) >= 2;
-    const auto add = [&](const char* title, const MeasuredCurve& curve, int of) {
+    const auto add = [&](const char* title, const app::MeasuredCurve& curve, int of) {
         if (curve.values().size() == 0) return;
         series[count++] = curve.series(legend(ui, title, curve.values(), on.timeline.time, with_values), of);
     };

@@ -221,6 +221,37 @@ def check_refused(lapfx, scene, video, other, folder):
     assert code == 1 and "none" in told, (code, told)
 
 
+def check_beside(lapfx, scene, video, folder):
+    """`lapfx render --beside`: the page of both pictures says what `lapfx compare` says."""
+    code, said, told = run(lapfx, "compare", scene, video)
+    assert code == 0, told
+    words = printed(said)[0]
+    page = os.path.join(folder, "both.png")
+    code, said, told = run(lapfx, "render", scene, "--at", "2", "--size", "128x102", "--beside", video, "-o", page)
+    assert code == 0 and said == "" and f"lapfx: {video}: {words}" in told.splitlines(), (code, said, told)
+    with open(page, "rb") as file:
+        width, height = struct.unpack(">II", file.read(24)[16:])
+    # The video is 256 x 206; text is at least three quarters of its usual size.
+    assert (width, height % 2) == (128 + 4 + 126, 0) and 102 + 150 < height < 102 + 300, (width, height)
+    # Of a video that shows nothing there is no curve, and the page says so.
+    black = write_black(folder, 12)
+    code, _, told = run(lapfx, "render", scene, "--at", "2", "--size", "128x102", "--beside", black, "-o", page)
+    assert code == 0 and "The reference is not measured: " in told, (code, told)
+    code, _, told = run(lapfx, "render", scene, "--at", "2", "--size", "128x102", "--beside",
+                        os.path.join(folder, "none.mp4"), "-o", page)
+    assert code == 2 and "none.mp4: no such file" in told, (code, told)
+    both = os.path.join(folder, "both.mp4")
+    code, _, told = run(lapfx, "render", scene, "--from", "2", "--to", "2.6", "--fps", "5", "--size", "128x102",
+                        "--beside", video, "-o", both)
+    assert code == 0, told
+    code, said, told = run(lapfx, "inspect", both)
+    assert code == 0 and f"{width}x{height}" in said, (said, told)
+    kept = os.path.getmtime(both)
+    code, _, told = run(lapfx, "render", scene, "--to", "1", "--fps", "5", "--size", "128x102", "--beside", both, "-o",
+                        both)
+    assert code == 2 and "is a file that is read here" in told and kept == os.path.getmtime(both), (code, told)
+
+
 def main(lapfx, scene):
     with tempfile.TemporaryDirectory() as folder:
         video = render(lapfx, scene, folder, "shown.mp4")
@@ -229,6 +260,7 @@ def main(lapfx, scene):
         check_videos(lapfx, video, other, folder)
         check_alike(lapfx, scene, video, folder)
         check_farther(lapfx, scene, other, folder)
+        check_beside(lapfx, scene, video, folder)
 
 
 if __name__ == "__main__":

@@ -1,19 +1,24 @@
 #include "app/files/exports.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "app/base/file_chooser.h"
 #include "app/base/jobs.h"
 #include "app/base/notices.h"
 #include "app/base/screen.h"
 #include "app/base/settings.h"
+#include "app/files/export_command.h"
+#include "app/files/export_trial.h"
+#include "app/files/page_making.h"
+#include "app/measure/measuring.h"
+#include "app/measure/side_by_side.h"
 #include "app/preview/looking.h"
 #include "app/preview/preview_host.h"
 #include "app/preview/timeline.h"
+#include "app/reference/reference.h"
 #include "lapfx/authoring/file_guard.h"
 #include "lapfx/authoring/formats.h"
 #include "lapfx/authoring/prepared_scene.h"
@@ -25,7 +30,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double step_budget = 0.03;  // s of a frame of the UI
+constexpr double step_budget = 0.03;    // s of a frame of the UI
+constexpr double settled_after = 0.5;   // s without a change in the form
+constexpr double beside_the_ui = 1.25;  // the export does not have all of the time
 constexpr glm::ivec2 thumbnail_size{320, 256};
 constexpr const char* opened_here = "is a file that was opened here; choose another name";
 
@@ -57,24 +64,6 @@ std::string file_name(const std::string& text) {
     return name.empty() ? "preset" : name;
 }
 
-/// In quotes for a shell, where it needs them.
-std::string quoted(const std::string& text) {
-    if (!text.empty() &&
-        text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./%") ==
-            std::string::npos)
-        return text;
-    std::string out = "'";
-    for (const char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
-    return out + "'";
-}
-
-/// The shortest text that reads back as the same number: even a slightly earlier time would change some pixels.
-std::string number(double value) {
-    std::array<char, 32> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
-    return {text.data(), end.ptr};
-}
-
 }  // namespace
 
 /// One export, from its start to its end.
@@ -84,7 +73,9 @@ struct Exports::Running {
     Preset preset;
     output::RenderOptions options;
     output::Loaded loaded;
+    std::optional<PageWanted> page_wanted;      ///< none: the frames alone
     std::shared_ptr<Job> loading;               ///< what the view does not have
+    std::unique_ptr<PageMaking> making;         ///< of the page
     std::unique_ptr<output::RenderJob> render;  ///< of a bundle: its thumbnail
     std::shared_ptr<Job> copying;               ///< of a bundle
     double began = 0;
@@ -95,19 +86,20 @@ struct Exports::Running {
     }
 };
 
-Exports::Exports(const document::Document& document, const Timeline& timeline, const Looking& looking,
-                 PreviewHost& preview, Jobs& jobs, Settings& settings, FileChooser& chooser, Notices& notices,
-                 Screen& screen, std::vector<fs::path> clip_folders, Open open)
-    : document_(document),
-      timeline_(timeline),
-      looking_(looking),
-      preview_(preview),
-      jobs_(jobs),
-      settings_(settings),
-      chooser_(chooser),
-      notices_(notices),
-      screen_(screen),
-      clip_folders_(std::move(clip_folders)),
+Exports::Exports(const Parts& parts, Open open)
+    : document_(parts.document),
+      timeline_(parts.timeline),
+      looking_(parts.looking),
+      reference_(parts.reference),
+      measuring_(parts.measuring),
+      preview_(parts.preview),
+      jobs_(parts.jobs),
+      settings_(parts.settings),
+      chooser_(parts.chooser),
+      notices_(parts.notices),
+      screen_(parts.screen),
+      clip_folders_(parts.options.clip_folders),
+      exact_(parts.options.exact),
       open_(std::move(open)) {}
 
 Exports::~Exports() {
@@ -187,6 +179,15 @@ double Exports::duration() const {
     return timeline_.duration();
 }
 
+bool Exports::comparable() const {
+    return reference_.video() != nullptr;
+}
+
+glm::ivec2 Exports::written_px() const {
+    if (!compares()) return form.px();
+    return SideBySide::size_of(form.px(), reference_.video()->info().size, document_.scene().reference.aspect);
+}
+
 bool Exports::overlaid() const {
     return looking_.overlay != Overlay::none;
 }
@@ -237,12 +238,14 @@ void Exports::look_outside() {
 
 /// Many widgets ask in each frame; files are looked at only when something has changed.
 void Exports::look_at_form() {
-    if (checked_ == form && checked_version_ == document_.version() && checked_organ_ == preview_.organ_version())
+    if (checked_ == form && checked_version_ == document_.version() && checked_organ_ == preview_.organ_version() &&
+        checked_comparable_ == comparable())
         return;
     look_outside();
     checked_ = form;
     checked_version_ = document_.version();
     checked_organ_ = preview_.organ_version();
+    checked_comparable_ = comparable();
     faults_.clear();
     replaces_ = false;
     const fs::path file = form.file();
@@ -267,6 +270,10 @@ void Exports::look_at_form() {
     if (output::kind_named(file) != form.what()) faults_.push_back(fault("-o", wanted_name(form.what())));
     for (Fault& found : check(render_options(), timeline_.duration()))
         if (found.place != "-o") faults_.push_back(std::move(found));
+    if (form.beside && !comparable())
+        faults_.push_back(fault("--beside", "there is no reference: open a surgery video first"));
+    else if (const std::string reason = output::size_fault(written_px()); compares() && !reason.empty())
+        faults_.push_back(fault("--size", "the page with both pictures: " + reason));
     std::error_code error;
     if (form.amounts && !document::is_writable_folder(fs::absolute(form.amounts_file, error).parent_path()))
         faults_.push_back(fault("--amounts", "its folder is missing or cannot be written to"));
@@ -295,15 +302,25 @@ void Exports::start() {
     checked_version_ = 0;  // files may have come and gone
     if (!faults().empty() || waits()) return;
     if (form.what() == OutputKind::preset) return export_preset();
-    running_ = std::make_unique<Running>(Running{.form = form,
-                                                 .scene = document_.scene(),
-                                                 .preset = document_.preset(),
-                                                 .options = render_options(),
-                                                 .loaded = {},
-                                                 .loading = nullptr,
-                                                 .render = nullptr,
-                                                 .copying = nullptr,
-                                                 .began = now_});
+    trial_.reset();
+    running_ = std::make_unique<Running>();
+    running_->form = form;
+    running_->scene = document_.scene();
+    running_->preset = document_.preset();
+    running_->options = render_options();
+    running_->began = now_;
+    if (!compares()) return;
+    const Scene& scene = running_->scene;
+    const std::string& name = running_->preset.name;
+    const bool measured = measuring_.found() != nullptr && !measuring_.stale() && !measuring_.begun();
+    PageWanted& wanted = running_->page_wanted.emplace();
+    wanted.video = reference_.file();
+    wanted.compared = {.frame = running_->options.size,
+                       .duration = scene.duration,
+                       .preview = name.empty() ? document_.scene_file().filename().string() : name,
+                       .video = wanted.video.filename().string(),
+                       .reference = scene.reference};
+    if (measured) wanted.found = *measuring_.found();
 }
 
 /// It is small, so it is written at once, as by saving, and cannot be cancelled.
@@ -346,15 +363,34 @@ void Exports::load() {
         [this](const std::vector<Fault>& faults) { fail(faults); });
 }
 
+void Exports::make_page() {
+    Running& running = *running_;
+    PageWanted wanted = *running.page_wanted;
+    wanted.scene = running.scene, wanted.preset = running.preset;
+    running.making = std::make_unique<PageMaking>(std::move(wanted), PageMaking::Parts{.preview = preview_,
+                                                                                       .jobs = jobs_,
+                                                                                       .organ = running.loaded.organ,
+                                                                                       .clip_folders = clip_folders_,
+                                                                                       .exact = exact_});
+}
+
 /// Outside of the UI's build. For a bundle, first its thumbnail: at the time that the view shows, through the scene's
 /// camera.
 void Exports::begin() {
     output::RenderOptions options = running_->options;
     if (running_->form.what() == OutputKind::bundle)
         options = {.size = thumbnail_size, .at = timeline_.time, .clip_folders = clip_folders_};
-    running_->began = now_;  // loading has a progress of its own
-    running_->render =
-        std::make_unique<output::RenderJob>(running_->scene, running_->preset, std::move(options), running_->loaded);
+    std::unique_ptr<output::FramePage> page;
+    if (running_->page_wanted) {
+        if (!running_->making) make_page();
+        running_->making->serve();
+        page = running_->making->take();
+        if (!page) return;
+        running_->making.reset();
+    }
+    running_->began = now_;  // what came before has a progress of its own
+    running_->render = std::make_unique<output::RenderJob>(running_->scene, running_->preset, std::move(options),
+                                                           running_->loaded, std::move(page));
 }
 
 void Exports::begin_copying() {
@@ -398,11 +434,12 @@ double Exports::progress() const {
 
 const Job* Exports::job() const {
     if (!running_) return nullptr;
+    if (running_->making) return &running_->making->job();
     return running_->loading ? running_->loading.get() : running_->copying.get();
 }
 
 bool Exports::loading() const {
-    return running_ && running_->loading;
+    return running_ && (running_->loading || running_->making);
 }
 
 double Exports::seconds_left() const {
@@ -412,6 +449,7 @@ double Exports::seconds_left() const {
 
 std::string Exports::progress_text() const {
     if (!running_) return {};
+    if (running_->making) return "comparing";
     if (!running_->render && !running_->copying) return "loading";
     if (running_->form.what() == OutputKind::bundle) return running_->copying ? "copying and checking" : "thumbnail";
     const output::RenderJob& job = *running_->render;
@@ -422,6 +460,7 @@ std::string Exports::progress_text() const {
 
 void Exports::update(double now) {
     now_ = now;
+    follow_estimate();
     if (!running_) return;
     if (const auto& job = running_->loading ? running_->loading : running_->copying) {
         if (job->cancelled()) cancel();  // by the list of jobs
@@ -439,6 +478,62 @@ void Exports::update(double now) {
         fail(error.faults());
     } catch (const std::exception& error) {  // no memory for a picture, an encoder that gives up
         fail({{.file = running_ ? running_->form.file() : "", .place = "", .reason = error.what()}});
+    }
+}
+
+double Exports::seconds_expected() const {
+    if (!trial_ || !trial_->done()) return -1;
+    const auto pixels = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
+    return beside_the_ui * trial_->seconds(frames(), pixels(written_px()) / pixels(form.px()));
+}
+
+Exports::TriedOf Exports::tried_of() const {
+    return {.px = form.px(),
+            .fps = form.fps,
+            .from = form.from,
+            .overlay = form.overlay,
+            .ending = fs::path(form.file()).extension().string(),
+            .document = document_.version(),
+            .organ = preview_.organ_version()};
+}
+
+double Exports::want_estimate() {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    estimate_wanted_ = true;
+    if (running_ || exact_ || frames() < 2) return never;
+    if (tried_of() != tried_of_) return now_;
+    return !trial_ && now_ < tried_at_ + settled_after ? tried_at_ + settled_after : never;
+}
+
+/// One frame alone is there before its time could be told.
+void Exports::follow_estimate() {
+    const bool wanted = std::exchange(estimate_wanted_, false);
+    if (!wanted || running_ || exact_ || frames() < 2 || !faults().empty()) return trial_.reset();
+    if (TriedOf of = tried_of(); of != tried_of_) {
+        tried_of_ = std::move(of);
+        trial_.reset();
+        tried_at_ = now_;
+        trial_failed_ = false;
+    }
+    if (trial_failed_ || (trial_ && trial_->done()) || now_ < tried_at_ + settled_after) return;
+    if (try_frames()) screen_.wake("the time of an export is tried");
+}
+
+/// Gives whether it goes on. Where a trial fails, the export itself tells why.
+bool Exports::try_frames() {
+    try {
+        if (!trial_) {
+            const output::Loaded loaded{.organ = preview_.organ_of(document_.scene()), .clips = preview_.clip_cache()};
+            if (!loaded.organ || !loaded.clips->knows(document_.preset(), clip_folders_)) return false;
+            trial_ = std::make_unique<ExportTrial>(document_.scene(), document_.preset(), render_options(), loaded);
+        } else {
+            trial_->step();
+        }
+        return true;
+    } catch (const std::exception&) {
+        trial_.reset();
+        trial_failed_ = true;
+        return false;
     }
 }
 
@@ -485,29 +580,7 @@ void Exports::fail(const std::vector<Fault>& faults) {
 }
 
 std::string Exports::command() const {
-    const document::Document& document = document_;
-    std::vector<Fault> faults;
-    if (!form.renders()) faults.push_back(fault("", "lapfx render makes pictures, sequences and videos"));
-    if (document.scene_file().empty() || document.scene_unsaved())
-        faults.push_back(fault("", "the scene is not saved: a command line reads it from its file"));
-    if (document.preset_unsaved())
-        faults.push_back(fault("", "the preset is not saved: a command line reads it from its file"));
-    if (!faults.empty()) throw Error(Failure::bad_input, std::move(faults));
-    std::error_code error;
-    const auto path = [&](const fs::path& file) {
-        return quoted(fs::absolute(file, error).lexically_normal().string());
-    };
-    std::string line = "lapfx render " + path(document.scene_file());
-    if (!document.preset_file().empty()) line += " --preset " + path(document.preset_file());
-    line += " --size " + std::to_string(form.px().x) + "x" + std::to_string(form.px().y);
-    if (form.what() == OutputKind::picture)
-        line += " --at " + number(form.at);
-    else
-        line += " --fps " + number(form.fps) + " --from " + number(form.from) + " --to " + number(form.to);
-    if (form.overlay && looking_.overlay != Overlay::none)
-        line += " --overlay " + std::string(row_of(looking_.overlay).key);
-    if (form.amounts) line += " --amounts " + path(form.amounts_file);
-    return line + " -o " + path(form.file());
+    return render_command(form, document_, looking_.overlay, compares() ? reference_.file() : fs::path());
 }
 
 }  // namespace lapfx::app

@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/base/editor_options.h"
 #include "document/document.h"
 #include "lapfx/error.h"
 #include "output/bundle.h"
@@ -26,10 +27,13 @@
 namespace lapfx::app {
 
 class FileChooser;
+class ExportTrial;
 class Job;
 class Jobs;
+class Measuring;
 class Notices;
 class PreviewHost;
+class Reference;
 class Screen;
 class Settings;
 class Timeline;
@@ -63,6 +67,7 @@ struct ExportForm {
     double fps = 25;
     bool outside_agreed = false;  ///< the person has agreed to copy what Exports::outside() lists
     bool overlay = false;         ///< with what the view shows over the tissue
+    bool beside = false;          ///< the reference beside each picture, and below them the curves of both
     bool amounts = false;
     std::string amounts_file;
 
@@ -83,9 +88,21 @@ class Exports {
     using Open = std::function<void(const std::vector<std::string>& files)>;
 
     /// All must outlive it.
-    Exports(const document::Document& document, const Timeline& timeline, const Looking& looking, PreviewHost& preview,
-            Jobs& jobs, Settings& settings, FileChooser& chooser, Notices& notices, Screen& screen,
-            std::vector<std::filesystem::path> clip_folders, Open open);
+    struct Parts {
+        const document::Document& document;
+        const Timeline& timeline;
+        const Looking& looking;
+        const Reference& reference;
+        const Measuring& measuring;
+        PreviewHost& preview;
+        Jobs& jobs;
+        Settings& settings;
+        FileChooser& chooser;
+        Notices& notices;
+        Screen& screen;
+        const EditorOptions& options;
+    };
+    Exports(const Parts& parts, Open open);
     ~Exports();
     Exports(const Exports&) = delete;
     Exports& operator=(const Exports&) = delete;
@@ -108,8 +125,15 @@ class Exports {
     const std::vector<output::SourceFile>& outside() const { return outside_; }
     std::filesystem::path home() const;  ///< that folder; empty: it was never saved, so everything is outside
     int frames() const;
-    double duration() const;  ///< s, of the scene
-    bool overlaid() const;    ///< the view shows something over the tissue, which can be drawn, too
+    double duration() const;        ///< s, of the scene
+    bool overlaid() const;          ///< the view shows something over the tissue, which can be drawn, too
+    bool comparable() const;        ///< there is a reference that can lie beside
+    glm::ivec2 written_px() const;  ///< of what is written of each frame
+    /// While the UI is built, by whoever shows seconds_expected(): a few frames are tried, unless something runs. Gives
+    /// the time, s, at which it wants another frame; infinity: it comes by itself.
+    double want_estimate();
+    /// s that the export as it is in the form will take, without measuring; negative: not known, yet or at all.
+    double seconds_expected() const;
 
     /// Starts the export; with faults in the form it does nothing. What goes wrong later is told by toasts. A preset is
     /// written at once, whatever is running; of the rest there is one at a time.
@@ -119,8 +143,8 @@ class Exports {
     bool running() const { return static_cast<bool>(running_); }
     void cancel();
     double progress() const;            ///< 0..1; while loading(), that of loading; negative: unknown
-    bool loading() const;               ///< files that the view has not loaded are read; nothing is drawn yet
-    const Job* job() const;             ///< the one that loads or copies for it now; null: none
+    bool loading() const;               ///< files are read, or both are measured; nothing is drawn yet
+    const Job* job() const;             ///< the one that loads, measures or copies for it now; null: none
     std::string progress_text() const;  ///< "12 of 300 frames"
     std::string_view name() const;      ///< of what is being written
     double seconds_left() const;        ///< s; negative: not known
@@ -133,12 +157,26 @@ class Exports {
 
   private:
     struct Running;
+    /// What the cost of a frame depends on.
+    struct TriedOf {
+        glm::ivec2 px{0};
+        double fps = 0, from = 0;
+        bool overlay = false;
+        std::string ending = {};
+        std::uint64_t document = 0, organ = 0;
+        friend bool operator==(const TriedOf&, const TriedOf&) = default;
+    };
+    bool compares() const { return form.beside && form.renders() && comparable(); }
     output::RenderOptions render_options() const;
     void look_at_form();
     void look_outside();
     void check_preset_file(std::vector<Fault>& faults) const;
     void load();
+    void make_page();
     void begin();
+    TriedOf tried_of() const;
+    void follow_estimate();
+    bool try_frames();
     void begin_copying();
     void step();
     std::string proposed(OutputKind kind, std::string_view ending) const;
@@ -150,6 +188,8 @@ class Exports {
     const document::Document& document_;
     const Timeline& timeline_;
     const Looking& looking_;
+    const Reference& reference_;
+    const Measuring& measuring_;
     PreviewHost& preview_;
     Jobs& jobs_;
     Settings& settings_;
@@ -157,10 +197,17 @@ class Exports {
     Notices& notices_;
     Screen& screen_;
     std::vector<std::filesystem::path> clip_folders_;
+    bool exact_;
     Open open_;
     std::unique_ptr<Running> running_;
+    bool estimate_wanted_ = false;
+    TriedOf tried_of_;
+    std::unique_ptr<ExportTrial> trial_;  ///< of it; null: none yet, or it failed
+    double tried_at_ = 0;                 ///< s: when tried_of_ changed
+    bool trial_failed_ = false;
     ExportForm checked_;  ///< what faults_ is of
     std::uint64_t checked_version_ = 0, checked_organ_ = 0;
+    bool checked_comparable_ = false;
     std::vector<Fault> faults_;
     std::vector<output::SourceFile> outside_;
     bool replaces_ = false;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "match/episode.h"
+#include "match/likeness.h"
 
 namespace lapfx::match {
 
@@ -57,6 +58,14 @@ std::vector<TargetPoint> target_of(std::span<const FrameAmounts> reference, cons
     }
     if (target.size() < 2) target.clear();
     return target;
+}
+
+std::vector<double> compared_times(std::span<const FrameAmounts> reference, double offset, double from, double to) {
+    TargetOptions options{.offset = offset, .from = from, .to = to};
+    options.most = std::max(options.most, static_cast<std::size_t>(std::ceil((to - from) / longest_gap)));
+    std::vector<double> times;
+    for (const TargetPoint& point : target_of(reference, options)) times.push_back(point.time);
+    return times;
 }
 
 double course_error(const Amount& amount, const CourseError& course) {

@@ -37,6 +37,10 @@ struct TargetOptions {
 /// no frame are left out; fewer than two are none at all.
 std::vector<TargetPoint> target_of(std::span<const FrameAmounts> reference, const TargetOptions& options);
 
+/// Times of the scene from `from` to `to` at which it is held against the reference: those of target_of(), but no
+/// farther apart than what lies between can be told from (longest_gap). Empty where they share no two moments.
+std::vector<double> compared_times(std::span<const FrameAmounts> reference, double offset, double from, double to);
+
 /// Errors within one video. What the intervals hold beyond these errors is shared by all of its frames (the scale of
 /// smoke's light, how the baseline lies), and changes no course: that is `scale_error`, a share of the amount.
 struct CourseError {

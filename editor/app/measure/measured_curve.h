@@ -11,7 +11,7 @@
 #include "match/estimator.h"
 #include "ui/canvas/plot.h"
 
-namespace lapfx::panels {
+namespace lapfx::app {
 
 class MeasuredCurve {
   public:
@@ -29,4 +29,4 @@ class MeasuredCurve {
     std::array<ui::PlotData, 3> data_;
 };
 
-}  // namespace lapfx::panels
+}  // namespace lapfx::app

@@ -1,6 +1,6 @@
-#include "panels/measured_curve.h"
+#include "app/measure/measured_curve.h"
 
-namespace lapfx::panels {
+namespace lapfx::app {
 
 namespace {
 
@@ -31,4 +31,4 @@ ui::PlotSeries MeasuredCurve::series(std::string_view name, int color, bool quie
     return {.name = name, .data = &data_[0], .color = color, .reference = quiet, .low = &data_[1], .high = &data_[2]};
 }
 
-}  // namespace lapfx::panels
+}  // namespace lapfx::app

@@ -1,0 +1,57 @@
+#include "app/measure/compared.h"
+
+#include <cmath>
+
+#include "match/fit/target.h"
+#include "match/likeness.h"
+
+namespace lapfx::app {
+
+namespace {
+
+constexpr double reference_part = 0.5;  // of the progress
+
+/// Why one of them has no curve, for people. What is no fault of theirs goes on.
+std::string not_measured(const char* which, const Error& error) {
+    if (error.failure() != Failure::bad_input) throw error;
+    return std::string(which) + " is not measured: " + error.faults().front().reason;
+}
+
+}  // namespace
+
+bool measure_both(Compared& compared, const BothWanted& wanted, const Progress& progress) {
+    bool stopped = false;
+    const auto part = [&](double from, double to) {
+        return [&, from, to](double share) {
+            if (progress && !progress(std::lerp(from, to, share))) stopped = true;
+            return !stopped;
+        };
+    };
+    const bool known = wanted.found != nullptr;
+    try {
+        compared.of_reference =
+            known ? wanted.found->frames : match::measure(wanted.video, wanted.options, part(0, reference_part)).frames;
+    } catch (const Error& error) {
+        if (stopped) return false;
+        compared.words = not_measured("The reference", error);
+        return true;
+    }
+    const double offset = compared.reference.offset;
+    const std::vector<double> times = match::compared_times(compared.of_reference, offset, 0, wanted.scene.duration);
+    if (times.empty()) {
+        compared.words = "The reference has fewer than two moments in common with the scene";
+        return true;
+    }
+    try {
+        auto frames =
+            wanted.curve.measure(wanted.scene, wanted.preset, times, {.progress = part(known ? 0 : reference_part, 1)});
+        if (!frames) return false;
+        compared.of_preview = std::move(*frames);
+        compared.words = in_words(match::likeness_of(compared.of_preview, compared.of_reference, offset));
+    } catch (const Error& error) {
+        compared.words = not_measured("The preview", error);
+    }
+    return true;
+}
+
+}  // namespace lapfx::app
