@@ -162,7 +162,7 @@ match::Measurement measure(VideoReader& video, const Options& o) {
             progress.to(share);
             return true;
         });
-        overlay.finish(end_of(found, video));  // before anything else is written: only here a full disk is found
+        overlay.finish(end_of(found, video));  // before anything else is written: a full disk is found by now
         return found;
     } catch (const Error& error) {
         throw at_option(error, o.video);

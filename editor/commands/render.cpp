@@ -1,4 +1,7 @@
 // lapfx render: a scene as a picture, a sequence of pictures or a video.
+#include <optional>
+#include <utility>
+
 #include "commands/beside.h"
 #include "commands/command.h"
 #include "commands/options.h"
@@ -16,30 +19,48 @@ namespace {
 
 struct Options {
     std::string scene, preset, output, beside, amounts, layers, size = "1280x1024", backend = "auto", overlay = "none";
+    std::string codec = "h264", quality = "good";
     std::vector<std::string> settings;
     double fps = 25.0, from = 0.0, to = -1.0, at = 0.0;
-    bool has_at = false, has_span = false;
+    bool has_at = false, has_span = false, has_codec = false, has_quality = false;
 };
 
-/// "none|vessels|..."
-std::string overlay_names(const std::string& separator) {
-    std::string names;
-    for (const OverlayRow& row : overlays) names += (names.empty() ? "" : separator) + std::string(row.key);
-    return names;
+/// "none|vessels|...": the keys of a table.
+std::string keys_of(const auto& rows, const std::string& separator) {
+    std::string keys;
+    for (const auto& row : rows) keys += (keys.empty() ? "" : separator) + std::string(row.key);
+    return keys;
 }
 
-/// "False colour over the tissue: none; vessels: density of vessels, blue; ..."
-std::string overlay_help() {
-    std::string text = "False colour over the tissue";
-    for (const OverlayRow& row : overlays)
-        text += (row.overlay == Overlay::none ? ". " : "; ") + std::string(row.key) + ": " + std::string(row.help);
+/// "False colour over the tissue. none: nothing; vessels: density of vessels, blue; ..."
+std::string help_of(std::string text, const auto& rows) {
+    const char* separator = ". ";
+    for (const auto& row : rows)
+        text += std::exchange(separator, "; ") + std::string(row.key) + ": " + std::string(row.help);
     return text;
 }
 
 Overlay parse_overlay(const std::string& text) {
     for (const OverlayRow& row : overlays)
         if (text == row.key) return row.overlay;
-    throw wrong_option("--overlay", "\"" + text + "\" is not one of " + overlay_names(", "));
+    throw wrong_option("--overlay", "\"" + text + "\" is not one of " + keys_of(overlays, ", "));
+}
+
+template <typename Value>
+Value keyed(const char* option, const std::string& text, std::optional<Value> found, const auto& rows) {
+    if (!found) throw wrong_option(option, "\"" + text + "\" is not one of " + keys_of(rows, ", "));
+    return *found;
+}
+
+/// --codec and --quality; both are of a video.
+void parse_compression(const Options& o, output::RenderOptions& options) {
+    options.codec = keyed("--codec", o.codec, output::codec_keyed(o.codec), output::codec_rows());
+    options.quality = keyed("--quality", o.quality, output::quality_keyed(o.quality), output::quality_rows());
+    const auto kind = output::kind_named(o.output);
+    if ((o.has_codec || o.has_quality) && kind && kind != output::OutputKind::video)
+        throw wrong_option(o.has_codec ? "--codec" : "--quality", "is of a video; \"" + o.output + "\" is none");
+    if (o.has_quality && output::row_of(options.codec).lossless)
+        throw wrong_option("--quality", "\"" + o.codec + "\" is lossless and has none");
 }
 
 output::RenderOptions render_options(const Options& o) {
@@ -51,6 +72,7 @@ output::RenderOptions render_options(const Options& o) {
                                   .amounts = o.amounts,
                                   .layers = o.layers,
                                   .clip_folders = clip_folders()};
+    parse_compression(o, options);
     // A single picture without --at is that of the start.
     if (o.has_at || (!o.has_span && output::kind_named(o.output) == output::OutputKind::picture)) options.at = o.at;
     if (o.to >= 0.0) options.to = o.to;
@@ -131,7 +153,15 @@ void add_render(CLI::App& app) {
     verb->add_option("--backend", o->backend, "The OpenGL that draws; auto is EGL, else OSMesa")
         ->option_text("egl|osmesa|auto")
         ->capture_default_str();
-    verb->add_option("--overlay", o->overlay, overlay_help())->option_text(overlay_names("|"))->capture_default_str();
+    verb->add_option("--overlay", o->overlay, help_of("False colour over the tissue", overlays))
+        ->option_text(keys_of(overlays, "|"))
+        ->capture_default_str();
+    auto* codec = verb->add_option("--codec", o->codec, help_of("How a video is compressed", output::codec_rows()))
+                      ->option_text(keys_of(output::codec_rows(), "|"))
+                      ->capture_default_str();
+    auto* quality = verb->add_option("--quality", o->quality, help_of("Quality of a video", output::quality_rows()))
+                        ->option_text(keys_of(output::quality_rows(), "|"))
+                        ->capture_default_str();
     verb->add_option(
             "--beside", o->beside,
             "Put this surgery video (or frame_%04d.png) beside each picture, and below both how much blood and "
@@ -153,8 +183,11 @@ void add_render(CLI::App& app) {
         "  lapfx render samples/lagb.scene.json --at 6 --set bleeding.speed=8 -o out.png\n"
         "  lapfx render samples/lagb.scene.json --at 0 --overlay vessels -o vessels.png\n"
         "  lapfx render samples/lagb.scene.json --to 1 --fps 10 --size 320x256 --amounts amounts.csv -o out.mp4\n"
+        "  lapfx render samples/lagb.scene.json --to 1 --codec ffv1 -o exact.mkv\n"
         "  lapfx render samples/lagb.scene.json --size 640x512 --beside samples/reference/operation.mp4 -o both.mp4");
-    verb->callback([o, from, to, at] {
+    verb->callback([o, from, to, at, codec, quality] {
+        o->has_codec = codec->count() > 0;
+        o->has_quality = quality->count() > 0;
         o->has_at = at->count() > 0;
         o->has_span = from->count() + to->count() > 0;
         run(*o);

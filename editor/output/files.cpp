@@ -3,13 +3,13 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "lapfx/authoring/file_guard.h"
 #include "lapfx/authoring/formats.h"
+#include "output/video_encoder.h"
 
 namespace lapfx::output {
 
@@ -19,17 +19,6 @@ namespace {
 
 fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : ".";
-}
-
-/// Writes something to the disk, which throws with the reason if it is full: OpenCV's writer does not report why it
-/// failed.
-void require_room(const fs::path& path) {
-    const Beside folder(path, Beside::Kind::folder);
-    try {
-        write_file(folder.path() / path.filename(), std::string(std::size_t{64} << 10U, '\0'));
-    } catch (const Error& error) {
-        throw cannot_write(path, error.faults().front().reason);
-    }
 }
 
 }  // namespace
@@ -78,41 +67,35 @@ bool is_video_name(const fs::path& path) {
     return format != nullptr && format->content == Content::video && format->written;
 }
 
-VideoFile::VideoFile(const fs::path& path, double fps, cv::Size size) : path_(fs::absolute(path)), size_(size) {
+VideoFile::VideoFile(const fs::path& path, double fps, cv::Size size, Codec codec, Quality quality)
+    : path_(fs::absolute(path)), size_(size) {
     require_replaceable(path_);
-    const std::string what = "a video of " + std::to_string(size.width) + "x" + std::to_string(size.height) + " pixels";
-    // OpenCV would leave the last column or row away.
+    if (const std::string fault = codec_fault(codec, path); !fault.empty()) throw cannot_write(path, fault);
+    // Those with half the chroma need it; one rule for all is easier to know.
     if (size.width % 2 != 0 || size.height % 2 != 0)
-        throw cannot_write(path, what + " cannot be encoded here (the sides must be even)");
+        throw cannot_write(path, "a video of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
+                                     " pixels cannot be encoded here (the sides must be even)");
     // The extension stays last: the container is chosen by it.
     beside_ = std::make_unique<Beside>(path_, Beside::Kind::file, path_.extension().string());
-    // H.264 where FFmpeg can encode it, else MPEG-4 part 2, which it always can.
-    for (const int codec : {cv::VideoWriter::fourcc('a', 'v', 'c', '1'), cv::VideoWriter::fourcc('m', 'p', '4', 'v')})
-        if (writer_.open(beside_->path().string(), cv::CAP_FFMPEG, codec, fps, size)) return;
-    require_room(path);
-    char rate[32];
-    std::snprintf(rate, sizeof rate, "%.6g", fps);
-    throw cannot_write(path, what + " and " + rate + " frames a second cannot be encoded here");
+    encoder_ = std::make_unique<VideoEncoder>(
+        beside_->path(), VideoFormat{.fps = fps, .size = {size.width, size.height}, .codec = codec, .quality = quality},
+        path);
 }
 
-/// The file is closed before `beside_` removes it.
-VideoFile::~VideoFile() {
-    writer_.release();
-    written_.release();
-}
+/// The members close the file before `beside_` removes it.
+VideoFile::~VideoFile() = default;
 
 void VideoFile::add(const Image& image) {
-    to_bgr(image, frame_);
-    writer_.write(frame_);
+    encoder_->add(image);
     ++frames_;
 }
 
-/// A full disk is found only here, because OpenCV's writer does not report it: every frame has to be read back.
+/// What the encoder did not notice is found here: every frame has to be read back.
 bool VideoFile::check() {
     if (checked_) return false;
-    if (!closed_) {
-        closed_ = true;
-        writer_.release();
+    if (encoder_) {
+        encoder_->finish();
+        encoder_.reset();
         written_.open(beside_->path().string(), cv::CAP_FFMPEG);
     }
     if (written_.isOpened() && written_.grab()) {

@@ -14,8 +14,11 @@
 #include "lapfx/authoring/file.h"
 #include "lapfx/error.h"
 #include "lapfx/organ.h"
+#include "output/codecs.h"
 
 namespace lapfx::output {
+
+class VideoEncoder;
 
 /// Encodes a PNG, writes it next to `path` and renames it. Throws Error (runtime).
 void write_png(const std::filesystem::path& path, const Image& image);
@@ -24,12 +27,15 @@ void write_png(const std::filesystem::path& path, const Image& image);
 /// left.
 class VideoFile {
   public:
-    /// The container follows from the extension (is_video_name). Throws Error (runtime).
-    VideoFile(const std::filesystem::path& path, double fps, cv::Size size);
+    /// The container follows from the extension (is_video_name). Throws Error (runtime), also for a codec that it does
+    /// not hold.
+    VideoFile(const std::filesystem::path& path, double fps, cv::Size size, Codec codec = Codec::h264,
+              Quality quality = Quality::good);
     ~VideoFile();
     VideoFile(const VideoFile&) = delete;
     VideoFile& operator=(const VideoFile&) = delete;
 
+    /// Of the size of the video (assert). Throws Error (runtime), such as for a full disk.
     void add(const Image& image);
     /// Reads one frame back; called after the last frame was added. Returns false when all have been read, and they are
     /// as many and as large as those that were added. Throws Error (runtime).
@@ -43,11 +49,10 @@ class VideoFile {
     std::filesystem::path path_;
     std::unique_ptr<Beside> beside_;
     cv::Size size_;
-    cv::VideoWriter writer_;
+    std::unique_ptr<VideoEncoder> encoder_;  ///< null once the last frame was added
     cv::VideoCapture written_;
-    cv::Mat frame_;
     int frames_ = 0, readable_ = 0;
-    bool closed_ = false, checked_ = false;
+    bool checked_ = false;
 };
 
 /// Whether a video can be exported under this name: its format is one that can be written (lapfx/authoring/formats.h).

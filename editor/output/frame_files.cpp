@@ -80,7 +80,8 @@ class PngFiles : public FrameFiles {
 
 class VideoFrames : public FrameFiles {
   public:
-    VideoFrames(const fs::path& name, double fps, glm::ivec2 size) : video_(name, fps, cv::Size(size.x, size.y)) {}
+    VideoFrames(const fs::path& name, const FrameFormat& f)
+        : video_(name, f.fps, cv::Size(f.size.x, f.size.y), f.codec, f.quality) {}
     void add(const Image& image) override { video_.add(image); }
     bool check() override { return video_.check(); }
     void publish() override { video_.publish(); }
@@ -113,16 +114,16 @@ fs::path sequence_name(const fs::path& pattern, int index) {
     return pattern.parent_path() / (match.prefix().str() + digits + match.suffix().str());
 }
 
-std::unique_ptr<FrameFiles> make_png_files(const fs::path& name, double, glm::ivec2 size, int count) {
-    return std::make_unique<PngFiles>(name, size, count);
+std::unique_ptr<FrameFiles> make_png_files(const fs::path& name, const FrameFormat& format) {
+    return std::make_unique<PngFiles>(name, format.size, format.count);
 }
 
-std::unique_ptr<FrameFiles> make_video_frames(const fs::path& name, double fps, glm::ivec2 size, int) {
-    return std::make_unique<VideoFrames>(name, fps, size);
+std::unique_ptr<FrameFiles> make_video_frames(const fs::path& name, const FrameFormat& format) {
+    return std::make_unique<VideoFrames>(name, format);
 }
 
-std::unique_ptr<FrameFiles> make_frame_files(const fs::path& name, double fps, glm::ivec2 size, int count) {
-    return row_of(kind_named(name).value()).frames(name, fps, size, count);
+std::unique_ptr<FrameFiles> make_frame_files(const fs::path& name, const FrameFormat& format) {
+    return row_of(kind_named(name).value()).frames(name, format);
 }
 
 }  // namespace lapfx::output

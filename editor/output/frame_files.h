@@ -2,7 +2,7 @@
 // together, when all have been written and read back. If the object is destroyed before, nothing of them is left, and
 // older files of the same names stay as they are.
 //
-//     auto files = output::make_frame_files("out_%04d.png", 25, {1280, 1024}, 240);
+//     auto files = output::make_frame_files("out_%04d.png", {.fps = 25, .size = {1280, 1024}, .count = 240});
 //     for (...) files->add(image);
 //     while (files->check()) {}
 //     files->publish();
@@ -13,6 +13,7 @@
 #include <memory>
 
 #include "lapfx/organ.h"
+#include "output/codecs.h"
 
 namespace lapfx::output {
 
@@ -22,6 +23,14 @@ bool is_picture_name(const std::filesystem::path& name);
 bool is_sequence_name(const std::filesystem::path& name);
 /// The name of picture `index` in a sequence named like out_%04d.png.
 std::filesystem::path sequence_name(const std::filesystem::path& pattern, int index);
+
+struct FrameFormat {
+    double fps = 25;     ///< frames per second
+    glm::ivec2 size{0};  ///< px
+    int count = 0;       ///< of the frames that will be added
+    Codec codec = Codec::h264;
+    Quality quality = Quality::good;
+};
 
 class FrameFiles {
   public:
@@ -34,12 +43,10 @@ class FrameFiles {
     virtual void publish() = 0;
 };
 
-/// `count` is the number of frames that will be added. All three functions throw Error (runtime) when files cannot be
-/// written there.
-std::unique_ptr<FrameFiles> make_png_files(const std::filesystem::path& name, double fps, glm::ivec2 size, int count);
-std::unique_ptr<FrameFiles> make_video_frames(const std::filesystem::path& name, double fps, glm::ivec2 size,
-                                              int count);
+/// All three functions throw Error (runtime) when files cannot be written there.
+std::unique_ptr<FrameFiles> make_png_files(const std::filesystem::path& name, const FrameFormat& format);
+std::unique_ptr<FrameFiles> make_video_frames(const std::filesystem::path& name, const FrameFormat& format);
 /// Chooses the kind by the name (output/kinds.h).
-std::unique_ptr<FrameFiles> make_frame_files(const std::filesystem::path& name, double fps, glm::ivec2 size, int count);
+std::unique_ptr<FrameFiles> make_frame_files(const std::filesystem::path& name, const FrameFormat& format);
 
 }  // namespace lapfx::output

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <filesystem>
-#include <glm/glm.hpp>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -14,6 +13,7 @@
 namespace lapfx::output {
 
 class FrameFiles;
+struct FrameFormat;
 
 enum class OutputKind { preset, bundle, picture, sequence, video };
 
@@ -29,9 +29,8 @@ struct OutputRow {
     std::string_view example = {};  ///< a name that `lapfx render -o` takes
     /// Whether a name is one of this kind; null: this kind has no frames.
     bool (*is_name)(const std::filesystem::path& name) = nullptr;
-    /// Makes the files for `count` frames. Throws Error (runtime) when they cannot be written there.
-    std::unique_ptr<FrameFiles> (*frames)(const std::filesystem::path& name, double fps, glm::ivec2 size,
-                                          int count) = nullptr;
+    /// Makes the files for frames (output/frame_files.h). Throws Error (runtime) when they cannot be written there.
+    std::unique_ptr<FrameFiles> (*frames)(const std::filesystem::path& name, const FrameFormat& format) = nullptr;
 };
 
 inline constexpr std::size_t output_kind_count = 5;

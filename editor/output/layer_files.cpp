@@ -38,7 +38,7 @@ LayerFiles::LayerFiles(std::filesystem::path folder, double fps, glm::ivec2 size
                           .reason = "cannot make this folder: " + (error ? error.message() : "it is a file")});
     require_replaceable(folder_ / amounts_name);
     for (std::size_t i = 0; i < pictures_.size(); ++i)
-        pictures_[i] = make_png_files(folder_ / picture_names[i], fps, size, count);
+        pictures_[i] = make_png_files(folder_ / picture_names[i], {.fps = fps, .size = size, .count = count});
     amounts_ = "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags\n";
 }
 

@@ -89,6 +89,8 @@ void check_output(const RenderOptions& o, Faults& faults) {
         faults.add("-o", name + " is one picture; for several choose a video or out_%04d.png");
     else if (*kind != OutputKind::picture && o.at)
         faults.add("-o", name + " is not a single picture; for a single time choose a .png");
+    if (kind == OutputKind::video)
+        if (const std::string fault = codec_fault(o.codec, o.output); !fault.empty()) faults.add("--codec", fault);
     if (!o.amounts.empty() && o.amounts == o.output) faults.add("--amounts", "is also the file of the pictures");
 }
 
@@ -148,7 +150,11 @@ RenderJob::RenderJob(const Scene& scene, const Preset& preset, RenderOptions opt
                                                  .overlay = options_.overlay,
                                                  .clip_cache = loaded.clips});
     if (!options_.output.empty())
-        files_ = make_frame_files(options_.output, options_.fps, written, static_cast<int>(times_.size()));
+        files_ = make_frame_files(options_.output, {.fps = options_.fps,
+                                                    .size = written,
+                                                    .count = static_cast<int>(times_.size()),
+                                                    .codec = options_.codec,
+                                                    .quality = options_.quality});
     if (!options_.amounts.empty()) require_replaceable(options_.amounts);
     if (!options_.layers.empty())
         layers_ =

@@ -18,6 +18,7 @@
 #include "lapfx/authoring/preview.h"
 #include "lapfx/clip_cache.h"
 #include "lapfx/prepared_organ.h"
+#include "output/codecs.h"
 #include "output/frame_files.h"
 #include "output/frame_page.h"
 #include "output/kinds.h"
@@ -33,6 +34,8 @@ struct RenderOptions {
     std::optional<double> to = {};  ///< s: the end, at which there is no frame any more; none: the scene's end
     Overlay overlay = Overlay::none;
     std::filesystem::path output{};   ///< kind_named() says what; empty: nothing is written (RenderJob::image)
+    Codec codec = Codec::h264;        ///< of a video
+    Quality quality = Quality::good;  ///< of a video whose codec is not lossless
     std::filesystem::path amounts{};  ///< CSV of the amounts that score a trainee, a line for each frame; empty: none
     /// Folder of what is in each frame, exactly (Preview::layers): amounts.csv as `lapfx measure` writes it, and
     /// pictures of each layer; made unless it is there. Empty: none.

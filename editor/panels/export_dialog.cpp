@@ -1,5 +1,6 @@
 // What is exported, to which file, and what is wrong with that: one dialog for all kinds. While an export runs it shows
 // the progress; so does the status bar, since the dialog can be closed.
+#include <array>
 #include <cmath>
 
 #include "app/base/file_chooser.h"
@@ -140,6 +141,26 @@ void time_rows(ui::Ui& ui, Exports& exports) {
     fault_line(ui, exports, "--fps");
 }
 
+template <std::size_t count>
+std::array<std::string_view, count> titles_of(const auto& rows) {
+    std::array<std::string_view, count> titles;
+    for (std::size_t i = 0; i < count; ++i) titles[i] = rows[i].title;
+    return titles;
+}
+
+/// What a video is compressed with.
+void codec_rows(ui::Ui& ui, Exports& exports) {
+    ExportForm& form = exports.form;
+    if (form.what() != OutputKind::video) return;
+    const auto codecs = titles_of<output::codec_count>(output::codec_rows());
+    ui::combo(ui, "Codec", form.codec, codecs, {.tip = output::row_of(form.coded()).help, .caption = true});
+    fault_line(ui, exports, "--codec");
+    if (output::row_of(form.coded()).lossless) return;
+    const auto qualities = titles_of<output::quality_count>(output::quality_rows());
+    const std::string_view tip = output::row_of(static_cast<output::Quality>(form.quality)).help;
+    ui::combo(ui, "Quality", form.quality, qualities, {.tip = tip, .caption = true});
+}
+
 void extra_rows(ui::Ui& ui, Exports& exports, app::FileChooser& chooser) {
     ExportForm& form = exports.form;
     ui::checkbox(ui, "Beside the reference, with curves", form.beside,
@@ -157,14 +178,27 @@ void extra_rows(ui::Ui& ui, Exports& exports, app::FileChooser& chooser) {
     fault_line(ui, exports, "--amounts");
 }
 
-/// ", about 3 min": what the export will take, once a few frames have been tried.
+/// "40 s", "3 min", "1.5 h": as exactly as a trial tells it.
+std::string_view rough_duration(ui::Ui& ui, double seconds) {
+    constexpr double minute = 60, hour = 3600;
+    char text[32];
+    if (seconds < 2 * minute)
+        std::snprintf(text, sizeof text, "%.0f s", std::max(std::ceil(seconds), 1.0));
+    else if (seconds < 2 * hour)
+        std::snprintf(text, sizeof text, "%.0f min", std::round(seconds / minute));
+    else
+        std::snprintf(text, sizeof text, "%.1f h", seconds / hour);
+    return ui.copy(text);
+}
+
+/// What the export will take, once a few frames have been tried.
 std::string_view time_text(ui::Ui& ui, Exports& exports) {
     if (const double due = exports.want_estimate(); std::isfinite(due))
         ui.wake_at(due, "the time of an export is tried");
     const double seconds = exports.seconds_expected();
     if (seconds < 0) return "";
-    return ui.join({" Takes about ", ui::duration_text(ui, seconds),
-                    exports.form.beside && exports.comparable() ? ", and measuring both before." : "."});
+    return ui.join({" Takes about ", rough_duration(ui, seconds),
+                    exports.form.beside && exports.comparable() ? ", once both are measured." : "."});
 }
 
 /// What the export will write, in words.
@@ -217,6 +251,7 @@ void form_rows(ui::Ui& ui, Exports& exports, app::FileChooser& chooser) {
     if (form.renders()) {
         size_rows(ui, exports);
         time_rows(ui, exports);
+        codec_rows(ui, exports);
         extra_rows(ui, exports, chooser);
     }
     fault_line(ui, exports, "scene");
@@ -274,7 +309,7 @@ std::string_view why_not(ui::Ui& ui, Exports& exports) {
 
 void export_dialog(ui::Ui& ui, Exports& exports, app::FileChooser& chooser, app::Notices& notices) {
     ask_replace(ui, exports);
-    ui::Dialog dialog(ui, dialog_name, "New export", {.width = 38, .height = 36});
+    ui::Dialog dialog(ui, dialog_name, "New export", {.width = 38, .height = 40});
     if (!dialog) return;
     running_rows(ui, exports);
     ui::segmented(ui, "What", exports.form.kind, output::output_titles());

@@ -13,6 +13,7 @@
 #include "editor/support/held_jobs.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file_guard.h"
+#include "lapfx/authoring/video.h"
 #include "support/folders.h"
 #include "support/wait_until.h"
 #include "ui/core/tree.h"
@@ -142,6 +143,32 @@ TEST_F(ExportTest, AVideoWithItsAmounts) {
     int lines = 0;
     while (std::getline(csv, line)) ++lines;
     EXPECT_EQ(lines, 5);
+}
+
+TEST_F(ExportTest, AVideoHasACodecAndAQuality) {
+    open_dialog("export.video");
+    set_file(path("out.mp4"));
+    form().size = 5;
+    form().to = 0.2;
+    form().fps = 10;
+    EXPECT_THAT(editor().exports().command(), HasSubstr(" --codec h264 --quality good "));
+    form().quality = static_cast<int>(output::Quality::small);
+    ui().frame();
+    EXPECT_EQ(ui().text("New export/Form/Quality"), "Small");
+    EXPECT_THAT(editor().exports().command(), HasSubstr(" --codec h264 --quality small "));
+    form().codec = static_cast<int>(output::Codec::ffv1);
+    ui().frame();
+    EXPECT_EQ(editor().exports().fault_at("--codec"), "\"ffv1\" does not go into .mp4; name the file .mkv or .avi");
+    EXPECT_TRUE(ui().is("New export/Export", ui::Is::disabled));
+    EXPECT_FALSE(ui().exists("New export/Form/Quality")) << "it is lossless";
+    set_file(path("out.mkv"));
+    EXPECT_FALSE(ui().is("New export/Export", ui::Is::disabled));
+    EXPECT_THAT(editor().exports().command(),
+                testing::AllOf(HasSubstr(" --codec ffv1 -o "), testing::Not(HasSubstr("quality"))));
+    export_it();
+    EXPECT_EQ(VideoReader(path("out.mkv")).info().codec, "ffv1");
+    open_dialog("export.picture");
+    EXPECT_FALSE(ui().exists("New export/Form/Codec"));
 }
 
 TEST_F(ExportTest, TheEditorLivesOnAndTheExportCanBeGivenUp) {
@@ -533,7 +560,7 @@ TEST_F(ExportTest, AFailureOnTheWayIsToldAndLeavesNothing) {
     ASSERT_TRUE(editor().exports().running());
     fs::remove_all(folder() / "sub");
     EXPECT_TRUE(wait_until([&] { return !editor().exports().running(); }, [&] { ui().frame(); }));
-    EXPECT_THAT(news(), HasSubstr("out.mp4: the video could not be written completely"));
+    EXPECT_THAT(news(), HasSubstr("out.mp4: writing failed: No such file or directory"));
     EXPECT_FALSE(fs::exists(folder() / "sub"));
 }
 

@@ -2,10 +2,7 @@
 // and a message names the file and the reason.
 #include <gmock/gmock.h>
 #include <sys/mount.h>
-#include <sys/resource.h>
 
-#include <algorithm>
-#include <csignal>
 #include <fstream>
 #include <optional>
 
@@ -13,6 +10,7 @@
 #include "app/files/files.h"
 #include "editor/support/editor_test.h"
 #include "lapfx/authoring/file.h"
+#include "support/file_limit.h"
 #include "support/wait_until.h"
 
 namespace lapfx::test {
@@ -24,26 +22,6 @@ using testing::HasSubstr;
 using ui::Mods;
 
 const auto no_room = AnyOf(HasSubstr("No space left on device"), HasSubstr("File too large"));
-
-/// As long as it exists, no file of this process can grow beyond this size, so that writes fail as on a full disk.
-class FileLimit {
-  public:
-    explicit FileLimit(rlim_t bytes) : signal_(::signal(SIGXFSZ, SIG_IGN)) {
-        ::getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit tight{.rlim_cur = std::min(bytes, before_.rlim_max), .rlim_max = before_.rlim_max};
-        EXPECT_EQ(::setrlimit(RLIMIT_FSIZE, &tight), 0);
-    }
-    ~FileLimit() {
-        ::setrlimit(RLIMIT_FSIZE, &before_);
-        ::signal(SIGXFSZ, signal_);
-    }
-    FileLimit(const FileLimit&) = delete;
-    FileLimit& operator=(const FileLimit&) = delete;
-
-  private:
-    void (*signal_)(int);
-    rlimit before_{};
-};
 
 /// A small file system, if this user may mount one. Otherwise a folder: when it has been filled, write() sets a
 /// FileLimit.

@@ -52,6 +52,12 @@ std::string render_command(const ExportForm& form, const document::Document& doc
     else
         line += " --fps " + number(form.fps) + " --from " + number(form.from) + " --to " + number(form.to);
     if (form.overlay && overlay != Overlay::none) line += " --overlay " + std::string(row_of(overlay).key);
+    if (form.what() == OutputKind::video) {
+        const output::CodecRow& codec = output::row_of(form.coded());
+        line += " --codec " + std::string(codec.key);
+        if (!codec.lossless)
+            line += " --quality " + std::string(output::row_of(static_cast<output::Quality>(form.quality)).key);
+    }
     if (!reference.empty()) line += " --beside " + path(reference);
     if (form.amounts) line += " --amounts " + path(form.amounts_file);
     return line + " -o " + path(form.file());

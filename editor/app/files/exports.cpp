@@ -157,6 +157,8 @@ output::RenderOptions Exports::render_options() const {
                                   .fps = f.fps,
                                   .overlay = f.overlay ? looking_.overlay : Overlay::none,
                                   .output = f.file(),
+                                  .codec = f.coded(),
+                                  .quality = static_cast<output::Quality>(f.quality),
                                   .clip_folders = clip_folders_};
     if (f.what() == OutputKind::picture) {
         options.at = f.at;
@@ -492,6 +494,8 @@ Exports::TriedOf Exports::tried_of() const {
             .fps = form.fps,
             .from = form.from,
             .overlay = form.overlay,
+            .codec = form.codec,
+            .quality = form.quality,
             .ending = fs::path(form.file()).extension().string(),
             .document = document_.version(),
             .organ = preview_.organ_version()};

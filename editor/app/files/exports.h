@@ -68,6 +68,8 @@ struct ExportForm {
     bool outside_agreed = false;  ///< the person has agreed to copy what Exports::outside() lists
     bool overlay = false;         ///< with what the view shows over the tissue
     bool beside = false;          ///< the reference beside each picture, and below them the curves of both
+    int codec = 0;                ///< an output::Codec, of a video
+    int quality = static_cast<int>(output::Quality::good);  ///< of a codec that is not lossless
     bool amounts = false;
     std::string amounts_file;
 
@@ -75,6 +77,7 @@ struct ExportForm {
     std::string& file() { return files[static_cast<std::size_t>(kind)]; }
     const std::string& file() const { return files[static_cast<std::size_t>(kind)]; }
     glm::ivec2 px() const;
+    output::Codec coded() const { return static_cast<output::Codec>(codec); }
     bool renders() const { return output::row_of(what()).frames != nullptr; }
     friend bool operator==(const ExportForm&, const ExportForm&) = default;
 };
@@ -162,6 +165,7 @@ class Exports {
         glm::ivec2 px{0};
         double fps = 0, from = 0;
         bool overlay = false;
+        int codec = 0, quality = 0;
         std::string ending = {};
         std::uint64_t document = 0, organ = 0;
         friend bool operator==(const TriedOf&, const TriedOf&) = default;

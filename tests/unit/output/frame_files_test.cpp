@@ -55,7 +55,7 @@ TEST(SequenceName, PadsItsNumber) {
 TEST(FrameFilesTest, ASequenceAppearsAtItsEnd) {
     const test::Folder folder;
     folder.write("out_01.png", "old");
-    const auto files = make_frame_files(folder / "out_%02d.png", 25, {32, 16}, 3);
+    const auto files = make_frame_files(folder / "out_%02d.png", {.fps = 25, .size = {32, 16}, .count = 3});
     for (int i = 0; i < 3; ++i) files->add(picture(i * 50));
     EXPECT_EQ(test::read_text(folder / "out_01.png"), "old");
     int checked = 0;
@@ -69,7 +69,7 @@ TEST(FrameFilesTest, ASequenceAppearsAtItsEnd) {
 TEST(FrameFilesTest, DroppedNothingIsLeft) {
     const test::Folder folder;
     for (const char* name : {"out_%02d.png", "out.png", "out.mp4"}) {
-        const auto files = make_frame_files(folder / name, 25, {32, 16}, 2);
+        const auto files = make_frame_files(folder / name, {.fps = 25, .size = {32, 16}, .count = 2});
         files->add(picture(1));
     }
     EXPECT_THAT(files_in(folder), IsEmpty());
@@ -77,7 +77,7 @@ TEST(FrameFilesTest, DroppedNothingIsLeft) {
 
 TEST(FrameFilesTest, WhatIsBrokenWhileItWaitsIsFound) {
     const test::Folder folder;
-    const auto files = make_frame_files(folder / "out.png", 25, {32, 16}, 1);
+    const auto files = make_frame_files(folder / "out.png", {.fps = 25, .size = {32, 16}, .count = 1});
     files->add(picture(1));
     for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
         if (entry.is_regular_file()) fs::resize_file(entry.path(), 60);
@@ -90,7 +90,9 @@ TEST(FrameFilesTest, WhatIsNoFileIsNotReplaced) {
     fs::create_directory(folder / "out_02.png");
     fs::create_symlink("elsewhere.png", folder / "link.png");
     for (const char* name : {"out_%02d.png", "link.png"}) {
-        const auto make = [&] { static_cast<void>(make_frame_files(folder / name, 25, {32, 16}, 3)); };
+        const auto make = [&] {
+            static_cast<void>(make_frame_files(folder / name, {.fps = 25, .size = {32, 16}, .count = 3}));
+        };
         EXPECT_THAT(test::faults_of(make, Failure::runtime), ElementsAre(HasSubstr("not a plain file"))) << name;
     }
     EXPECT_THAT(files_in(folder), ElementsAre("link.png", "out_02.png"));
@@ -122,6 +124,10 @@ TEST(RenderOptionsTest, EachFaultNamesItsOption) {
     EXPECT_THAT(faults({.at = -1, .output = "a.png"}), ElementsAre(HasSubstr("--at: -1 is outside")));
     EXPECT_THAT(faults({.output = "a.png"}), ElementsAre(HasSubstr("is one picture")));
     EXPECT_THAT(faults({.at = 1, .output = "a.mp4"}), ElementsAre(HasSubstr("is not a single picture")));
+    EXPECT_THAT(faults({.output = "a.mp4", .codec = Codec::ffv1}),
+                ElementsAre("--codec: \"ffv1\" does not go into .mp4; name the file .mkv or .avi"));
+    EXPECT_THAT(faults({.output = "a.mkv", .codec = Codec::ffv1}), IsEmpty());
+    EXPECT_THAT(faults({.at = 1, .output = "a.png", .codec = Codec::ffv1}), IsEmpty()) << "a picture has none";
     EXPECT_THAT(faults({.output = "a.txt"}), ElementsAre(HasSubstr("-o: \"a.txt\" is not one of")));
     EXPECT_THAT(faults({.output = "a.mp4", .amounts = "a.mp4"}), ElementsAre(HasSubstr("--amounts")));
 }
