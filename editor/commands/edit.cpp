@@ -131,10 +131,18 @@ class HeapKeeper {
     std::chrono::steady_clock::time_point last_{};
 };
 
+/// The window saves what it has opened, so nothing else refuses this.
+void require_own_dump(const Options& o) {
+    if (!o.dump_on_close.empty() && is_read(o.dump_on_close))
+        throw wrong_option("--dump-on-close", '"' + o.dump_on_close + "\" is a file that is read here");
+}
+
 void show_window(const Options& o) {
     check_output("--dump-on-close", o.dump_on_close);
     std::vector<std::string> videos;
     app::Opened opened = open_all(o.files, videos);
+    for (const std::string& video : videos) note_read(video);  // it is opened later
+    require_own_dump(o);
     const auto early = app::load_early(opened.content.scene, opened.content.preset, clip_folders());
     ui::ImageStore images;
     window::UiWindow window({.title = "lapfx",
@@ -204,6 +212,7 @@ void show_window(const Options& o) {
         editor->autosave().write_now();
         throw;
     }
+    require_own_dump(o);
     if (!o.dump_on_close.empty()) write_dump(o.dump_on_close, window.ui().tree());
 }
 

@@ -84,6 +84,9 @@ def check_reads(lapfx, folder):
         ["fit", "m.scene.json", "--reference", "reference.mp4", "-o", "new.json", "--csv", "video.csv", "--report",
          "r.html", "--fitted-scene", "m.scene.json"],
         ["edit", "m.scene.json", "--size", "900x700", "--screenshot", "skin.png"],
+        *(["edit", "m.scene.json", "--dump-on-close", name]  # refused before there is a window
+          for name in ("m.scene.json", "same/organ.obj", "preset.json")),
+        [*render, "--beside", "f_%04d.png", "-o", "f_%04d.png"], [*render, "--beside", "hard.mp4", "-o", "hard.mp4"],
     ]
     for case in cases:
         code, said, told = run(lapfx, folder, *case)

@@ -454,6 +454,44 @@ TEST_F(EditorDocument, SavedAsItIsCalledAsItsFileUnlessItHasANameOfItsOwn) {
     EXPECT_EQ(load_preset(folder() / "other.json").name, "Oozing") << "a name that was given stays";
 }
 
+TEST_F(EditorDocument, SavingAsReplacesNothingButAnotherOfItsKind) {
+    const auto save_as = [&](bool scene, const std::string& name) {
+        scene ? editor().files().save_scene_as() : editor().files().save_preset_as();
+        ui().frame().frame();
+        ui().click(std::string("Save ") + (scene ? "scene" : "preset") + " as/Name").key('A', Mods::command);
+        ui().type(name).key(Key::enter).frame().frame();
+        if (ui().exists("Replace the file?")) ui().click("Replace the file?/Replace").frame().frame();
+    };
+    std::ofstream(folder() / "o.glb") << "an organ";
+    std::ofstream(folder() / "words.json") << "{}";
+    editor().document.save_scene(folder() / "m.scene.json");
+    editor().document.save_preset(folder() / "p.json");
+    const auto text = [&](const char* name) { return read_file(folder() / name, 1 << 20); };
+    const std::string scene = text("m.scene.json"), preset = text("p.json");
+    for (const char* name : {"o.glb", "words.json", "m.scene.json"}) {
+        save_as(false, name);
+        ASSERT_TRUE(asked('"' + std::string(name) + "\" was not saved")) << ui().dump();
+        say("Cancel");
+    }
+    save_as(true, "p.json");
+    ASSERT_TRUE(asked("\"p.json\" was not saved")) << "nor \"is open in another editor\"";
+    EXPECT_THAT(editor().files().question()->lines.at(0),
+                HasSubstr("a file of this name is there and is not a scene; choose another name"));
+    say("Cancel");
+    EXPECT_EQ(text("o.glb"), "an organ");
+    EXPECT_EQ(text("words.json"), "{}");
+    EXPECT_EQ(text("m.scene.json"), scene);
+    EXPECT_EQ(text("p.json"), preset);
+    EXPECT_EQ(editor().document.preset_file(), folder() / "p.json");
+    // Another preset may be replaced, once that was asked.
+    Preset other;
+    other.name = "Other";
+    save_preset(other, folder() / "q.json");
+    save_as(false, "q.json");
+    EXPECT_EQ(editor().document.preset_file(), folder() / "q.json");
+    EXPECT_NE(load_preset(folder() / "q.json").name, "Other");
+}
+
 TEST_F(EditorDocument, ANewDocumentIsCalledAsItsFirstFile) {
     editor().files().make_new();
     ui().frame().frame();

@@ -267,6 +267,22 @@ TEST_F(ExportTest, APresetAlone) {
     EXPECT_TRUE(editor().document.preset_unsaved()) << "an export is no save";
 }
 
+TEST_F(ExportTest, APresetReplacesNoSceneAndASequenceNoneOfItsImagesUnasked) {
+    editor().document.save_scene(folder() / "m.scene.json");
+    editor().commands.run("export.open");
+    form().kind = static_cast<int>(output::OutputKind::preset);
+    set_file(path("m.scene.json"));
+    EXPECT_EQ(editor().exports().fault_at("-o"),
+              "a file of this name is there and is not a preset; choose another name");
+    form().kind = static_cast<int>(output::OutputKind::sequence);
+    set_file(path("f_%04d.png"));
+    EXPECT_FALSE(editor().exports().replaces());
+    std::ofstream(folder() / "f_0007.png") << "a texture";
+    set_file(path("g_%04d.png"));
+    set_file(path("f_%04d.png"));
+    EXPECT_TRUE(editor().exports().replaces());
+}
+
 TEST_F(ExportTest, APresetWaitsForNoJob) {
     start({1440, 900}, false);
     const HeldJobs held(editor().jobs);

@@ -12,6 +12,7 @@
 #include "app/base/settings.h"
 #include "app/files/export_command.h"
 #include "app/files/export_trial.h"
+#include "app/files/open.h"
 #include "app/files/page_making.h"
 #include "app/measure/measuring.h"
 #include "app/measure/side_by_side.h"
@@ -199,7 +200,8 @@ void Exports::check_preset_file(std::vector<Fault>& faults) const {
     for (const Fault& found : document.preset_faults()) faults.push_back(fault("preset", found.text()));
     const fs::path file = form.file();
     if (form.what() == OutputKind::preset) {
-        if (!is_named_as(Content::document, file)) return faults.push_back(fault("-o", "a preset is a .json file"));
+        if (const std::string why = why_not_replaced(FileKind::preset, file); !why.empty())
+            return faults.push_back(fault("-o", why));
         std::vector<Fault> clips;
         output::preset_in(fs::absolute(file).parent_path(), document.preset(), clip_folders_, clips);
         for (const Fault& clip : clips) faults.push_back(fault("clips", clip.place + ": " + clip.reason));
@@ -260,6 +262,9 @@ void Exports::look_at_form() {
                                    : file;
         std::error_code error;
         replaces_ = fs::exists(first, error);
+        constexpr int most_looked_for = 10'000;  // the rest is asked for when it is written
+        for (int i = 1; first != file && !replaces_ && i < std::min(frames(), most_looked_for); ++i)
+            replaces_ = fs::exists(output::sequence_name(file, i), error);
         const fs::path folder = fs::absolute(file, error).parent_path();
         if (!fs::is_directory(folder, error))
             faults_.push_back(fault("-o", "there is no folder " + folder.string()));

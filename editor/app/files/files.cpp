@@ -10,6 +10,7 @@
 #include "app/clips/clip_shelf.h"
 #include "app/files/autosave.h"
 #include "app/files/exports.h"
+#include "app/files/open.h"
 #include "app/tuning/snapshots.h"
 #include "document/words.h"
 #include "lapfx/authoring/formats.h"
@@ -273,6 +274,9 @@ void Files::save_to(Kind kind, const fs::path& to, Then then) {
         if (const auto outside = parts_.document.clips_outside(document::folder_of(to)); !outside.empty())
             return ask_outside(to, outside, std::move(then));
     const bool another = to != file(kind);
+    const std::string why =
+        another ? why_not_replaced(kind == Kind::scene ? FileKind::scene : FileKind::preset, to) : "";
+    if (!why.empty()) return ask_failed(kind, to, {{.file = to.string(), .place = "", .reason = why}}, std::move(then));
     if (!another || lock(kind, to)) return write(kind, to, then);
     ask({.title = in_marks(to) + " is open in another editor",
          .text = "The other editor would not show what is saved here. (" + holder(to) + ')',

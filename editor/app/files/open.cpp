@@ -84,6 +84,18 @@ FileKind kind_of(const fs::path& file) {
     return check_document(file).kind == "preset" ? FileKind::preset : FileKind::scene;
 }
 
+std::string why_not_replaced(FileKind kind, const fs::path& file) {
+    const std::string what = kind == FileKind::scene ? "a scene" : "a preset";
+    if (!is_document_name(file)) return what + " is a .json file";
+    std::error_code error;
+    if (!fs::exists(file, error) || fs::is_empty(file, error)) return {};
+    try {
+        if (kind_of(file) == kind) return {};
+    } catch (const Error&) {  // a .json that is something else, or damaged
+    }
+    return "a file of this name is there and is not " + what + "; choose another name";
+}
+
 Preset preset_of(const Scene& scene) {
     return scene.preset.empty() ? Preset{} : load_preset(preset_file_of(scene));
 }

@@ -21,6 +21,10 @@ bool is_organ_name(const std::filesystem::path& file);
 /// Whether this is the name of a preset or a scene.
 bool is_document_name(const std::filesystem::path& file);
 
+/// Why a scene or a preset (`kind`) is not written over what has that name now: only another of its kind is replaced.
+/// Empty: there is none, or it is one.
+std::string why_not_replaced(FileKind kind, const std::filesystem::path& file);
+
 /// Another unit of an opened organ's file, with which the organ has a usual size.
 struct UnitProposal {
     std::string file;  ///< SceneOrgan::file

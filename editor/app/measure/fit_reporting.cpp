@@ -4,6 +4,7 @@
 
 #include "app/base/editor_options.h"
 #include "app/base/jobs.h"
+#include "app/base/not_opened.h"
 #include "app/base/notices.h"
 #include "app/base/screen.h"
 #include "app/measure/drawn_curve.h"
@@ -91,6 +92,7 @@ class FitReporting::Run {
         jobs_.close(job_, std::move(apply), std::move(faults));
     }
     bool write() {
+        require_not_opened(path_);
         VideoReader video(of_.reference, &job_->stop());
         const auto draw = [this](const match::Tuned& tuned, double time, glm::ivec2 size) {
             return curve_.picture(tuned.scene, tuned.preset, time, size);

@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "app/base/jobs.h"
+#include "app/base/not_opened.h"
 #include "app/base/notices.h"
 #include "app/measure/measuring_run.h"
 #include "app/reference/reference.h"
 #include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/file.h"
-#include "lapfx/authoring/file_guard.h"
 #include "output/files.h"
 
 namespace lapfx::app {
@@ -236,9 +236,7 @@ bool Measuring::stale() const {
 void Measuring::write(MeasureFile kind, const fs::path& path) {
     if (!found_) return;
     try {
-        if (is_read(path))
-            throw Error(Failure::bad_input,
-                        Fault{.file = path.string(), .place = "", .reason = "was opened here; choose another name"});
+        require_not_opened(path);
         if (kind == MeasureFile::png)
             output::write_png(path, match::plot_of(*found_));
         else
