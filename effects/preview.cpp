@@ -46,6 +46,7 @@ struct Preview::State {
           effects(prepared, wanted_preset, effects_options(wanted, options)) {
         const PreparedOrganAccess::State& known = PreparedOrganAccess::state(*prepared);
         if (known.tool) tool.emplace(*known.tool, nullptr, known.tool_pixels);
+        if (known.tool) tool_end = render::tool_end(known.tool->positions);
         organ::let_go(known.tool_pixels);  // they have been sent to the GPU
         effects.set_curves(scene.curves);
         effects.set_contacts(scene.events);
@@ -67,6 +68,7 @@ struct Preview::State {
     std::shared_ptr<const PreparedOrgan> prepared;
     Effects effects;
     std::optional<render::OrganGpu> tool;
+    std::vector<glm::vec3> tool_end;  // of its vertices
     render::ViewBlock view_block;
     render::Frame frame;
     gl::Texture plate_picture;  // for the frame, if there is a plate
@@ -112,9 +114,9 @@ struct Preview::State {
         if (!pose) return;
         const gl::StateGuard guard;
         view_block.bind(view, plate().has_value());
-        const PreparedOrganAccess::State& known = PreparedOrganAccess::state(*prepared);
         const glm::dvec3 eye(glm::inverse(view.view)[3]);
-        tool->draw(render::out_of_tissue(*pose, known.tool->positions, eye, known.foundation->surface));
+        tool->draw(
+            render::out_of_tissue(*pose, tool_end, eye, PreparedOrganAccess::state(*prepared).foundation->surface));
     }
 };
 

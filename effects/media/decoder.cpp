@@ -26,6 +26,7 @@ namespace {
 
 constexpr int maximum_side = 8192;  // pixels: 8K
 constexpr int a_few = 4;            // frames up to which decoding is preferred to seeking
+constexpr int first_frames = 4;     // that are looked at for fields
 
 /// A frame that was decoded, and its number; -1 when there is none.
 struct Decoded {
@@ -95,6 +96,12 @@ bool claims_fields(const AVStream& video) {
     return video.codecpar->field_order > AV_FIELD_PROGRESSIVE;
 }
 
+/// Codecs whose videos may begin with progressive frames and go on with interlaced ones.
+bool may_change_scan(AVCodecID codec) {
+    return codec == AV_CODEC_ID_H264 || codec == AV_CODEC_ID_MPEG2VIDEO || codec == AV_CODEC_ID_MPEG4 ||
+           codec == AV_CODEC_ID_VC1;
+}
+
 double seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -114,6 +121,7 @@ struct Decoder::State {
     void describe(const AVFrame& frame, const ClipIndex& found);
     void describe_light(const AVFrame& frame);
     DecodableFrames count_decodable(const work::Stages& stages);
+    bool begins_interlaced();
     bool brings_opacity();
     Step decode_to(int index, const std::atomic<bool>* stop);
     Step decode_image(int index, const std::atomic<bool>* stop);
@@ -121,7 +129,7 @@ struct Decoder::State {
     Step step(Decoded& into, const std::atomic<bool>* stop);
     Step jump(int index, const std::atomic<bool>* stop);
     Step jump_with_before(int index, const std::atomic<bool>* stop);
-    const SeekPoint* point_before(int frame) const;
+    std::ptrdiff_t points_up_to(int frame) const;
     bool reach(int index, const std::atomic<bool>* stop);
     const AVFrame& progressive();
     bool write(int index, std::span<std::uint8_t> into);
@@ -137,11 +145,12 @@ struct Decoder::State {
     std::unique_ptr<FrameReader> reader;  ///< none for a sequence of images
     std::unique_ptr<FrameConverter> converter;
     Deinterlacer deinterlacer;
-    Decoded before;      ///< the good frame before `shown`, if the clip is interlaced
-    Decoded shown;       ///< the last good frame up to the one that was read last
-    Decoded ahead;       ///< the good frame after it, if it is already decoded
-    Decoded next;        ///< scratch
-    bool placed = true;  ///< the reader is directly behind `shown` and `ahead`
+    Decoded before;           ///< the good frame before `shown`, if the clip is interlaced
+    Decoded shown;            ///< the last good frame up to the one that was read last
+    Decoded ahead;            ///< the good frame after it, if it is already decoded
+    Decoded next;             ///< scratch
+    bool placed = true;       ///< the reader is directly behind `shown` and `ahead`
+    bool from_start = false;  ///< the last jump found no seek point, so that all frames up to here were decoded
     bool ended = false, rests = false;
     std::vector<bool> failed;  ///< images of a sequence that could not be read: they are not tried again
     double decode_seconds = 0.0;
@@ -213,7 +222,7 @@ void Decoder::State::describe_light(const AVFrame& frame) {
     const ColorTags tags = color_tags(frame);
     info.transfer = info.codec == "exr" ? "linear light, converted to sRGB" : transfer_words(tags);
     info.primaries = primaries_words(tags);
-    info.interlaced = is_interlaced(frame) || claims_fields(reader->file().video());
+    info.interlaced = is_interlaced(frame) || claims_fields(reader->file().video()) || begins_interlaced();
     if (!info.interlaced) return;
     const bool can = Deinterlacer::can(frame.format);
     const char* order = !is_interlaced(frame)        ? " in places"
@@ -221,6 +230,20 @@ void Decoder::State::describe_light(const AVFrame& frame) {
                                                      : ", bottom field first";
     info.scan = std::string("interlaced") + order + (can ? "; deinterlaced" : "; shown as it is");
     if (!can) add_warning(info.warning, "is interlaced, which is not undone in pixel format " + info.pixel_format);
+}
+
+/// Whether one of the frames after the first is: a recording of a broadcast may begin with progressive ones. Only a few
+/// are looked at, for each of them costs a decode in every clip that is opened.
+bool Decoder::State::begins_interlaced() {
+    if (!may_change_scan(reader->file().video().codecpar->codec_id)) return false;
+    bool found = false;
+    for (int looked = 1; looked < first_frames && !found; ++looked) {
+        if (step(next, nullptr) != Step::frame) break;
+        found = is_interlaced(*next.frame);
+    }
+    next.clear();
+    placed = false;
+    return found;
 }
 
 /// Whether the clip uses the opacity of its pixel format, which GIFs and PNGs always have. Four frames show it.
@@ -239,22 +262,28 @@ void Decoder::State::open_known(const ClipInfo& known) {
     if (!index->sequence) reader = std::make_unique<FrameReader>(path);
 }
 
-const SeekPoint* Decoder::State::point_before(int frame) const {
+/// How many seek points are at `frame` or before it.
+std::ptrdiff_t Decoder::State::points_up_to(int frame) const {
     const auto after = std::upper_bound(index->points.begin(), index->points.end(), frame,
                                         [](int f, const SeekPoint& point) { return f < point.frame; });
-    return after == index->points.begin() ? nullptr : &*(after - 1);
+    return after - index->points.begin();
 }
 
-/// Goes to the last frame up to `frame` where decoding can start and succeeds; otherwise to the first one.
+/// Goes to a frame up to `frame` where decoding can start and succeeds, the last one or one not far before it;
+/// otherwise to the first frame, from where everything is decoded.
 Step Decoder::State::jump(int frame, const std::atomic<bool>* stop) {
     for (Decoded* one : {&before, &shown, &ahead}) one->clear();
-    placed = ended = false;
-    for (const SeekPoint* point = point_before(frame); point != nullptr; point = point_before(point->frame - 1)) {
-        if (!reader->seek(*point)) continue;
+    placed = ended = from_start = false;
+    // From a broken frame all frames up to the next good one are decoded. So of many broken ones in a row only a few
+    // are tried, each twice as far away as the one before.
+    std::ptrdiff_t left = points_up_to(frame);
+    for (std::ptrdiff_t back = 1; left > 0; left -= back, back *= 2) {
+        const SeekPoint& point = index->points[static_cast<std::size_t>(left - 1)];
+        if (!reader->seek(point)) continue;
         const Step result = step(next, stop);
         if (result == Step::stopped) return result;
         // If that frame itself is broken, later frames depend on earlier ones.
-        if (result == Step::frame && next.number == point->frame) {
+        if (result == Step::frame && next.number == point.frame) {
             shown.take(next);
             placed = true;
             return Step::frame;
@@ -262,7 +291,7 @@ Step Decoder::State::jump(int frame, const std::atomic<bool>* stop) {
     }
     next.clear();
     reader->restart();
-    placed = true;
+    placed = from_start = true;
     return Step::frame;
 }
 
@@ -288,17 +317,14 @@ Step Decoder::State::advance(int frame, const std::atomic<bool>* stop) {
 /// Goes to `frame` of an interlaced clip with the good frame before it, so that it is the same from wherever decoding
 /// starts.
 Step Decoder::State::jump_with_before(int frame, const std::atomic<bool>* stop) {
-    const SeekPoint* point = nullptr;
-    int from = frame - 1;
-    do {
-        point = point_before(from);
+    for (int from = frame - 1;; from = shown.number - 1) {
         if (jump(from, stop) == Step::stopped || advance(frame, stop) == Step::stopped) {
             placed = false;
             return Step::stopped;
         }
-        if (point != nullptr) from = point->frame - 1;
-    } while (before.number < 0 && point != nullptr);
-    return Step::frame;
+        // Where decoding started at `shown`, the good frame before it is still unknown.
+        if (before.number >= 0 || from_start) return Step::frame;
+    }
 }
 
 /// Makes `shown` the frame `frame`, or the last good one before it, if there is any.
@@ -306,8 +332,9 @@ Step Decoder::State::decode_to(int frame, const std::atomic<bool>* stop) {
     if (index->sequence) return decode_image(frame, stop);
     const int reached = std::max(shown.number, ahead.number);
     const bool here = shown.number <= frame && (ended || ahead.number > frame);
-    const SeekPoint* point = point_before(frame);
-    if (!placed || (!here && (shown.number > frame || (point != nullptr && point->frame > reached + a_few)))) {
+    const std::ptrdiff_t points = points_up_to(frame);
+    const bool far = points > 0 && index->points[static_cast<std::size_t>(points - 1)].frame > reached + a_few;
+    if (!placed || (!here && (shown.number > frame || far))) {
         if (info.interlaced) return jump_with_before(frame, stop);
         if (jump(frame, stop) == Step::stopped) return Step::stopped;
     }
@@ -457,6 +484,10 @@ double Decoder::decode_seconds() const {
 
 double Decoder::copy_seconds() const {
     return state_->converter->copy_seconds();
+}
+
+std::int64_t Decoder::decoded_packets() const {
+    return state_->reader ? state_->reader->packets() : 0;
 }
 
 Decoder open_stoppable(const fs::path& path, Layout layout, int maximum_frames, const std::atomic<bool>* stop) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -34,7 +35,7 @@ struct ClipInfo {
     std::string pixel_format;               ///< FFmpeg's name: "yuv420p"
     ColorMatrix color;                      ///< of Layout::planar
     std::string transfer, primaries, scan;  ///< of its light, in words, and what is done with it; empty: not said
-    bool interlaced = false;                ///< some frames may be; they are read deinterlaced
+    bool interlaced = false;                ///< some frames may be, by the file or its first 4; read deinterlaced
     Turn turn;                              ///< the file asks for it; not applied
     double pixel_aspect = 1.0;              ///< width over height of a pixel; not applied either
     std::vector<double> times;  ///< s, when each frame is shown, from 0, ascending (variable frame rates are kept)
@@ -84,6 +85,9 @@ class Decoder {
     /// Time spent since construction in decoding and converting, and in copying into pictures, s.
     double decode_seconds() const;
     double copy_seconds() const;
+    /// Packets decoded since the file was opened: the work of reading, whatever the machine. 0 for a sequence of
+    /// images.
+    std::int64_t decoded_packets() const;
 
   private:
     struct State;

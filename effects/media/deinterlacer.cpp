@@ -144,13 +144,7 @@ bool Deinterlacer::can(int pixel_format) {
 const AVFrame& Deinterlacer::convert(const AVFrame* before, const AVFrame& frame, const AVFrame* after) {
     if (!can(frame.format)) return frame;
     const AVPixFmtDescriptor& format = *about(frame.format);
-    if (!made_ || !is_like(made_.get(), frame)) {
-        made_.reset(libav::made(av_frame_alloc()));
-        made_->width = frame.width;
-        made_->height = frame.height;
-        made_->format = frame.format;
-        if (av_frame_get_buffer(made_.get(), 0) < 0) throw std::bad_alloc();
-    }
+    if (!is_like(made_.get(), frame)) made_ = libav::frame_of(frame.width, frame.height, frame.format);
     made_->color_range = frame.color_range;
     made_->colorspace = frame.colorspace;
     made_->color_trc = frame.color_trc;

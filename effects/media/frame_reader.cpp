@@ -151,6 +151,7 @@ bool FrameReader::feed(const ClipIndex& index) noexcept {
     }
     // A packet that the decoder refuses is lost; the next one may do.
     held_ = avcodec_send_packet(codec_.get(), packet_.get()) == AVERROR(EAGAIN);
+    if (!held_) ++packets_;
     return true;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 
 #include "media/clip_index.h"
@@ -29,6 +30,9 @@ class FrameReader {
     /// packets.
     Step next(const ClipIndex& index, AVFrame& frame, int& number, const std::atomic<bool>* stop) noexcept;
 
+    /// Packets that the decoder was given since the file was opened: the work of decoding, whatever the machine.
+    std::int64_t packets() const { return packets_; }
+
   private:
     void open_codec();
     bool feed(const ClipIndex& index) noexcept;
@@ -45,6 +49,7 @@ class FrameReader {
     bool drained_ = false;  ///< the decoder knows that no packet follows
     int last_ = -1;         ///< frames up to this one are not given any more
     int count_ = 0;         ///< frames given since the start
+    std::int64_t packets_ = 0;
     std::string warning_;
 };
 

@@ -38,7 +38,9 @@ int shrink_factor(const ImageSize& size, int longest);
 
 /// Decodes a whole image file into `image`, whose name stays. Returns the reason of a failure, or an empty string.
 /// Writes nothing to stderr. An image with a side longer than `longest` is shrunk while it is read, to means over
-/// squares of shrink_factor() pixels: never is there memory for all of them.
+/// squares of shrink_factor() pixels. Of a PNG, and of a JPEG that is not progressive, all pixels are never in memory
+/// at once; WebP, BMP and progressive JPEG are decoded whole first, and the sums of an interlaced PNG take up to half
+/// of the memory of its pixels.
 std::string decode_image(std::span<const std::uint8_t> file, Image& image, ImageFacts& facts,
                          int longest = maximum_image_side);
 std::string decode_image(std::span<const std::uint8_t> file, Image& image, int longest = maximum_image_side);

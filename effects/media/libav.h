@@ -41,6 +41,16 @@ using Format = std::unique_ptr<AVFormatContext, Free>;
 using Scaler = std::unique_ptr<SwsContext, Free>;
 using Io = std::unique_ptr<AVIOContext, Free>;
 
+/// A frame with memory for its pixels. Throws std::bad_alloc, also for a size that cannot be.
+inline Frame frame_of(int width, int height, int format) {
+    Frame frame(made(av_frame_alloc()));
+    frame->width = width;
+    frame->height = height;
+    frame->format = format;
+    if (av_frame_get_buffer(frame.get(), 0) < 0) throw std::bad_alloc();
+    return frame;
+}
+
 }  // namespace lapfx::media::libav
 
 namespace lapfx::media {

@@ -119,12 +119,8 @@ void SdrConverter::convert_row(const std::uint16_t* const (&from)[3], std::uint8
 void SdrConverter::make_frame(const AVFrame& like, bool alpha) {
     const AVPixelFormat format = alpha ? AV_PIX_FMT_GBRAP : AV_PIX_FMT_GBRP;
     if (made_ && made_->width == like.width && made_->height == like.height && made_->format == format) return;
-    made_.reset(libav::made(av_frame_alloc()));
-    made_->width = like.width;
-    made_->height = like.height;
-    made_->format = format;
+    made_ = libav::frame_of(like.width, like.height, format);
     made_->color_range = AVCOL_RANGE_JPEG;
-    if (av_frame_get_buffer(made_.get(), 0) < 0) throw std::bad_alloc();
 }
 
 const AVFrame& SdrConverter::convert(const AVFrame& frame, const ClipColor& from) {

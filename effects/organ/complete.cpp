@@ -1,4 +1,8 @@
 // Normals, texture coordinates and tangents for files that lack them.
+#include <algorithm>
+#include <map>
+#include <utility>
+
 #include "organ/mend.h"
 #include "organ/weld.h"
 
@@ -74,32 +78,80 @@ bool covers_texture(const Organ& organ, const Part& part) {
     return with_area * 100 >= part.index_count / 3;
 }
 
-void make_uvs(Organ& organ, const Missing& missing) {
-    bool any = false;
+/// Materials and images that repeat, for the parts whose texture coordinates are made: these leave 0..1 everywhere.
+/// What another part uses with its own coordinates stays as it is, and those parts get a copy.
+class Repeated {
+  public:
+    /// `kept`: by image, whether a part uses it with its own coordinates.
+    Repeated(Organ& organ, std::vector<Encoded>* encoded, std::vector<char> kept)
+        : organ_(organ), encoded_(encoded), kept_(std::move(kept)) {}
+
+    /// The material that a part is to have in place of that one.
+    int material(int index) {
+        const auto [made, is_new] = materials_.try_emplace(index, index);
+        if (!is_new) return made->second;
+        Material own = organ_.materials[static_cast<std::size_t>(index)];
+        const std::pair before(own.base_color_image, own.normal_image);
+        own.base_color_image = image(own.base_color_image);
+        own.normal_image = image(own.normal_image);
+        if (before == std::pair(own.base_color_image, own.normal_image)) return index;
+        organ_.materials.push_back(std::move(own));
+        return made->second = static_cast<int>(organ_.materials.size()) - 1;
+    }
+
+  private:
+    int image(int index) {
+        if (index < 0) return index;
+        const auto i = static_cast<std::size_t>(index);
+        if (organ_.images[i].wrap_u == Wrap::repeat && organ_.images[i].wrap_v == Wrap::repeat) return index;
+        const auto [made, is_new] = images_.try_emplace(index, index);
+        if (is_new && kept_[i] != 0) made->second = copy(i);
+        Image& repeated = organ_.images[static_cast<std::size_t>(made->second)];
+        repeated.wrap_u = repeated.wrap_v = Wrap::repeat;
+        return made->second;
+    }
+    int copy(std::size_t i) {
+        if (encoded_ != nullptr) {
+            encoded_->resize(organ_.images.size());
+            encoded_->push_back(Encoded((*encoded_)[i]));
+        }
+        organ_.images.push_back(Image(organ_.images[i]));
+        return static_cast<int>(organ_.images.size()) - 1;
+    }
+
+    Organ& organ_;
+    std::vector<Encoded>* encoded_;
+    std::vector<char> kept_;
+    std::map<int, int> materials_, images_;  ///< of the file, and what takes their place
+};
+
+void make_uvs(Organ& organ, const Missing& missing, std::vector<Encoded>* encoded) {
+    std::vector<char> own(organ.parts.size(), 0), kept(organ.images.size(), 0);
     for (std::size_t p = 0; p < organ.parts.size(); ++p) {
         const Part& part = organ.parts[p];
-        const bool there = !missing.uvs[p];
-        if (there && covers_texture(organ, part)) {
-            any = true;
-            continue;
-        }
+        if (missing.uvs[p] || !covers_texture(organ, part)) continue;
+        own[p] = 1;
+        const Material& material = organ.materials[static_cast<std::size_t>(part.material)];
+        for (const int image : {material.base_color_image, material.normal_image})
+            if (image >= 0) kept[static_cast<std::size_t>(image)] = 1;
+    }
+    Repeated repeated(organ, encoded, std::move(kept));
+    for (std::size_t p = 0; p < organ.parts.size(); ++p) {
+        if (own[p] != 0) continue;
+        Part& part = organ.parts[p];
+        part.material = repeated.material(part.material);
         const Material& material = organ.materials[static_cast<std::size_t>(part.material)];
         const bool textured = material.base_color_image >= 0 || material.normal_image >= 0;
-        const char* why = there      ? "its texture coordinates cover no area; new ones were made"
-                          : textured ? "has a texture, but no texture coordinates; they were made"
-                                     : nullptr;
-        for (const int image : {material.base_color_image, material.normal_image})
-            if (image >= 0) {
-                Image& repeated = organ.images[static_cast<std::size_t>(image)];
-                repeated.wrap_u = repeated.wrap_v = Wrap::repeat;  // they leave 0..1 everywhere
-            }
+        const char* why = !missing.uvs[p] ? "its texture coordinates cover no area; new ones were made"
+                          : textured      ? "has a texture, but no texture coordinates; they were made"
+                                          : nullptr;
         if (why) organ.warnings.push_back("part " + (part.name.empty() ? std::to_string(p) : part.name) + ": " + why);
         for (std::uint32_t i = part.first_index; i < part.first_index + part.index_count; ++i) {
             const std::uint32_t v = organ.indices[i];
             organ.uvs[v] = box_uv(organ.positions[v], organ.normals[v]);
         }
     }
-    organ.has_uvs = any;
+    organ.has_uvs = std::ranges::find(own, char{1}) != own.end();
 }
 
 glm::vec3 any_orthogonal(glm::vec3 n) {
@@ -164,9 +216,9 @@ void make_tangents(Organ& organ) {
 
 }  // namespace
 
-void complete(Organ& organ, const Missing& missing) {
+void complete(Organ& organ, const Missing& missing, std::vector<Encoded>* encoded) {
     make_normals(organ);
-    make_uvs(organ, missing);
+    make_uvs(organ, missing, encoded);
     make_tangents(organ);
 }
 

@@ -24,13 +24,8 @@ FloatArray optional_attribute(GltfDocument& document, const tinygltf::Primitive&
     const int accessor = attribute(primitive, name);
     if (accessor < 0) return {low, {}};
     const std::string at = place + "/attributes/" + name;
-    FloatArray array = read_floats(document, accessor, at);
-    if (array.components < low || array.components > high)
-        refuse(document.file, at, "has " + std::to_string(array.components) + " components");
-    if (array.size() != count)
-        refuse(document.file, at,
-               "has " + std::to_string(array.size()) + " elements, POSITION has " + std::to_string(count));
-    return array;
+    return read_floats(document, accessor,
+                       {.components_low = low, .components_high = high, .least = count, .most = count}, at);
 }
 
 template <class Vector>
@@ -93,10 +88,9 @@ RawPart read_primitive(GltfDocument& document, const tinygltf::Primitive& primit
     if (position < 0) refuse(document.file, place + "/attributes", "has no POSITION");
     RawPart part;
     part.material = primitive.material;
-    const FloatArray positions = read_floats(document, position, place + "/attributes/POSITION");
-    if (positions.components != 3)
-        refuse(document.file, place + "/attributes/POSITION",
-               "has " + std::to_string(positions.components) + " components");
+    const FloatArray positions =
+        read_floats(document, position, {.components_low = 3, .components_high = 3, .least = 0, .most = most_elements},
+                    place + "/attributes/POSITION");
     const std::size_t count = positions.size();
     part.positions = vectors<glm::vec3>(positions, glm::vec3(0.0f));
     const auto read = [&](const std::string& name, int low, int high) {

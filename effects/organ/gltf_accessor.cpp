@@ -2,8 +2,6 @@
 
 #include <cstring>
 
-#include "organ/raw.h"
-
 namespace lapfx::organ {
 
 namespace {
@@ -124,12 +122,36 @@ const tinygltf::Accessor& checked(const GltfDocument& document, int index, const
         refuse(document.file, place, "accessor " + std::to_string(index) + " is not in the file");
     const tinygltf::Accessor& accessor = document.model.accessors[static_cast<std::size_t>(index)];
     const std::string at = "/accessors/" + std::to_string(index);
-    if (accessor.count > 3 * maximum_triangles)
-        refuse(document.file, at, "has " + std::to_string(accessor.count) + " elements, more than the limit");
+    const std::size_t most = accessor.bufferView < 0 ? most_elements_without_view : most_elements;
+    if (accessor.count > most)
+        refuse(document.file, at,
+               "has " + std::to_string(accessor.count) + " elements" +
+                   (accessor.bufferView < 0 ? " without a buffer view" : "") + ", at most " + std::to_string(most) +
+                   " are allowed");
     if (bytes_per_value(accessor.componentType) == 0)
         refuse(document.file, at, "has componentType " + std::to_string(accessor.componentType));
     if (components_of(accessor.type) == 0) refuse(document.file, at, "is a matrix where a vector is needed");
     return accessor;
+}
+
+/// "3", "3 or 4", "3 to 5".
+std::string range_words(std::size_t low, std::size_t high) {
+    const std::string first = std::to_string(low), last = std::to_string(high);
+    return low == high ? first : first + (high == low + 1 ? " or " : " to ") + last;
+}
+
+void require(const Expected& expected, std::size_t elements, std::size_t components, const std::string& file,
+             const std::string& place) {
+    const auto low = static_cast<std::size_t>(expected.components_low),
+               high = static_cast<std::size_t>(expected.components_high);
+    if (components < low || components > high)
+        refuse(file, place,
+               "has elements of " + counted(components, "component", "components") + ", expected " +
+                   range_words(low, high));
+    if (elements < expected.least || elements > expected.most)
+        refuse(file, place,
+               "has " + counted(elements, "element", "elements") + ", expected " +
+                   range_words(expected.least, expected.most));
 }
 
 /// Calls `put` with the number of each element that replaces one of the view, and its bytes.
@@ -158,14 +180,11 @@ void substitute(GltfDocument& document, const tinygltf::Accessor& accessor, cons
 
 }  // namespace
 
-std::size_t accessor_count(const GltfDocument& document, int accessor, const std::string& place) {
-    return checked(document, accessor, place).count;
-}
-
-FloatArray read_floats(GltfDocument& document, int index, const std::string& place) {
+FloatArray read_floats(GltfDocument& document, int index, const Expected& expected, const std::string& place) {
     const tinygltf::Accessor& accessor = checked(document, index, place);
     const std::string at = "/accessors/" + std::to_string(index);
     const std::size_t components = components_of(accessor.type), size = bytes_per_value(accessor.componentType);
+    require(expected, accessor.count, components, document.file, place);
     FloatArray array{static_cast<int>(components), {}};
     array.values.assign(accessor.count * components, 0.0f);  // without a view: zeros
     const auto put = [&](std::size_t element, const std::uint8_t* bytes) {

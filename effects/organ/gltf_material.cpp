@@ -49,7 +49,7 @@ struct Wraps {
 };
 
 /// Reads each image once, however many materials use it. One that textures continue in different ways is there for
-/// each.
+/// each, up to a number of them.
 class Images {
   public:
     Images(GltfDocument& document, RawOrgan& organ) : document_(document), organ_(organ) {}
@@ -66,20 +66,32 @@ class Images {
         if (static_cast<std::size_t>(source) >= document_.model.images.size())
             refuse(document_.file, at, "image " + std::to_string(source) + " is not in the file");
         const Wraps wraps = wraps_of(from.sampler, at);
-        const auto first = known_.lower_bound({source, Wraps{}});
-        const auto [place_of, is_new] = known_.try_emplace({source, wraps}, -1);
-        if (!is_new) return place_of->second;
-        const bool is_read = first != known_.end() && first->first.first == source;
-        place_of->second = is_read ? copy_image(organ_, first->second) : read(source);
-        if (place_of->second >= 0) {
-            Image& image = organ_.images[static_cast<std::size_t>(place_of->second)];
+        std::map<Wraps, int>& uses = known_[source];
+        if (const auto known = uses.find(wraps); known != uses.end()) return known->second;
+        if (uses.size() >= most_uses) return share(uses, wraps);
+        const int made = uses.empty() ? read(source) : copy_image(organ_, uses.begin()->second);
+        if (made >= 0) {
+            Image& image = organ_.images[static_cast<std::size_t>(made)];
             image.wrap_u = wraps.u;
             image.wrap_v = wraps.v;
         }
-        return place_of->second;
+        return uses[wraps] = made;
     }
 
   private:
+    /// Each is a copy of the pixels, and a picture of 250 KB may have 256 MB of them.
+    static constexpr std::size_t most_uses = 4;
+
+    /// The image for one more way to continue it: one that is there already.
+    int share(std::map<Wraps, int>& uses, const Wraps& wraps) {
+        const int shared = uses.begin()->second;
+        if (shared >= 0 && uses.size() == most_uses)
+            organ_.warnings.push_back("texture " + organ_.images[static_cast<std::size_t>(shared)].name +
+                                      ": is continued beyond its edges in more than " + std::to_string(most_uses) +
+                                      " ways; the further ones are drawn like one of these");
+        return uses[wraps] = shared;
+    }
+
     Wraps wraps_of(int sampler, const std::string& place) {
         if (sampler < 0) return {};
         if (static_cast<std::size_t>(sampler) >= document_.model.samplers.size())
@@ -128,7 +140,7 @@ class Images {
 
     GltfDocument& document_;
     RawOrgan& organ_;
-    std::map<std::pair<int, Wraps>, int> known_;  ///< glTF image to RawOrgan image; -1 = unreadable
+    std::map<int, std::map<Wraps, int>> known_;  ///< glTF image to RawOrgan images; -1 = unreadable
 };
 
 glm::vec4 color(const std::vector<double>& factor) {

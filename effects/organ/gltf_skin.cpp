@@ -10,6 +10,9 @@ namespace {
 /// A file may give a vertex more than four joints, in further sets.
 constexpr int most_sets = 4;
 
+/// A skin may have more matrices than joints, but a vertex names a joint by 16 bits.
+constexpr std::size_t most_matrices = 65536;
+
 bool is_rest(const glm::dmat4& matrix) {
     constexpr double tolerance = 1e-4;  // of lengths in metres, too
     for (int column = 0; column < 4; ++column)
@@ -28,12 +31,8 @@ std::vector<Influences> influences_of(GltfDocument& document, const tinygltf::Pr
     std::vector<Influences> sets;
     const auto read = [&](const std::string& name, int accessor) {
         const std::string at = place + "/attributes/" + name;
-        FloatArray array = read_floats(document, accessor, at);
-        if (array.components != 4 || array.size() != vertices)
-            refuse(document.file, at,
-                   "has " + std::to_string(array.size()) + " elements of " + std::to_string(array.components) +
-                       " components, expected " + std::to_string(vertices) + " of 4");
-        return array;
+        return read_floats(document, accessor,
+                           {.components_low = 4, .components_high = 4, .least = vertices, .most = vertices}, at);
     };
     for (int i = 0; i < most_sets; ++i) {
         const std::string number = std::to_string(i);
@@ -56,11 +55,12 @@ const std::vector<glm::dmat4>& Skins::matrices(int index, const std::string& pla
     const GltfSkin& skin = document_.skins[static_cast<std::size_t>(index)];
     const std::string at = "/skins/" + std::to_string(index);
     FloatArray inverse{16, {}};
-    if (skin.inverse_bind >= 0) inverse = read_floats(document_, skin.inverse_bind, at + "/inverseBindMatrices");
-    if (skin.inverse_bind >= 0 && (inverse.components != 16 || inverse.size() < skin.joints.size()))
-        refuse(document_.file, at + "/inverseBindMatrices",
-               "has " + std::to_string(inverse.size()) + " elements of " + std::to_string(inverse.components) +
-                   " components, expected " + std::to_string(skin.joints.size()) + " of 16");
+    const std::size_t joints = skin.joints.size();
+    if (skin.inverse_bind >= 0)
+        inverse = read_floats(
+            document_, skin.inverse_bind,
+            {.components_low = 16, .components_high = 16, .least = joints, .most = std::max(joints, most_matrices)},
+            at + "/inverseBindMatrices");
     pose.emplace();
     for (std::size_t i = 0; i < skin.joints.size(); ++i) {
         const int joint = skin.joints[i];
@@ -82,7 +82,7 @@ bool Skins::pose(int skin, const tinygltf::Primitive& primitive, const std::stri
     const auto matrix_of = [&](const Influences& set, std::size_t at) -> const glm::dmat4& {
         const float joint = set.joints.values[at];
         if (!(joint >= 0.0F && joint < static_cast<float>(joints.size())))
-            refuse(document_.file, place + "/attributes/JOINTS_0",
+            refuse(document_.file, place + "/attributes/JOINTS_" + std::to_string(&set - sets.data()),
                    "names a joint that is not in its skin of " + counted(joints.size(), "joint", "joints"));
         return joints[static_cast<std::size_t>(joint)];
     };

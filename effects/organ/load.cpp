@@ -105,7 +105,7 @@ Organ organ::load(const std::filesystem::path& path, const OrganOptions& options
     organ.unread_files = std::move(unread);
     organ::place(organ, options, encoded);
     stages.reach(0.85);
-    organ::complete(organ, missing);
+    organ::complete(organ, missing, encoded);
     stages.reach(1.0);
     return organ;
 }

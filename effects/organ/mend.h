@@ -18,6 +18,8 @@ struct Missing {
 Organ mend(RawOrgan&& raw, const std::string& file, double scale, Missing& missing);
 
 /// Makes missing normals (smooth), texture coordinates and tangents; existing normals and tangents become unit length.
-void complete(Organ& organ, const Missing& missing);
+/// A texture that has to repeat for made coordinates, and not for those of another part, is there twice from then on;
+/// `encoded`, if given, has the file of each image, and gets that of the copy.
+void complete(Organ& organ, const Missing& missing, std::vector<Encoded>* encoded = nullptr);
 
 }  // namespace lapfx::organ

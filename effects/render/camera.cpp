@@ -81,21 +81,28 @@ std::optional<glm::mat4> tool_pose(std::span<const ToolContact> contacts, glm::d
                                 glm::dvec4(tip + *least * shaft, 1.0)));
 }
 
-glm::mat4 out_of_tissue(const glm::mat4& pose, std::span<const glm::vec3> instrument, const glm::dvec3& eye,
-                        const Surface& surface) {
-    constexpr float end_length = 12.0f;  // mm from the tip
-    constexpr double deepest = 6.0;      // mm: what lies farther before it hides it rightly
-    constexpr std::size_t most_rays = 48;
-    if (surface.triangles.empty()) return pose;
-    std::vector<glm::dvec3> end;
+std::vector<glm::vec3> tool_end(std::span<const glm::vec3> instrument) {
+    constexpr float length = 12.0f;  // mm from the tip
+    constexpr std::size_t most = 48;
+    std::vector<glm::vec3> end;
     for (const glm::vec3& p : instrument)
-        if (glm::dot(p, p) <= end_length * end_length) end.emplace_back(pose * glm::vec4(p, 1.0f));
-    const std::size_t step = 1 + end.size() / most_rays;
+        if (glm::dot(p, p) <= length * length) end.push_back(p);
+    const std::size_t step = 1 + end.size() / most;
+    std::vector<glm::vec3> chosen;
+    for (std::size_t i = 0; i < end.size(); i += step) chosen.push_back(end[i]);
+    return chosen;
+}
+
+glm::mat4 out_of_tissue(const glm::mat4& pose, std::span<const glm::vec3> end, const glm::dvec3& eye,
+                        const Surface& surface) {
+    constexpr double deepest = 6.0;  // mm: what lies farther before it hides it rightly
+    if (surface.triangles.empty()) return pose;
     double most = 0.0;
-    for (std::size_t i = 0; i < end.size(); i += step) {
-        const double away = glm::distance(end[i], eye);
+    for (const glm::vec3& p : end) {
+        const glm::dvec3 place(pose * glm::vec4(p, 1.0f));
+        const double away = glm::distance(place, eye);
         SurfacePoint hit;
-        if (!(away > 0.0) || !surface.intersect_ray(eye, (end[i] - eye) / away, hit)) continue;
+        if (!(away > 0.0) || !surface.intersect_ray(eye, (place - eye) / away, hit)) continue;
         const double hidden = away - hit.distance;
         if (hidden <= deepest) most = std::max(most, hidden);
     }

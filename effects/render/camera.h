@@ -2,8 +2,8 @@
 #pragma once
 
 #include <optional>
-
 #include <span>
+#include <vector>
 
 #include "lapfx/scene.h"
 #include "lapfx/view.h"
@@ -27,10 +27,14 @@ glm::dvec3 ray_through(const SceneCamera& camera, glm::dvec2 pixel, glm::ivec2 s
 std::optional<glm::mat4> tool_pose(std::span<const ToolContact> contacts, glm::dvec3 port, double time,
                                    const Surface& surface);
 
+/// Vertices of an instrument's mesh that stand for its end, the first 12 mm from its tip: at most 48 of them, evenly
+/// chosen.
+std::vector<glm::vec3> tool_end(std::span<const glm::vec3> instrument);
+
 /// That place, moved so far towards the eye that no fold of the tissue beside the tip hides the end of the instrument:
 /// it is rigid here and comes straight from its port, where a hand would turn it out of the tissue. The tip keeps its
-/// place in the picture. `instrument`: vertices of its mesh.
-glm::mat4 out_of_tissue(const glm::mat4& pose, std::span<const glm::vec3> instrument, const glm::dvec3& eye,
+/// place in the picture. `end`: its tool_end(). Allocates nothing.
+glm::mat4 out_of_tissue(const glm::mat4& pose, std::span<const glm::vec3> end, const glm::dvec3& eye,
                         const Surface& surface);
 
 }  // namespace lapfx::render

@@ -1,10 +1,12 @@
 // Interlaced videos, made of progressive ones by the ffmpeg program, against these and against FFmpeg's bwdif.
 #include "media/deinterlacer.h"
 
+#include <fstream>
 #include <random>
 
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/video.h"
+#include "media/clip_index.h"
 #include "unit/media/decoder_support.h"
 
 namespace lapfx::media {
@@ -88,6 +90,58 @@ TEST_F(DeinterlacerTest, AFrameIsTheSameFromWhereverDecodingStarts) {
         ASSERT_TRUE(decoder.read(static_cast<int>(index), picture));
         ASSERT_EQ(picture.bytes, frames[index]) << index;
     }
+}
+
+TEST_F(DeinterlacerTest, ManyBrokenFramesInARowAreSearchedInFewDecodes) {
+    make("-f lavfi -i testsrc2=size=160x128:rate=50:duration=2.4,format=yuv420p -c:v ffv1 long.mkv");
+    const fs::path path =
+        make("-i long.mkv -vf interlace=scan=tff:lowpass=off -c:v libx264 -qp 20 -g 1 -x264opts tff=1 intra.mkv");
+    constexpr int first = 5, last = 44, broken = last - first + 1;
+    {
+        const Decoder whole(path, Layout::planar);
+        ASSERT_TRUE(whole.info().interlaced);
+        ASSERT_EQ(whole.info().frame_count(), 60);
+        const std::vector<SeekPoint>& points = whole.info().index->points;
+        ASSERT_EQ(points.size(), 60u) << "every frame can be decoded alone";
+        std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+        for (std::size_t i = first; i <= last; ++i) {
+            constexpr std::int64_t headers = 64;  // bytes of the container
+            const std::int64_t from = points[i].position + headers, to = points[i + 1].position - headers;
+            ASSERT_GT(to, from);
+            file.seekp(from);
+            file << std::string(static_cast<std::size_t>(to - from), '\x5a');
+        }
+    }
+    const std::vector<Bytes> frames = frames_of(path);
+    for (const int index : {last, last - 7, first + 1}) {
+        Decoder decoder(path, Layout::planar);
+        const std::int64_t before = decoder.decoded_packets();
+        Picture picture;
+        EXPECT_FALSE(decoder.read(index, picture)) << index << " is broken";
+        EXPECT_EQ(picture.bytes, frames[first - 1]) << index;
+        EXPECT_LT(decoder.decoded_packets() - before, 10 * broken) << index;
+    }
+    Decoder decoder(path, Layout::planar);
+    const std::int64_t before = decoder.decoded_packets();
+    Picture picture;
+    ASSERT_TRUE(decoder.read(last + 1, picture));
+    EXPECT_EQ(picture.bytes, frames[last + 1]) << "the good frame before it is that before the broken ones";
+    EXPECT_LT(decoder.decoded_packets() - before, 10 * broken);
+}
+
+TEST_F(DeinterlacerTest, AStreamThatBeginsProgressiveIsInterlacedInPlaces) {
+    make("-i whole.mkv -vf trim=end_frame=2 -c:v libx264 -bf 0 progressive.ts");
+    make(
+        "-i fields.mkv -vf interlace=scan=tff:lowpass=off -c:v libx264 -qp 10 -bf 0 -g 8 -x264opts tff=1 "
+        "-output_ts_offset 0.08 interlaced.ts");
+    const fs::path path =
+        folder.write("both.ts", test::read_text(folder / "progressive.ts") + test::read_text(folder / "interlaced.ts"));
+    EXPECT_EQ(report_clip(path).scan, "interlaced in places; deinterlaced");
+    // With the frame before it a frame is not only of its own rows.
+    const std::vector<Image> whole = images_of(folder / "whole.mkv"), both = images_of(path);
+    ASSERT_EQ(both.size(), 27u);
+    const std::vector<Image> from_third(both.begin() + 2, both.end());
+    EXPECT_LT(apart(from_third, whole), 1.05 * apart(images_of(folder / "interlaced.ts"), whole));
 }
 
 TEST_F(DeinterlacerTest, TenBitsAreDeinterlacedToo) {

@@ -1,6 +1,8 @@
 // Samplers: what a texture shows beyond its edges.
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 
+#include "organ/load.h"
 #include "unit/organ/gltf_fixtures.h"
 
 namespace lapfx::test {
@@ -59,6 +61,59 @@ TEST_F(GltfSampler, MadeCoordinatesRepeatWhateverItSays) {
     const Organ organ = load();
     EXPECT_EQ(image_of(organ, 0).wrap_u, Wrap::repeat);
     EXPECT_EQ(image_of(organ, 0).wrap_v, Wrap::repeat);
+}
+
+TEST_F(GltfSampler, APartWithItsOwnCoordinatesKeepsTheWrapOfATextureThatAnotherRepeats) {
+    json& primitives = triangle.json["meshes"][0]["primitives"];
+    primitives.push_back({{"attributes", {{"POSITION", 0}}}, {"material", 0}});
+    primitives.push_back({{"attributes", {{"POSITION", 0}}}, {"material", 0}});
+    for (std::size_t p = 1; p < 3; ++p)  // elsewhere, so that they are not the same triangle
+        primitives[p]["attributes"]["POSITION"] = triangle.add_accessor(
+            bytes_of<float>({0, 0, 0.1f * static_cast<float>(p), 0.1f, 0, 0, 0, 0.1f, 0}), 5126, 3, "VEC3");
+    std::vector<organ::Encoded> encoded;
+    const Organ organ = organ::load(folder.write("t.glb", triangle.file()), {}, {}, &encoded);
+    ASSERT_EQ(organ.parts.size(), 3u);
+    const auto image_of_part = [&](std::size_t part) -> const Image& {
+        return image_of(organ, static_cast<std::size_t>(organ.parts[part].material));
+    };
+    EXPECT_EQ(image_of_part(0).wrap_u, Wrap::clamp);
+    EXPECT_EQ(image_of_part(0).wrap_v, Wrap::mirror);
+    EXPECT_EQ(image_of_part(1).wrap_u, Wrap::repeat);
+    EXPECT_EQ(image_of_part(1).wrap_v, Wrap::repeat);
+    EXPECT_EQ(image_of_part(1).pixels, image_of_part(0).pixels);
+    EXPECT_EQ(organ.parts[1].material, organ.parts[2].material) << "one copy, however many parts need it";
+    EXPECT_EQ(organ.materials.size(), 4u);
+    ASSERT_EQ(organ.images.size(), 3u);
+    ASSERT_EQ(encoded.size(), 3u);
+    EXPECT_EQ(encoded[2], encoded[0]);
+    EXPECT_NE(encoded[2], nullptr);
+}
+
+TEST_F(GltfSampler, OfManyWaysToContinueAnImageFourAreKept) {
+    triangle.json["samplers"] = json::array();
+    triangle.json["textures"] = json::array();
+    triangle.json["materials"] = json::array();
+    for (const int u : {33071, 33648, 10497})
+        for (const int v : {33071, 33648, 10497}) {
+            const std::size_t number = triangle.json["samplers"].size();
+            triangle.json["samplers"].push_back({{"wrapS", u}, {"wrapT", v}});
+            triangle.json["textures"].push_back({{"source", 0}, {"sampler", number}});
+            triangle.json["materials"].push_back(
+                {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", number}}}}}});
+        }
+    const Organ organ = load();
+    EXPECT_EQ(organ.images.size(), 4u);
+    EXPECT_EQ(image_of(organ, 3).wrap_u, Wrap::mirror);
+    EXPECT_EQ(image_of(organ, 3).wrap_v, Wrap::clamp);
+    for (std::size_t material = 4; material < 9; ++material)
+        EXPECT_EQ(&image_of(organ, material), &image_of(organ, 2)) << material;
+    EXPECT_EQ(std::ranges::count_if(organ.warnings,
+                                    [](const std::string& warning) {
+                                        return warning ==
+                                               "texture skin.png: is continued beyond its edges in more than 4 ways; "
+                                               "the further ones are drawn like one of these";
+                                    }),
+              1);
 }
 
 TEST_F(GltfSampler, APictureInPlaceOfATextureContinuesAsItDid) {

@@ -113,10 +113,30 @@ TEST_F(GltfSkin, WhatIsNotInTheFileIsNamed) {
     EXPECT_EQ(with("/skins/0/joints", {2}),
               "/meshes/0/primitives/0/attributes/JOINTS_0: names a joint that is not in its skin of 1 joint");
     EXPECT_EQ(with("/skins/0/inverseBindMatrices", 0),
-              "/skins/0/inverseBindMatrices: has 3 elements of 3 components, expected 2 of 16");
+              "/skins/0/inverseBindMatrices: has elements of 3 components, expected 16");
     EXPECT_EQ(with("/meshes/0/primitives/0/attributes/JOINTS_0", 0),
-              "/meshes/0/primitives/0/attributes/JOINTS_0: has 3 elements of 3 components, expected 3 of 4");
+              "/meshes/0/primitives/0/attributes/JOINTS_0: has elements of 3 components, expected 4");
     EXPECT_EQ(with("/nodes/2/children", {2}), "/nodes/2: is its own ancestor");
+}
+
+TEST_F(GltfSkin, AJointThatIsNotInTheSkinIsNamedByItsSet) {
+    const std::vector<std::uint8_t> joints{0, 0, 0, 0, 0, 0, 0, 0, 0, 7, 0, 0};
+    const std::vector<float> weights{0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0};
+    json& attributes = triangle.primitive()["attributes"];
+    attributes["JOINTS_1"] = triangle.add_accessor(bytes_of(joints), 5121, 3, "VEC4");
+    attributes["WEIGHTS_1"] = triangle.add_accessor(bytes_of(weights), 5126, 3, "VEC4");
+    EXPECT_EQ(fault(), "/meshes/0/primitives/0/attributes/JOINTS_1: names a joint that is not in its skin of 2 joints");
+}
+
+TEST_F(GltfSkin, MatricesThatNoJointNeedsAreNotRead) {
+    bind({scaled(1), scaled(1), scaled(1)});
+    expect_near(load().positions[1], {100, 0, 0});
+    json& accessor = triangle.json["accessors"].back();
+    accessor["count"] = 1;
+    EXPECT_EQ(fault(), "/skins/0/inverseBindMatrices: has 1 element, expected 2 to 65536");
+    accessor.erase("bufferView");
+    accessor["count"] = 65537;
+    EXPECT_EQ(fault(), "/skins/0/inverseBindMatrices: has 65537 elements, expected 2 to 65536");
 }
 
 TEST_F(GltfSkin, OfReportsAllAreAsLargeAndWhereThePlainOneIs) {

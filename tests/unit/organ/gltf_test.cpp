@@ -287,7 +287,8 @@ TEST_F(Gltf, EveryRangeIsChecked) {
     const std::pair<const char*, const char*> wrong[] = {
         {R"({"accessors": [{"bufferView": 7}]})", "/accessors/0: buffer view 7 is not in the file"},
         {R"({"accessors": [{"count": 4}]})", "/accessors/0: needs 48 bytes at 0, buffer view 0 has 36"},
-        {R"({"accessors": [{"count": 4294967296}]})", "/accessors/0: has 4294967296 elements, more than the limit"},
+        {R"({"accessors": [{"count": 4294967296}]})",
+         "/accessors/0: has 4294967296 elements, at most 60000000 are allowed"},
         {R"({"accessors": [{"byteOffset": 18446744073709551615}]})",
          "/accessors/0: needs 36 bytes at 18446744073709551615, buffer view 0 has 36"},
         {R"({"bufferViews": [{"buffer": 3}]})", "/bufferViews/0: buffer 3 is not in the file"},
@@ -311,6 +312,24 @@ TEST_F(Gltf, EveryRangeIsChecked) {
         }
         EXPECT_EQ(fault(triangle), reason) << patch;
     }
+}
+
+TEST_F(Gltf, AnAccessorOfAnotherShapeIsRefused) {
+    const auto with = [&](const char* name, const json& accessor) {
+        Triangle triangle;
+        triangle.json["accessors"].push_back(accessor);
+        triangle.primitive()["attributes"][name] = 1;
+        return fault(triangle);
+    };
+    const json matrices{{"componentType", 5126}, {"count", 4'000'000}, {"type", "MAT4"}};
+    EXPECT_EQ(with("POSITION", matrices),
+              "/meshes/0/primitives/0/attributes/POSITION: has elements of 16 components, expected 3");
+    EXPECT_EQ(with("COLOR_0", matrices),
+              "/meshes/0/primitives/0/attributes/COLOR_0: has elements of 16 components, expected 3 or 4");
+    EXPECT_EQ(with("NORMAL", {{"componentType", 5126}, {"count", 4'000'000}, {"type", "VEC3"}}),
+              "/meshes/0/primitives/0/attributes/NORMAL: has 4000000 elements, expected 3");
+    EXPECT_EQ(with("POSITION", {{"componentType", 5126}, {"count", 60'000'000}, {"type", "VEC3"}}),
+              "/accessors/1: has 60000000 elements without a buffer view, at most 4000000 are allowed");
 }
 
 TEST_F(Gltf, IndexOutOfRangeIsLeftOutWithAWarning) {

@@ -73,6 +73,30 @@ TEST_F(FileGuardTest, AnImageOfASequenceIsRead) {
                 ElementsAre("-o: \"" + (folder / "f_%04d.png").string() + "\" is a file that is read here"));
 }
 
+TEST_F(FileGuardTest, APatternIsReadWhenOneOfItsImagesIs) {
+    note_read(folder.write("f_0005.png", "old"));
+    EXPECT_TRUE(is_read(folder / "f_%04d.png"));
+    EXPECT_TRUE(is_read(folder / "./f_%d.png")) << "whatever the width of its number";
+    EXPECT_THAT(claimed("-o", folder / "f_%04d.png"),
+                ElementsAre("-o: \"" + (folder / "f_%04d.png").string() + "\" is a file that is read here"));
+    EXPECT_FALSE(is_read(folder / "g_%04d.png"));
+    EXPECT_FALSE(is_read(folder / "f_%04d.jpg"));
+    EXPECT_FALSE(is_read(folder / "in/f_%04d.png"));
+    allow_rewriting(folder / "f_0005.png");
+    EXPECT_FALSE(is_read(folder / "f_%04d.png"));
+}
+
+TEST_F(FileGuardTest, AnImageOfANotedPatternIsNotNotedAlone) {
+    const fs::path image = folder.write("f_0002.png", "old");
+    note_read(folder / "f_%04d.png");
+    note_read(image);
+    EXPECT_TRUE(is_read(image));
+    EXPECT_TRUE(is_read(folder / "f_%03d.png")) << "the same images";
+    fs::create_hard_link(image, folder / "hard.png");
+    EXPECT_FALSE(is_read(folder / "hard.png")) << "the images of a sequence are known by name alone";
+    EXPECT_FALSE(is_read(folder / "f_0003.png")) << "there is no such image";
+}
+
 TEST_F(FileGuardTest, AFileThatIsGoneLeavesItsNumberToOthers) {
     const fs::path gone = folder.write("gone.csv", "old");
     fs::create_hard_link(gone, folder / "heir.csv");  // what has the number that a removed file had

@@ -35,12 +35,27 @@ TEST(ToolPose, TheEndOfTheInstrumentIsNotHiddenByTheTissueBesideIt) {
     const glm::dvec3 eye(0, 100, 0);
     const std::array<glm::vec3, 3> hook = {{{0, 0, 0}, {0, -3, 4}, {0, -50, 60}}};
     const glm::mat4 pose(1);
-    const glm::mat4 moved = out_of_tissue(pose, hook, eye, surface);
+    const glm::mat4 moved = out_of_tissue(pose, tool_end(hook), eye, surface);
     EXPECT_NEAR(moved[3].y, 3, 0.05) << "what is 3 mm deep comes out";
     EXPECT_NEAR(moved[3].x, 0, 1e-5) << "towards the eye: the tip stays where it is seen";
     EXPECT_EQ(out_of_tissue(pose, std::array{glm::vec3(0, 5, 5)}, eye, surface), pose) << "nothing hides it";
     EXPECT_EQ(out_of_tissue(pose, std::array{glm::vec3(0, -9, 5)}, eye, surface), pose) << "it is behind the organ";
-    EXPECT_EQ(out_of_tissue(pose, hook, eye, Surface()), pose);
+    EXPECT_EQ(out_of_tissue(pose, tool_end(hook), eye, Surface()), pose);
+}
+
+TEST(ToolPose, TheEndOfAnInstrumentIsAFewVerticesNearItsTip) {
+    std::vector<glm::vec3> instrument;
+    for (int i = 0; i < 200; ++i) instrument.emplace_back(0, 0, 0.1F * static_cast<float>(i));
+    const std::vector<glm::vec3> end = tool_end(instrument);  // of the 120 or 121 within 12 mm every third
+    ASSERT_GE(end.size(), 40U);
+    ASSERT_LE(end.size(), 41U);
+    EXPECT_EQ(end[0], instrument[0]);
+    EXPECT_EQ(end[1], instrument[3]);
+    EXPECT_EQ(end[39], instrument[117]);
+    EXPECT_EQ(tool_end(std::span(instrument).first(47)).size(), 47U);
+    EXPECT_LE(tool_end(std::span(instrument).first(95)).size(), 48U);
+    EXPECT_TRUE(tool_end(std::span(instrument).last(20)).empty());
+    EXPECT_TRUE(tool_end({}).empty());
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 //     lapfx::guard_files(lapfx::FileGuard::refuse);        // once, before anything is read
 //     lapfx::claim_output("--json", "amounts.json");       // before the work: throws what would be thrown after it
 //
-// A pattern of numbered images ("frame_%04d.png") stands for all images of that name. Process-wide; any thread.
+// A pattern of numbered images ("frame_%04d.png") stands for all images of that name, and is read when one of them is.
+// Once it is noted, its images are known by name alone. Process-wide; any thread.
 #pragma once
 
 #include <filesystem>
