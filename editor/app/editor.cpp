@@ -141,6 +141,7 @@ void Editor::forget_document(bool scene_too) {
     snapshots_->forget_before();
     if (!scene_too) return;
     reference_->give_up_choosing();
+    reference_->leave_look();
     measuring_->forget();
     fitting_->forget();
     selected.clear();

@@ -262,7 +262,8 @@ void add_compare(CLI::App& app) {
         "and amounts shares of the view, 0 to 1. Of a figure with a sign --at-most limits the size; of a\n"
         "ratio the larger of it and 1 / it, so that 1 is alike. A figure that is not measurable fails\n"
         "its limit. What does not differ beyond the error of measuring is said to match; where that error is\n"
-        "more than 10 % of the view and than half of the higher peak, nothing is known: cannot tell.\n\n"
+        "more than 10 % of the view and than half of the higher peak, or more than the higher peak where that\n"
+        "is more than 2 % of the view, nothing is known: cannot tell.\n\n"
         "The figures:\n" +
         figure_list() +
         "\n"

@@ -281,7 +281,8 @@ bool AmountLikeness::within_error() const {
 
 bool AmountLikeness::cannot_tell() const {
     const double peak = std::max(preview.peak.value_or(0.0), reference.peak.value_or(0.0));
-    return within_error() && error.value_or(0.0) > std::max(most_error, most_error_of_peak * peak);
+    const double most = peak > told_peak ? std::min(peak, std::max(most_error, most_error_of_peak * peak)) : most_error;
+    return within_error() && error.value_or(0.0) > most;
 }
 
 Likeness likeness_of(std::span<const FrameAmounts> preview, std::span<const FrameAmounts> reference, double offset) {

@@ -25,6 +25,9 @@ inline constexpr double longest_gap = 0.5;
 /// Joint error of measuring, as a share of the view, up to which two amounts that do not differ by more are said to
 /// match; of an amount whose peaks are high, that share of the higher one, if it is more. Beyond it nobody can tell.
 inline constexpr double most_error = 0.1, most_error_of_peak = 0.5;
+/// Share of the view: where the higher peak is more than that, nobody can tell either once the joint error is more than
+/// that peak, for then the amount and none at all are alike. Two amounts that are about none do match.
+inline constexpr double told_peak = 0.02;
 
 enum class Presence : std::uint8_t {
     shown,         ///< it changes, or mostly is above 0, beyond the error of measuring
@@ -67,7 +70,8 @@ struct AmountLikeness {
     /// Both are measurable, and curve and peak differ by no more than the error of measuring. Of an amount that neither
     /// shows the peak is noise.
     bool within_error() const;
-    /// They are, but so large is the error that entirely different pictures would be, too: nothing is known.
+    /// They are, but so large is the error that entirely different pictures, or one with the amount and one without,
+    /// would be, too: nothing is known.
     bool cannot_tell() const;
     bool matches() const { return within_error() && !cannot_tell(); }
 };

@@ -97,7 +97,8 @@ class Telling {
     std::vector<Clause> run() {
         if (a_.cannot_tell())
             say("cannot tell whether " + std::string(words_.amount) +
-                    text(" matches: the error of measuring is %.0f %% of the view", 100.0 * *a_.error),
+                    text(" matches: the error of measuring is %.0f %% of the view", 100.0 * *a_.error) +
+                    (*a_.error > most_error ? "" : ", more than either shows"),
                 Said::cannot_tell);
         else if (const std::string apart = rough_match(a_, words_); !apart.empty())
             say("matches within the error of measuring, which is large: " + apart, Said::rough_match);

@@ -79,9 +79,12 @@ void go_to_what_mends(ui::Ui& ui, const AmountsParts& on, const std::string& key
 
 namespace {
 
-void link(ui::Ui& ui, const AmountsParts& on, const Clause& clause, const std::string& text) {
+/// `wrap`: there is room for a second line.
+void link(ui::Ui& ui, const AmountsParts& on, const Clause& clause, const std::string& text, bool wrap) {
     if (clause.key.empty())
-        return ui::label(ui, text, {.tone = clause.what == Said::match ? ui::Tone::good : ui::Tone::dim});
+        return ui::label(
+            ui, text,
+            {.tone = clause.what == Said::match ? ui::Tone::good : ui::Tone::dim, .wrap = wrap, .width = ui::grow()});
     const bool clicked = ui::button(
         ui, text, {.tip = ui.join({text, ". Goes to what mends it: ", app::title_of(clause.key)}), .quiet = true});
     ui.last().rigid = false;  // in a narrow panel its text is cut
@@ -90,12 +93,12 @@ void link(ui::Ui& ui, const AmountsParts& on, const Clause& clause, const std::s
 
 /// What is said of one amount, and the root mean square difference.
 void line_of(ui::Ui& ui, const AmountsParts& on, const Words& words, std::string_view amount,
-             const std::optional<double>& rms) {
+             const std::optional<double>& rms, bool wrap) {
     const auto is_of = [&](const Clause& clause) { return clause.amount == amount; };
     if (std::none_of(words.clauses.begin(), words.clauses.end(), is_of)) return;
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     for (std::size_t i = 0; i < words.clauses.size(); ++i)
-        if (is_of(words.clauses[i])) link(ui, on, words.clauses[i], words.sentences[i]);
+        if (is_of(words.clauses[i])) link(ui, on, words.clauses[i], words.sentences[i], wrap);
     if (!rms) return;
     ui::spacer(ui);
     ui::ShortText text;
@@ -113,9 +116,9 @@ bool measured_words(ui::Ui& ui, const AmountsParts& on, bool colors) {
         return false;
     const Words& words = words_of(ui, on);
     const ui::Column lines(ui, {.width = ui::grow(), .gap = 0});
-    line_of(ui, on, words, "", {});
-    line_of(ui, on, words, "blood", words.likeness.blood.rms);
-    line_of(ui, on, words, "veil", words.likeness.veil.rms);
+    line_of(ui, on, words, "", {}, colors);
+    line_of(ui, on, words, "blood", words.likeness.blood.rms, colors);
+    line_of(ui, on, words, "veil", words.likeness.veil.rms, colors);
     if (colors) measured_colors(ui, on);
     return true;
 }

@@ -1,5 +1,6 @@
 #include "panels/missing_texture.h"
 
+#include "app/base/file_filters.h"
 #include "app/base/paths.h"
 #include "app/files/likely_texture.h"
 #include "app/preview/preview_host.h"
@@ -33,19 +34,28 @@ const app::MissingTexture* missing_in(ui::Ui& ui, const Edited& edited, const ap
     return known.found && scene.organ.texture.empty() ? &*known.found : nullptr;
 }
 
-void use_button(ui::Ui& ui, const Edited& edited, const std::filesystem::path& picture) {
-    if (!ui::button(ui, ui.join({"Use ", ui.copy(picture.filename().string())}), {.tip = ui.copy(picture.string())}))
-        return;
-    edited.document.change("Organ: Texture", [&](document::Content& c) {
+void use(document::Document& document, const std::filesystem::path& picture) {
+    document.change("Organ: Texture", [&](document::Content& c) {
         c.scene.organ.texture = app::path_for(picture.string(), c.scene.folder);
     });
 }
 
+void use_button(ui::Ui& ui, const Edited& edited, const app::MissingTexture& m) {
+    const std::filesystem::path& picture = *m.likely;
+    if (ui::button(ui, ui.copy(app::offer_of(m)), {.tip = ui.copy(picture.string())})) use(edited.document, picture);
+}
+
+/// Where no picture near by may be meant.
+void choose_button(ui::Ui& ui, const Edited& edited) {
+    if (!ui::button(ui, "Choose...", {.tip = "Choose a picture as the organ's texture"})) return;
+    edited.chooser.ask(
+        {.task = ui::FileTask::open, .title = "Choose a file", .filters = {app::picture_filter()}},
+        [&document = edited.document](const std::vector<std::string>& files) { use(document, files.front()); });
+}
+
 void told(ui::Ui& ui, const app::MissingTexture& m, ui::Size width) {
-    ui::label(
-        ui,
-        ui.join({"Its texture ", ui.copy(m.missing.filename().string()), " cannot be read: it is shown without one."}),
-        {.tone = ui::Tone::warning, .wrap = true, .width = width});
+    ui::label(ui, ui.join({ui.copy(app::words_of(m)), ": it is shown without one."}),
+              {.tone = ui::Tone::warning, .wrap = true, .width = width});
 }
 
 }  // namespace
@@ -54,21 +64,24 @@ void texture_notice(ui::Ui& ui, const Edited& edited, const app::PreviewHost& pr
     const app::MissingTexture* const m = missing_in(ui, edited, preview);
     if (m == nullptr) return;
     told(ui, *m, ui::grow());
-    if (m->likely) use_button(ui, edited, *m->likely);
+    if (m->likely) use_button(ui, edited, *m);
 }
 
 void texture_box(ui::Ui& ui, const Edited& edited, const app::PreviewHost& preview, ui::Size width) {
     const app::MissingTexture* const m = missing_in(ui, edited, preview);
     bool& left = ui.memory<Known>(known_id).left;
-    if (m == nullptr || !m->likely || left || edited.document.scene().plate.use) return;
+    if (m == nullptr || left || edited.document.scene().plate.use) return;
     const ui::Panel panel(ui, "Missing texture", {.width = width, .height = ui::fit(), .padding = 0.6F});
     ui.parent().placed = true;
     ui.parent().placement =
         ui.arena().make(ui::Placement{.fraction = {0.5F, 0}, .offset = {0, ui.em(0.6F)}, .pivot = {0.5F, 0}});
     told(ui, *m, ui::grow());
     const ui::Row row(ui);
-    use_button(ui, edited, *m->likely);
-    if (ui::button(ui, "Leave it", {.tip = "The Scene panel has this button, too", .quiet = true})) left = true;
+    if (m->likely)
+        use_button(ui, edited, *m);
+    else
+        choose_button(ui, edited);
+    if (ui::button(ui, "Leave it", {.tip = "The Scene panel tells it, too", .quiet = true})) left = true;
 }
 
 }  // namespace lapfx::panels

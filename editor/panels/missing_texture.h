@@ -10,9 +10,10 @@ class PreviewHost;
 
 namespace lapfx::panels {
 
-/// In the Scene panel: that it is missing, and a button with the picture that may be meant.
+/// In the Scene panel: that it is missing, and a button with the picture that may be meant, if there is one.
 void texture_notice(ui::Ui& ui, const Edited& edited, const app::PreviewHost& preview);
-/// The same over the view, where one looks, if there is such a picture; until it is taken or left.
+/// The same over the view, where one looks, and where there is no such picture a button to choose one; until it is
+/// taken or left.
 void texture_box(ui::Ui& ui, const Edited& edited, const app::PreviewHost& preview, ui::Size width);
 
 }  // namespace lapfx::panels

@@ -107,12 +107,11 @@ class OrganDialog {
         const app::MissingTexture* const m = choice_.missing_texture();
         if (m == nullptr) return;
         const ui::Row row(ui_, {.width = ui::grow(), .cross = ui::ChildAlign::center});
-        ui::label(ui_, ui_.join({"Its texture ", ui_.copy(m->missing.filename().string()), " cannot be read."}),
+        ui::label(ui_, ui_.join({ui_.copy(app::words_of(*m)), "."}),
                   {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
         if (!m->likely) return;
         const std::filesystem::path likely = *m->likely;
-        if (ui::button(ui_, ui_.join({"Use ", ui_.copy(likely.filename().string())}),
-                       {.tip = ui_.copy(likely.string())}))
+        if (ui::button(ui_, ui_.copy(app::offer_of(*m)), {.tip = ui_.copy(likely.string())}))
             choice_.use_texture(likely);
     }
 

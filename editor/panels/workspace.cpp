@@ -81,6 +81,9 @@ constexpr PanelRow panel_rows[] = {
      [](Ui& ui, Editor& e) { scene_panel(ui, edited_in(e), e.preview, e.commands, e.toasts); }},
 };
 
+/// Layouts that were kept by an earlier version of the program name these.
+constexpr ui::RenamedPanel renamed_panels[] = {{.before = "Presets", .now = "Library"}};
+
 /// A small letter for each large one: of "View" in "window.show_view".
 std::string lower(std::string_view text) {
     std::string result(text);
@@ -149,7 +152,8 @@ TimelineParts timeline_parts(Editor& e) {
 void set_up(Editor& editor) {
     std::vector<std::string_view> names;
     for (const PanelRow& row : panel_rows) names.push_back(row.name);
-    editor.layouts().set_panels(std::move(names), standard_layouts());
+    editor.layouts().set_panels(std::move(names), standard_layouts(),
+                                {std::begin(renamed_panels), std::end(renamed_panels)});
     add_commands(editor);
     // Keys, layouts and folders as the user left them.
     editor.settings().connect(editor.commands, editor.layouts(), editor.chooser().dialog(), editor.toasts);

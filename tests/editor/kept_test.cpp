@@ -58,6 +58,20 @@ TEST_F(EditorDocument, BrokenSettingsArePutAsideAndUnknownOnesKept) {
     EXPECT_THAT(read_file(file, 1 << 20), HasSubstr("of_tomorrow"));
 }
 
+TEST_F(EditorDocument, ALayoutOfAnEarlierVersionKeepsThePanelThatHasAnotherNameNow) {
+    const fs::path file = folder() / "config" / "settings.json";
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << R"({"layout": "Mine", "layouts": {"version": 1, "layouts": [{"name": "Mine",
+        "root": {"split": "x", "fraction": 0.7, "first": {"tabs": ["View"]},
+                 "second": {"tabs": ["Scene", "Presets", "History"], "active": 1}}}]}})";
+    start();
+    EXPECT_EQ(editor().layouts().name(), "Mine");
+    EXPECT_TRUE(editor().layouts().seen("Library")) << "not in the first group, behind the view";
+    EXPECT_NE(editor().layouts().shown.find("Library"), editor().layouts().shown.find("View"));
+    EXPECT_EQ(editor().layouts().shown.find("Library"), editor().layouts().shown.find("Scene"));
+    EXPECT_EQ(editor().toasts.size(), 0U);
+}
+
 TEST_F(EditorDocument, SettingsThatCannotBeKeptAreToldOnce) {
     fs::remove_all(folder() / "config");
     std::ofstream(folder() / "config") << "a file";

@@ -271,6 +271,41 @@ TEST_F(ProposedLook, IsLeftAndGoesWithItsReference) {
     EXPECT_TRUE(editor().reference().look_notes().empty());
 }
 
+TEST_F(ProposedLook, IsLeftOnceWhatItWasMadeForIsAnother) {
+    const auto after = [&](const char* name, const std::function<void(document::Content&)>& change) {
+        propose();
+        EXPECT_TRUE(editor().reference().look_proposed()) << name;
+        editor().document.change(name, change);
+        ui().frame().frame();
+        return editor().reference().look_proposed();
+    };
+    EXPECT_TRUE(after("Event", [](document::Content& c) { c.scene.events.clear(); })) << "it says nothing of them";
+    EXPECT_FALSE(after("Exposure", [](document::Content& c) { c.scene.camera.exposure *= 1.5; }));
+    EXPECT_NE(ui().dump().find("What the look was proposed for has changed since"), std::string::npos);
+    EXPECT_FALSE(ui().exists("Workspace/Reference/Take look"));
+    EXPECT_FALSE(after("Blood", [](document::Content& c) { c.preset.bleeding.color_thin.r *= 0.5; }));
+    EXPECT_FALSE(after("Camera", [](document::Content& c) { c.scene.camera.eye *= 1.1; }));
+    EXPECT_FALSE(after("Aspect", [](document::Content& c) { c.scene.reference.aspect = 2; }));
+    EXPECT_FALSE(after("Plate", [](document::Content& c) { c.scene.plate.use = true; }));
+    editor().document.undo();
+    ui().frame().frame();
+    propose();
+    const document::Content before = editor().document.content();
+    editor().document.change("Plate", [](document::Content& c) { c.scene.plate.use = true; });
+    editor().reference().take_look();  // in the same frame
+    EXPECT_EQ(editor().document.scene().camera.exposure, before.scene.camera.exposure);
+    EXPECT_EQ(editor().document.steps().back().name, "Plate");
+}
+
+TEST_F(ProposedLook, IsLeftWithAnotherSceneOfTheSameReference) {
+    propose();
+    ASSERT_TRUE(editor().reference().look_proposed());
+    open({(shipped() / "samples/lagb.scene.json").string()});
+    ui().frame().frame();
+    EXPECT_FALSE(editor().reference().look_proposed());
+    EXPECT_TRUE(editor().reference().look_notes().empty());
+}
+
 /// The organ fills a small part of the frame, and all around is the dark cavity.
 TEST_F(ProposedLook, IsOfTheOrganAloneHoweverSmallItIs) {
     show({tissue_picture({320, 256})});

@@ -218,7 +218,7 @@ TEST_F(TimelinePanelTest, TheDialogOfTheScenesOrganKnowsItsTexture) {
     };
     open({file});
     ui().frame().frame();
-    EXPECT_TRUE(ui().exists("**/Its texture missing.png cannot be read."));
+    EXPECT_TRUE(ui().exists("**/Its texture missing.png is missing."));
     EXPECT_EQ(texture_warnings(), 0U) << "it is told once";
     EXPECT_LT(ui().rect("**/About it/Use skin.png").bottom(), ui().rect("**/About it/Organ").y) << "above all else";
     ui().click("**/Load").frame().frame().settle();
@@ -272,7 +272,8 @@ TEST_F(TimelinePanelTest, AMissingTextureIsToldAndTheLikelyFileIsTaken) {
     ui().click("**/Load").frame().frame().frame();
     editor().layouts().bring_to_front("Scene");
     ui().frame().frame();
-    EXPECT_NE(ui().dump().find("Its texture diffuse.png cannot be read"), std::string::npos) << ui().dump();
+    EXPECT_NE(ui().dump().find("Its texture diffuse.png is missing: it is shown without one."), std::string::npos)
+        << ui().dump();
     const std::size_t steps = editor().document.done();
     ui().click("**/Scene rows/Organ/Use Liver_texture.jpg").frame().frame();
     EXPECT_EQ(editor().document.done(), steps + 1);
@@ -285,6 +286,33 @@ TEST_F(TimelinePanelTest, AMissingTextureIsToldAndTheLikelyFileIsTaken) {
     editor().document.undo();
     ui().frame().frame();
     EXPECT_TRUE(ui().exists("**/Scene rows/Organ/Use Liver_texture.jpg"));
+}
+
+TEST_F(TimelinePanelTest, AMissingTextureIsToldWhereNoPictureIsNear) {
+    const std::string file = box("alone.obj", 96, 60, 66);
+    std::ofstream(file, std::ios::app) << "mtllib alone.mtl\n";
+    std::ofstream(folder() / "alone.mtl") << "newmtl skin\nmap_Kd b.png\n";
+    open({file});
+    ui().frame().frame();
+    EXPECT_TRUE(ui().exists("**/About it/Its texture b.png is missing."));
+    ui().click("**/Load").frame().frame().settle();
+    const std::string bar = "Workspace/View/Missing texture";
+    EXPECT_TRUE(ui().exists(bar + "/Its texture b.png is missing: it is shown without one.")) << ui().dump();
+    const std::filesystem::path elsewhere = folder() / "far/away";
+    std::filesystem::create_directories(elsewhere);
+    const cv::Mat skin(8, 8, CV_8UC3, cv::Scalar(40, 40, 160));
+    ASSERT_TRUE(cv::imwrite((elsewhere / "skin.png").string(), skin));
+    ui().click(bar + "/Choose...").frame().frame();
+    ui().click("Choose a file/Name").key('A', ui::Mods::command).type((elsewhere / "skin.png").string());
+    ui().key(ui::Key::enter).frame().settle();
+    EXPECT_TRUE(editor().document.scene().organ.texture.ends_with("far/away/skin.png"));
+    EXPECT_EQ(last_step(), "Organ: Texture");
+    EXPECT_FALSE(ui().exists(bar));
+    editor().document.undo();
+    ui().frame().frame();
+    EXPECT_TRUE(ui().exists(bar));
+    ui().click(bar + "/Leave it").frame();
+    EXPECT_FALSE(ui().exists(bar));
 }
 
 TEST_F(TimelinePanelTest, TheDialogShowsTheOrganWithABarOfTenMillimetres) {

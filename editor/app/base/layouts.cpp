@@ -36,9 +36,11 @@ bool same_name(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-void Layouts::set_panels(std::vector<std::string_view> names, std::vector<StandardLayout> standard) {
+void Layouts::set_panels(std::vector<std::string_view> names, std::vector<StandardLayout> standard,
+                         std::vector<ui::RenamedPanel> renamed) {
     panels_ = std::move(names);
     standard_ = std::move(standard);
+    renamed_ = std::move(renamed);
     for (const StandardLayout& layout : standard_) check(layout.make(), layout.name);
     choose(standard_.front().name);
 }

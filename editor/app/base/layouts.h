@@ -21,10 +21,13 @@ struct StandardLayout {
 class Layouts {
   public:
     /// Once, before all else: what there is. The first layout is shown. A panel that a layout does not name comes into
-    /// its first group. Throws std::logic_error where one names a panel that is none: a mistake of the program.
-    void set_panels(std::vector<std::string_view> names, std::vector<StandardLayout> standard);
+    /// its first group. `renamed`: for layouts that an earlier version kept. Throws std::logic_error where one names a
+    /// panel that is none: a mistake of the program.
+    void set_panels(std::vector<std::string_view> names, std::vector<StandardLayout> standard,
+                    std::vector<ui::RenamedPanel> renamed = {});
     /// Names of all panels; also their paths in the semantic tree, below "Workspace".
     std::span<const std::string_view> panels() const { return panels_; }
+    std::span<const ui::RenamedPanel> renamed() const { return renamed_; }
 
     ui::DockLayout shown;  ///< what is on the screen, and is changed by what the user does
     /// The window's size, in em. A small one has no room for panels beside each other: they are tabs of one group then,
@@ -59,6 +62,7 @@ class Layouts {
 
     std::vector<std::string_view> panels_;
     std::vector<StandardLayout> standard_;
+    std::vector<ui::RenamedPanel> renamed_;
     mutable ui::DockLayout wide_;  ///< while it is stacked; arranged() brings it up to date
     bool stacked_ = false;
     std::uint32_t version_ = 0;

@@ -174,7 +174,7 @@ void Settings::connect(ui::CommandTable& commands, Layouts& layouts, ui::FileDia
     if (!keys_text_.empty())
         for (const std::string& fault : commands.from_json(keys_text_)) faults_.push_back("settings: " + fault);
     if (!layouts_text_.empty()) try {
-            std::vector<ui::NamedLayout> all = ui::read_layouts(layouts_text_, layouts.panels());
+            std::vector<ui::NamedLayout> all = ui::read_layouts(layouts_text_, layouts.panels(), layouts.renamed());
             const auto shown =
                 std::find_if(all.begin(), all.end(), [](const auto& l) { return l.name == shown_layout; });
             std::optional<ui::DockLayout> last;

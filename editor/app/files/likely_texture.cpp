@@ -74,12 +74,23 @@ std::optional<fs::path> likely_texture(const fs::path& missing, const fs::path& 
     return found.front();
 }
 
+std::string words_of(const MissingTexture& texture) {
+    return "Its texture " + texture.missing.filename().string() + (texture.there ? " cannot be read" : " is missing");
+}
+
+std::string offer_of(const MissingTexture& texture) {
+    const fs::path& likely = *texture.likely;
+    const bool same = likely.filename() == texture.missing.filename();
+    return "Use " + (same ? likely.lexically_relative(texture.missing.parent_path()) : likely.filename()).string();
+}
+
 std::optional<MissingTexture> missing_texture(const Organ& organ, const fs::path& mesh) {
     if (std::ranges::any_of(organ.materials, [](const Material& m) { return m.base_color_image >= 0; }))
         return std::nullopt;
     std::optional<MissingTexture> first;
     for (const fs::path& file : missing_textures(organ.unread_files)) {
-        MissingTexture one{.missing = file, .likely = likely_texture(file, mesh)};
+        std::error_code ignored;
+        MissingTexture one{.missing = file, .likely = likely_texture(file, mesh), .there = fs::exists(file, ignored)};
         if (one.likely) return one;
         if (!first) first = std::move(one);
     }

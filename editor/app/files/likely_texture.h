@@ -26,7 +26,13 @@ std::optional<std::filesystem::path> likely_texture(const std::filesystem::path&
 struct MissingTexture {
     std::filesystem::path missing;
     std::optional<std::filesystem::path> likely;
+    bool there = false;  ///< a file of this name is, but it cannot be read as a picture
 };
+
+/// "Its texture skin.png is missing", or "cannot be read" where there is such a file; without a full stop.
+std::string words_of(const MissingTexture& texture);
+/// "Use skin.jpg"; with its folder where both have the same name: "Use textures/skin.png". `likely` must be there.
+std::string offer_of(const MissingTexture& texture);
 
 /// Of the first texture of an organ without any for which a picture is found, else of the first that is missing.
 /// Nothing where the organ has a picture: one that is given in the scene is that of every part.

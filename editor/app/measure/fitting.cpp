@@ -12,7 +12,6 @@
 #include "app/preview/scene_pace.h"
 #include "app/reference/reference.h"
 #include "app/tuning/tuning.h"
-#include "document/steps.h"
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/compare.h"
 
@@ -114,7 +113,7 @@ void Fitting::forget_found_clip() {
 void Fitting::follow_document() {
     if (!found_) return;
     if (!reference_.opening() && found_->of.reference != reference_.file()) return leave();
-    if (taken_step_ == 0 || taken_ == document::in_effect(document_, taken_step_)) return;
+    if (!taken_step_ || taken_ == taken_step_.in_effect(document_)) return;
     taken_ = !taken_;
     const document::Content start{found_->start.scene, found_->start.preset};
     if (!taken_ && document::same(start, document_.content())) of_version_ = document_.version();
@@ -130,7 +129,7 @@ void Fitting::cancel() {
 
 void Fitting::leave() {
     found_.reset(), best_.reset();
-    taken_ = false, taken_step_ = 0;
+    taken_ = false, taken_step_ = {};
     ++version_;
 }
 
@@ -267,8 +266,8 @@ void Fitting::take() {
         content.scene.events = found.tuned.scene.events;
         content.scene.curves.emission = found.tuned.scene.curves.emission;
     });
-    const std::uint64_t step = document::newest_step(document_);
-    taken_step_ = step != before ? step : 0;
+    taken_step_ =
+        document::newest_step(document_) != before ? document::WatchedStep(document_) : document::WatchedStep();
     if (!tools)
         notices_.add({.kind = ui::ToastKind::warning,
                       .text = "The scene has changed since: its tools stay as they are, the parameters are taken"});

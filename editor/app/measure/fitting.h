@@ -19,6 +19,7 @@
 
 #include "app/measure/fitting_run.h"
 #include "document/document.h"
+#include "document/steps.h"
 
 namespace lapfx::app {
 
@@ -128,7 +129,7 @@ class Fitting {
     std::shared_ptr<const FittingRun::Frames> best_;
     std::optional<FitFound> found_;
     bool taken_ = false;
-    std::uint64_t taken_step_ = 0;  ///< 0: taking it changed nothing
+    document::WatchedStep taken_step_;  ///< none: taking it changed nothing
     std::uint64_t of_version_ = 0, version_ = 1;
     std::vector<Fault> faults_;
     std::optional<std::size_t> lost_clip_;

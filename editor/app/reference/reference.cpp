@@ -208,7 +208,6 @@ void Reference::follow_scene(std::shared_ptr<VideoReader> reader) {
     held_.reset();
     forget_look_notes();
     leave_look();
-    proposes_ = false;
     proposed_aspect_.reset(), looked_for_aspect_ = 0;
     compare.view = {};
     feed_.open(file_, std::move(reader));
@@ -292,6 +291,7 @@ void Reference::update(double) {
     if (choosing_ && choosing_->cancelled()) choosing_.reset();  // by the list of jobs
     follow_scene();
     forget_undone();
+    leave_stale_look();
     if (feed_.take()) show_newest();
     follow_video();  // also one that has changed on disk
     compares_ = counts_ = false;

@@ -23,13 +23,10 @@
 #include "app/reference/video_feed.h"
 #include "app/tuning/snapshot_previews.h"
 #include "document/document.h"
+#include "document/steps.h"
 #include "ui/canvas/axis.h"
 #include "ui/canvas/compare_view.h"
 #include "ui/draw/images.h"
-
-namespace lapfx::match {
-struct Look;
-}
 
 namespace lapfx::app {
 
@@ -188,8 +185,10 @@ class Reference {
     /// against the preview at 0 s, without blood and smoke. Nothing changes until it is taken. None while the plate
     /// stands in for the organ: it is the reference itself.
     void propose_look();
-    bool look_proposed() const { return look_ != nullptr; }  ///< and neither taken nor left yet
-    void take_look();                                        ///< one undo step
+    /// And neither taken nor left yet. It is left once the organ, camera, light, colours or the plate that it was made
+    /// for are others, or the reference is.
+    bool look_proposed() const { return look_ != nullptr; }
+    void take_look();  ///< one undo step
     void leave_look();
     /// What the last proposal found and what not, a sentence each; of what was done they go when that is undone.
     const std::vector<std::string>& look_notes() const { return look_notes_; }
@@ -232,7 +231,8 @@ class Reference {
     int frame_of(CompareSide side) const;
     void follow_proposal();
     void make_proposal();
-    void say(std::vector<std::string> notes, std::uint64_t step = 0);
+    void leave_stale_look();
+    void say(std::vector<std::string> notes, document::WatchedStep step = {});
     void forget_undone();
     void look_for_aspect();
 
@@ -267,10 +267,11 @@ class Reference {
     Image placed_;
     ui::ImageHandle placed_image_ = 0;
     bool proposes_ = false;
-    DrawnPicture clean_;                       ///< the preview at 0 s, for a proposal
-    std::shared_ptr<const match::Look> look_;  ///< that is proposed; null: none
+    DrawnPicture clean_;  ///< the preview at 0 s, for a proposal
+    struct ProposedLook;
+    std::shared_ptr<ProposedLook> look_;  ///< null: none is
     std::vector<std::string> look_notes_;
-    std::uint64_t noted_step_ = 0;  ///< that the notes tell of; 0: none
+    document::WatchedStep noted_step_;  ///< that the notes tell of; none: of nothing that was done
     std::optional<double> proposed_aspect_;
     int looked_for_aspect_ = 0;  ///< in so many frames of this video
     bool counts_ = false;        ///< the last build asked for scopes()

@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <tuple>
 #include <utility>
 
+#include "app/base/paths.h"
 #include "app/base/screen.h"
 #include "app/reference/placed_picture.h"
 #include "app/reference/reference.h"
-#include "document/steps.h"
+#include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/preview.h"
 #include "lapfx/authoring/round_view.h"
 #include "match/look.h"
@@ -71,16 +73,49 @@ cv::Mat organ_in(PreviewHost& preview, const SceneCamera& camera, glm::ivec2 siz
     return organ;
 }
 
+/// The organ, named the same wherever its scene is saved.
+SceneOrgan organ_of(const Scene& scene) {
+    SceneOrgan organ = scene.organ;
+    organ.file = path_from(scene.folder, organ.file).string();
+    organ.texture = path_from(scene.folder, organ.texture).string();
+    return organ;
+}
+
+bool same_look(const match::Look& a, const match::Look& b) {
+    const auto colors = [](const match::Look& look) {
+        return std::tie(look.light, look.organ, look.blood_thin, look.blood_deep, look.haze);
+    };
+    return a.vignette == b.vignette && a.exposure == b.exposure && colors(a) == colors(b);
+}
+
 }  // namespace
 
+struct Reference::ProposedLook {
+    match::Look look;
+    // What it was made for.
+    Scene scene;
+    match::Look before;
+    std::uint64_t version = 0;  ///< of the document that still was so
+
+    bool holds(const Scene& now, const match::Look& look_now) const {
+        const auto same = [](std::string_view part, const void* a, const void* b) {
+            return equal(*scene_table().find(part), a, b);
+        };
+        const SceneOrgan organ = organ_of(scene), organ_now = organ_of(now);
+        return same_look(before, look_now) && !now.plate.use && same("organ", &organ, &organ_now) &&
+               same("camera", &scene.camera, &now.camera) && same("light", &scene.light, &now.light) &&
+               scene.reference.aspect == now.reference.aspect;
+    }
+};
+
 /// `step`: what they tell of.
-void Reference::say(std::vector<std::string> notes, std::uint64_t step) {
+void Reference::say(std::vector<std::string> notes, document::WatchedStep step) {
     look_notes_ = std::move(notes);
     noted_step_ = step;
 }
 
 void Reference::forget_undone() {
-    if (noted_step_ != 0 && !document::in_effect(document_, noted_step_)) forget_look_notes();
+    if (noted_step_ && !noted_step_.in_effect(document_)) forget_look_notes();
     if (document_.scene().reference.aspect > 0) proposed_aspect_.reset();
 }
 
@@ -120,6 +155,7 @@ void Reference::take_circle() {
                 "round.");
         return say(std::move(notes));
     }
+    leave_look();  // it was proposed for the vignette of before
     document_.change("Take the circle", [&](document::Content& c) {
         if (aspect) c.scene.reference.aspect = *aspect;
         c.scene.reference.placement = *found;
@@ -127,7 +163,7 @@ void Reference::take_circle() {
     });
     std::vector<std::string> notes = {"The round view of the reference lies on the preview's vignette now."};
     if (aspect) notes.emplace_back("The video is stored squeezed: its aspect is chosen with which the view is round.");
-    say(std::move(notes), document::newest_step(document_));
+    say(std::move(notes), document::WatchedStep(document_));
 }
 
 // --- the plate -------------------------------------------------------------------------------------------------------
@@ -180,21 +216,34 @@ void Reference::make_proposal() {
         match::LookProposal found =
             match::propose_look(in_shape(feed_.image(), shape), clean_.image(), now, organ_in(preview_, camera, size));
         say(std::move(found.notes));
-        if (found.possible) look_ = std::make_shared<const match::Look>(found.look);
+        if (found.possible)
+            look_ = std::make_shared<ProposedLook>(ProposedLook{
+                .look = found.look, .scene = document_.scene(), .before = now, .version = document_.version()});
     }
     screen_.wake("a look is proposed");
 }
 
+void Reference::leave_stale_look() {
+    if (!look_ || look_->version == document_.version()) return;
+    look_->version = document_.version();
+    if (look_->holds(document_.scene(), match::look_of(document_.scene(), document_.preset()))) return;
+    look_.reset();
+    say({"What the look was proposed for has changed since: propose it again."});
+    screen_.wake("a look is left");
+}
+
 void Reference::take_look() {
+    leave_stale_look();  // what changed it may have come in this very frame
     if (!look_) return;
-    const std::shared_ptr<const match::Look> look = std::exchange(look_, nullptr);
+    const match::Look look = std::exchange(look_, nullptr)->look;
     forget_look_notes();
-    document_.change("Propose look", [&](document::Content& c) { match::put_look(*look, c.scene, c.preset); });
+    document_.change("Propose look", [&](document::Content& c) { match::put_look(look, c.scene, c.preset); });
 }
 
 void Reference::leave_look() {
-    if (look_) forget_look_notes();
+    if (look_ || proposes_) forget_look_notes();
     look_.reset();
+    proposes_ = false;
 }
 
 }  // namespace lapfx::app

@@ -12,8 +12,8 @@
 
 namespace lapfx::match {
 
-/// A line for each figure that is farther from the reference than before, and by more than can be seen: "tissue: Delta
-/// E 6.5 before, 11.9 after". What was not measured before and after says nothing.
+/// A line for each figure that is farther from the reference than before, and by more than can be seen: "colour of
+/// tissue: Delta E 6.5 before, 11.9 after". What was not measured before and after says nothing.
 std::vector<std::string> what_is_worse(const FitResult& result);
 
 }  // namespace lapfx::match

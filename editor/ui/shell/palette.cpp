@@ -72,7 +72,11 @@ void search(PaletteState& state, const CommandTable& table, Items items) {
     state.found_query = state.query;
     state.found_version = table.version();
     state.stale = false;
-    state.current = 0;
+    // Enter is to do something: the best that can run now is chosen, though what cannot is listed above it.
+    const auto first = std::find_if(state.found.begin(), state.found.end(), [&](const Found& found) {
+        return found.index >= table.size() || table.enabled(found.index);
+    });
+    state.current = first == state.found.end() ? 0 : static_cast<std::size_t>(first - state.found.begin());
 }
 
 void draw_palette(Painter& painter, const Node& node, const Color& ground) {
@@ -191,14 +195,14 @@ bool move(PaletteState& state, Key key) {
 }
 
 /// Builds the visible rows. Returns the index in `found` of the row that was clicked, or the size of `found`.
-std::size_t put_rows(Ui& ui, const CommandTable& table, Items items, PaletteState& state, bool show) {
+std::size_t put_rows(Ui& ui, const CommandTable& table, Items items, PaletteState& state, bool searched, bool moved) {
     const float height = ui.row_height();
     const auto rows = static_cast<float>(std::clamp<std::size_t>(state.found.size(), 1, rows_shown));
     ScrollArea area(ui, "Commands", {.height = px(rows * height), .role = Role::list});
     if (state.found.empty())
         label(ui, items.empty() ? "No command of this name" : "Nothing of this name", {.tone = Tone::dim});
-    if (show && state.current == 0) area.state().offset.y = 0;
-    if (show && area.state().view.y > 0) LineWindow::show(area, state.current, height);
+    if (searched || (moved && state.current == 0)) area.state().offset.y = 0;
+    if ((searched || moved) && area.state().view.y > 0) LineWindow::show(area, state.current, height);
     const LineWindow window(ui, area, state.found.size(), height);
     std::size_t clicked = state.found.size();
     for (std::size_t i = window.first(); i < window.last(); ++i) {
@@ -234,7 +238,7 @@ bool palette(Ui& ui, CommandTable& table, Items items, const std::function<void(
     const bool searched = state.stale || state.query != state.found_query || state.found_version != table.version();
     if (searched) search(state, table, items);
     const bool moved = move(state, key);
-    std::size_t chosen = put_rows(ui, table, items, state, searched || moved);
+    std::size_t chosen = put_rows(ui, table, items, state, searched, moved);
     if (key == Key::enter) chosen = state.current;
     ui.close_overlay_node();
     if (key == Key::escape) ui.close_overlay(overlay);

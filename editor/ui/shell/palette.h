@@ -26,9 +26,9 @@ struct PaletteItem {
 void open_palette(Ui& ui);
 
 /// While it is open: a field and what matches it, the best first; with nothing typed, what was run from it before comes
-/// first. Up and Down choose, Enter or a click runs, Esc or a press outside closes. Commands that are disabled are
-/// seen, and stay. An item is chosen when all is closed and the keyboard is back where it was. Returns whether a
-/// command ran or an item was chosen.
+/// first. The first that can run is chosen; Up and Down choose, Enter or a click runs, Esc or a press outside closes.
+/// Commands that are disabled are seen, and stay. An item is chosen when all is closed and the keyboard is back where
+/// it was. Returns whether a command ran or an item was chosen.
 bool palette(Ui& ui, CommandTable& table, std::span<const PaletteItem> items = {},
              const std::function<void(std::size_t)>& choose = {});
 

@@ -62,6 +62,12 @@ int read_node(const ordered_json& json, std::vector<DockNode>& nodes, int depth)
     return static_cast<int>(at);
 }
 
+void rename(std::vector<std::string>& panels, std::span<const RenamedPanel> renamed) {
+    for (std::string& panel : panels)
+        for (const RenamedPanel& one : renamed)
+            if (panel == one.before) panel = one.now;
+}
+
 }  // namespace
 
 int DockLayout::find(std::string_view panel) const {
@@ -221,7 +227,8 @@ std::string write_layouts(std::span<const NamedLayout> layouts) {
     return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-std::vector<NamedLayout> read_layouts(std::string_view text, std::span<const std::string_view> panels) {
+std::vector<NamedLayout> read_layouts(std::string_view text, std::span<const std::string_view> panels,
+                                      std::span<const RenamedPanel> renamed) {
     try {
         const ordered_json json = ordered_json::parse(text);
         if (const int found = json.at("version").get<int>(); found != version)
@@ -231,6 +238,8 @@ std::vector<NamedLayout> read_layouts(std::string_view text, std::span<const std
             NamedLayout named{.name = each.at("name").get<std::string>(), .layout = {}};
             if (each.contains("root")) read_node(each.at("root"), named.layout.nodes, 0);
             if (each.contains("closed")) named.layout.closed = each.at("closed").get<std::vector<std::string>>();
+            for (DockNode& node : named.layout.nodes) rename(node.tabs, renamed);
+            rename(named.layout.closed, renamed);
             named.layout.fit(panels);
             layouts.push_back(std::move(named));
         }

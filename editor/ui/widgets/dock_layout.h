@@ -64,8 +64,13 @@ struct NamedLayout {
 /// "second"} or
 /// {"tabs": [...], "active"}.
 std::string write_layouts(std::span<const NamedLayout> layouts);
-/// Each fitted to `panels` (DockLayout::fit). Throws std::invalid_argument, which says what is wrong, when it is not
-/// such a text.
-std::vector<NamedLayout> read_layouts(std::string_view json, std::span<const std::string_view> panels);
+/// A panel that had another name in an earlier version of the program.
+struct RenamedPanel {
+    std::string_view before, now;
+};
+/// Each with the names that panels have now, and fitted to `panels` (DockLayout::fit). Throws std::invalid_argument,
+/// which says what is wrong, when it is not such a text.
+std::vector<NamedLayout> read_layouts(std::string_view json, std::span<const std::string_view> panels,
+                                      std::span<const RenamedPanel> renamed = {});
 
 }  // namespace lapfx::ui

@@ -152,8 +152,30 @@ TEST_F(PaletteTest, WhatIsDisabledIsDimAndStays) {
     can_run = false;
     open();
     EXPECT_TRUE(ui.is("**/File: Open", Is::disabled));
+    ui.key(Key::up);
+    EXPECT_TRUE(ui.is("**/View: Scale all", Is::selected)) << "it can be gone to";
     ui.key(Key::enter).click("**/File: Open");
     EXPECT_TRUE(ui.exists("Command palette"));
+    EXPECT_TRUE(ran.empty());
+}
+
+TEST_F(PaletteTest, TheFirstThatCanRunIsChosen) {
+    can_run = false;
+    open();
+    EXPECT_EQ(rows()[0], "File: Open") << "as it is listed with all that can run";
+    EXPECT_TRUE(ui.is("**/Number 0", Is::selected));
+    EXPECT_FALSE(ui.is("**/File: Open", Is::selected));
+    ui.key(Key::page_down).key(Key::page_down).key(Key::page_down).frame();
+    ui.type("n").frame();  // "Open" has that letter, too
+    EXPECT_TRUE(ui.exists("**/Number 0")) << "from its beginning on";
+    ui.key(Key::enter);
+    EXPECT_EQ(ran.size(), 1U);
+    EXPECT_TRUE(ran.front().starts_with("n")) << ran.front();
+    ran.clear();
+    open();
+    ui.type("save");
+    EXPECT_TRUE(ui.is("**/File: Save", Is::selected)) << "none can";
+    ui.key(Key::enter);
     EXPECT_TRUE(ran.empty());
 }
 

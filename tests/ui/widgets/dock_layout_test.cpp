@@ -145,6 +145,19 @@ TEST(DockLayout, DropsUnknownPanelsAndTakesInMissingOnes) {
     EXPECT_THAT(layout.closed, ElementsAre("Log"));
 }
 
+TEST(DockLayout, PanelsOfAnotherNameKeepTheirPlaces) {
+    const std::string text = R"({"version": 1, "layouts": [{"name": "Old", "closed": ["Journal"],
+        "root": {"split": "x", "fraction": 0.7, "first": {"tabs": ["View"]},
+            "second": {"tabs": ["Scopes", "Samples", "Parameters"], "active": 1}}}]})";
+    const RenamedPanel renamed[] = {{.before = "Samples", .now = "Presets"}, {.before = "Journal", .now = "Log"}};
+    const DockLayout layout = read_layouts(text, all, renamed).front().layout;
+    expect_sound(layout);
+    EXPECT_THAT(layout.nodes[1].tabs, ElementsAre("View"));
+    EXPECT_THAT(layout.nodes[2].tabs, ElementsAre("Scopes", "Presets", "Parameters"));
+    EXPECT_EQ(layout.nodes[2].active, 1) << "it is in front still";
+    EXPECT_THAT(layout.closed, ElementsAre("Log"));
+}
+
 TEST(DockLayout, AFileWithNothingInItHoldsEverything) {
     const auto layouts = read_layouts(R"({"version": 1, "layouts": [{"name": "Empty"}]})", all);
     EXPECT_EQ(layouts.front().layout.nodes[0].tabs.size(), 5U);

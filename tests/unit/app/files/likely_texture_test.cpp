@@ -35,6 +35,24 @@ TEST(LikelyTexture, IsTheOneOfThatNameOrOfThatOrganOrTheOnlyOne) {
     EXPECT_EQ(missing_textures({"a.mtl", "b.png", "c.bin"}), (std::vector<fs::path>{"b.png"}));
 }
 
+TEST(MissingTexture, IsToldAsWhatItIsAndOfferedWithTheFolderThatTellsItApart) {
+    const test::TemporaryFolder folder;
+    const fs::path mesh = folder.path() / "liver.obj";
+    Organ organ;
+    organ.unread_files = {folder.path() / "b.png"};
+    const auto words = [&] { return words_of(*missing_texture(organ, mesh)); };
+    const auto offer = [&] { return offer_of(*missing_texture(organ, mesh)); };
+    EXPECT_EQ(words(), "Its texture b.png is missing");
+    EXPECT_EQ(missing_texture(organ, mesh)->likely, std::nullopt);
+    fs::create_directory(folder.path() / "other");
+    std::ofstream(folder.path() / "other/skin.png") << 'x';
+    EXPECT_EQ(offer(), "Use skin.png");
+    std::ofstream(folder.path() / "other/b.png") << 'x';
+    EXPECT_EQ(offer(), "Use other/b.png") << "else it seems to be the one that is missing";
+    std::ofstream(folder.path() / "b.png") << "no picture";
+    EXPECT_EQ(words(), "Its texture b.png cannot be read");
+}
+
 TEST(OrganPicture, ShowsTheOrganFromTheFrontInItsColours) {
     const test::TemporaryFolder folder;
     const fs::path file = folder.write("two.obj",
