@@ -133,9 +133,9 @@ TEST_F(CommandsTest, EachDoesSomethingWhereItIsOn) {
     EXPECT_THAT(idle, IsEmpty());
     EXPECT_THAT(off, UnorderedElementsAre("clip.copy", "fit.leave", "fit.report", "fit.take", "measure.export_csv",
                                           "measure.export_json", "measure.export_png", "measure.take_marks",
-                                          "reference.leave_look"))
+                                          "reference.leave_look", "reference.take_look"))
         << "copy_clips_test has clips that lie elsewhere, measure_panel_test measures, fit_panel_test fits, "
-           "regions_test leaves a look";
+           "regions_test takes and leaves a look, which goes with the scene that it was made for";
 }
 
 TEST_F(CommandsTest, WhatIsOffSaysWhatIsMissing) {

@@ -9,6 +9,7 @@
 #include "app/files/exports.h"
 #include "app/files/files.h"
 #include "editor/support/editor_test.h"
+#include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
 #include "support/file_limit.h"
 #include "support/wait_until.h"
@@ -112,10 +113,12 @@ class FullDisk : public EditorTest {
     void expect_export_leaves(const std::string& name, output::OutputKind kind, std::size_t room,
                               const testing::Matcher<std::string>& reason) {
         const fs::path file = disk().folder() / name;
-        std::ofstream(file) << "old";
+        // A preset replaces nothing but another one.
+        const std::string old = kind == output::OutputKind::preset ? write_preset(Preset{}) : "old";
+        std::ofstream(file) << old;
         disk().fill(room);
         export_to(kind, file);
-        EXPECT_EQ(read_file(file, 100), "old");
+        EXPECT_EQ(read_file(file, 1 << 20), old);
         EXPECT_THAT(disk().names(), testing::ElementsAre(name));
         EXPECT_THAT(ui().dump(), testing::AllOf(HasSubstr(name + ": "), reason));
     }
