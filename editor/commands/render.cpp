@@ -183,8 +183,9 @@ void add_render(CLI::App& app) {
         "  lapfx render samples/lagb.scene.json --at 6 --set bleeding.speed=8 -o out.png\n"
         "  lapfx render samples/lagb.scene.json --at 0 --overlay vessels -o vessels.png\n"
         "  lapfx render samples/lagb.scene.json --to 1 --fps 10 --size 320x256 --amounts amounts.csv -o out.mp4\n"
-        "  lapfx render samples/lagb.scene.json --to 1 --codec ffv1 -o exact.mkv\n"
-        "  lapfx render samples/lagb.scene.json --size 640x512 --beside samples/reference/operation.mp4 -o both.mp4");
+        "  lapfx render samples/lagb.scene.json --to 1 --fps 10 --size 320x256 --codec ffv1 -o exact.mkv\n"
+        "  lapfx render samples/lagb.scene.json --at 6 --size 320x256 --beside samples/reference/operation.mp4 -o "
+        "both.png");
     verb->callback([o, from, to, at, codec, quality] {
         o->has_codec = codec->count() > 0;
         o->has_quality = quality->count() > 0;
