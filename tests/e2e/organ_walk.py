@@ -54,7 +54,8 @@ def add(total, output):
     found, drawn, mended = (pattern.search(output) for pattern in (IN_THE_FILE, DRAWN, MENDED))
     if not found or not drawn:
         return "tells no counts"
-    reasons = [part.split(" ", 1) for part in (found[3] or "").split(", ") if part]
+    # A reason may have a comma of its own.
+    reasons = [part.split(" ", 1) for part in re.split(r", (?=\d)", found[3] or "") if part]
     read, left_out = int(found[1]), int(found[2] or 0)
     total.read += read
     total.drawn += int(drawn[1])
