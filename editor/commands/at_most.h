@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lapfx/error.h"
-#include "match/likeness_figures.h"
+#include "match/compare/likeness_figures.h"
 
 namespace lapfx::commands {
 

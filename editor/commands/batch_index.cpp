@@ -7,9 +7,9 @@
 #include <numeric>
 
 #include "commands/batch_table.h"
-#include "match/fit/markup.h"
-#include "match/fit/page.h"
-#include "match/fit/report_plot.h"
+#include "match/report/markup.h"
+#include "match/report/page.h"
+#include "match/report/report_plot.h"
 
 namespace lapfx::commands {
 

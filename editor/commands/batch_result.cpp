@@ -6,8 +6,8 @@
 
 #include "lapfx/authoring/file.h"
 #include "lapfx/error.h"
-#include "match/fit/markup.h"
-#include "match/fit/report_plot.h"
+#include "match/report/markup.h"
+#include "match/report/report_plot.h"
 
 namespace lapfx::commands {
 

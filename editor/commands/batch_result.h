@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "commands/batch_list.h"
-#include "match/episode.h"
 #include "match/fit/fit.h"
+#include "match/video/episode.h"
 
 namespace lapfx::commands {
 

@@ -17,8 +17,8 @@
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/pack.h"
 #include "lapfx/authoring/printable.h"
-#include "match/fit/markup.h"
-#include "match/fit/report_pictures.h"
+#include "match/report/markup.h"
+#include "match/report/report_pictures.h"
 
 namespace lapfx::commands {
 
@@ -206,10 +206,10 @@ void measure(const Job& job, const fs::path& folder, BatchResult& result) {
     Progress progress("measuring", steps);
     match::MeasureOptions options = measure_options(job.options.match, {}, video.info().size);
     options.from = window.from, options.to = window.to;
-    const match::Measurement found = measured_video(video, file, options, [&](double share) {
-        progress.to(share);
-        return true;
-    });
+    const match::Measurement found = measured_video(video, file, {.options = options}, [&](double share) {
+                                         progress.to(share);
+                                         return true;
+                                     }).found;
     write_file(folder / amounts_name, match::csv_of(found));
     result.from = window.from, result.to = window.to;
     result.blood = amount_of(found.blood), result.veil = amount_of(found.veil);

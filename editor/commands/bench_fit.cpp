@@ -28,14 +28,12 @@
 #include "lapfx/amounts.h"
 #include "lapfx/authoring/preview.h"
 #include "lapfx/clip_cache.h"
-#include "match/episode.h"
-#include "match/fit/fit.h"
-#include "match/fit/fit_colors.h"
-#include "match/fit/preview_curve.h"
-#include "match/fit/proposal.h"
-#include "match/measure.h"
-#include "match/peak_colors.h"
-#include "match/view_share.h"
+#include "match/scene/preview_curve.h"
+#include "match/scene/view_share.h"
+#include "match/use/fit_scene.h"
+#include "match/video/episode.h"
+#include "match/video/measure.h"
+#include "match/video/peak_colors.h"
 #include "output/files.h"
 
 namespace lapfx::commands {
@@ -115,7 +113,7 @@ ShownPeaks peaks_of(const std::vector<ShownAmounts>& truth) {
 /// Optical depth of the veil over the core's haze: a preset's extinction and unevenness have a part in it, so that a
 /// smoke rate says little without. Of when the plume is gone; nothing where there is no such time.
 std::optional<double> haze_factor(const CaseScene& scene, const std::vector<ShownAmounts>& truth) {
-    const match::Tuned& tuned = scene.tuned;
+    const document::Content& tuned = scene.tuned;
     AmountsModel model(scene.organ, {.gravity = tuned.scene.gravity});
     model.set(tuned.preset, tuned.scene.events, tuned.scene.curves);
     double clear_from = 0.0, both = 0.0, haze2 = 0.0;
@@ -213,21 +211,19 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& referenc
     outcome.blood_before = rms(before, hidden_truth, &ShownAmounts::blood);
     outcome.veil_before = rms(before, hidden_truth, &ShownAmounts::veil);
     const auto began = std::chrono::steady_clock::now();
-    match::FitInput input{.start = scene.tuned, .aspect = case_aspect};
-    input.target = match::target_of(reference.frames, {.to = case_duration, .step = effort.step});
-    input.organ = scene.organ;
-    input.seed = effort.seed, input.rounds = effort.rounds;
-    input.parameters = match::free_parameters(
-        input.start, std::vector<std::string>(match::usual_parameters.begin(), match::usual_parameters.end()));
-    match::begin_with_proposal(input);
+    const match::SceneFit fit{.start = scene.tuned,
+                              .organ = scene.organ,
+                              .keys = {match::usual_parameters.begin(), match::usual_parameters.end()},
+                              .reference = reference.frames,
+                              .to = case_duration,
+                              .step = effort.step,
+                              .aspect = case_aspect,
+                              .seed = effort.seed,
+                              .rounds = effort.rounds,
+                              .colors = match::ColorsOfFit::match,
+                              .reference_colors = reference.colors.at_peak()};
     match::PreviewCurve curve(scene.organ, drawing.options(), {.size = match::preview_size(glm::dvec2(size))});
-    input.draw = [&](const match::Tuned& tuned, std::span<const double> times) {
-        return curve.measure(tuned.scene, tuned.preset, times);
-    };
-    match::FitColors colors({.reference = reference.colors.at_peak(), .target = input.target}, curve);
-    input.match_colors = [&](const match::Tuned& tuned) { return colors.amidst(tuned); };
-    outcome.result = match::fit(input);
-    colors.finish(outcome.result);
+    outcome.result = *match::fit_scene(fit, curve).result;
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     scene.tuned = outcome.result.tuned;
     const std::vector<ShownAmounts> after = truth_of(scene, drawing);

@@ -6,8 +6,8 @@
 #include "commands/session.h"
 #include "lapfx/amounts.h"
 #include "lapfx/prepared_organ.h"
-#include "match/fit/seen_places.h"
-#include "match/view_share.h"
+#include "match/scene/seen_places.h"
+#include "match/scene/view_share.h"
 
 namespace lapfx::commands {
 
@@ -102,7 +102,7 @@ FitCase draw_fit_case(std::uint32_t seed, int number, PreparedViews& prepared,
     return drawn;
 }
 
-SeenTruth seen_truth(const match::Tuned& tuned, const std::shared_ptr<const PreparedOrgan>& organ) {
+SeenTruth seen_truth(const document::Content& tuned, const std::shared_ptr<const PreparedOrgan>& organ) {
     SeenTruth truth;
     AmountsModel model(organ, {.gravity = tuned.scene.gravity});
     model.set(tuned.preset, tuned.scene.events, tuned.scene.curves);

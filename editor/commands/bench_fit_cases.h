@@ -19,7 +19,7 @@ inline constexpr std::size_t case_burn = 0, case_cut = 1;  ///< numbers of the e
 
 /// A scene and its organ.
 struct CaseScene {
-    match::Tuned tuned;
+    document::Content tuned;
     std::string prepared;  ///< as DrawnView::prepared
     std::string label;     ///< its organ
     std::shared_ptr<const PreparedOrgan> organ;
@@ -55,6 +55,6 @@ struct SeenTruth {
     double clears_for = 0.0;    ///< s from the end of the burning to the end of the scene
     bool blood_stops = false;   ///< it reaches its extent within the scene
 };
-SeenTruth seen_truth(const match::Tuned& tuned, const std::shared_ptr<const PreparedOrgan>& organ);
+SeenTruth seen_truth(const document::Content& tuned, const std::shared_ptr<const PreparedOrgan>& organ);
 
 }  // namespace lapfx::commands

@@ -20,7 +20,7 @@
 #include "commands/progress.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/video.h"
-#include "match/measure.h"
+#include "match/video/measure.h"
 
 namespace lapfx::commands {
 

@@ -4,8 +4,8 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "match/colors.h"
-#include "match/film.h"
+#include "match/frame/film.h"
+#include "match/picture/colors.h"
 
 namespace lapfx::commands::composite {
 

@@ -1,6 +1,6 @@
 #include "commands/bench_measure_each.h"
 
-#include "match/measure.h"
+#include "match/video/measure.h"
 
 namespace lapfx::commands {
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "commands/bench_measure_camera.h"
-#include "match/estimator.h"
+#include "match/frame/estimator.h"
 
 namespace lapfx::commands {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "match/estimator.h"
+#include "match/frame/estimator.h"
 
 namespace lapfx::commands {
 

@@ -1,4 +1,4 @@
-// lapfx bench measure --learn FILE: learns the model of the mean veil (match/veil_model.h).
+// lapfx bench measure --learn FILE: learns the model of the mean veil (match/frame/veil_model.h).
 //
 // Method: renders of ours with smoke of the core (stills and clips, as the bench measures them, and courses: many
 // moments under a still camera), and known veils laid over clear renders of ours whose camera and instrument move
@@ -17,7 +17,7 @@
 #include "commands/scratch_folder.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/video.h"
-#include "match/veil_model.h"
+#include "match/frame/veil_model.h"
 
 namespace lapfx::commands {
 

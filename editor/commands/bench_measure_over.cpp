@@ -8,10 +8,10 @@
 #include "commands/session.h"
 #include "lapfx/authoring/video.h"
 #include "lapfx/error.h"
-#include "match/colors.h"
-#include "match/estimator.h"
-#include "match/instruments.h"
-#include "match/view.h"
+#include "match/frame/estimator.h"
+#include "match/picture/colors.h"
+#include "match/picture/instruments.h"
+#include "match/picture/view.h"
 
 namespace lapfx::commands {
 

@@ -3,7 +3,7 @@
 
 #include "commands/bench.h"
 #include "commands/progress.h"
-#include "match/pairs.h"
+#include "match/video/pairs.h"
 
 namespace lapfx::commands {
 

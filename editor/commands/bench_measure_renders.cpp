@@ -12,8 +12,8 @@
 #include "lapfx/authoring/preview.h"
 #include "lapfx/authoring/video.h"
 #include "lapfx/clip_cache.h"
-#include "match/colors.h"
-#include "match/view_share.h"
+#include "match/picture/colors.h"
+#include "match/scene/view_share.h"
 #include "output/files.h"
 
 namespace lapfx::commands {

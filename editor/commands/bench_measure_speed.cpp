@@ -10,7 +10,7 @@
 #include "commands/session.h"
 #include "lapfx/authoring/video.h"
 #include "lapfx/error.h"
-#include "match/measure.h"
+#include "match/use/measure_video.h"
 #include "output/files.h"
 
 namespace lapfx::commands {
@@ -71,7 +71,7 @@ double measure_over_playback(int frames) {
     for (int round = 0; round < speed_rounds; ++round) {
         const auto start = std::chrono::steady_clock::now();
         VideoReader video(file);
-        const match::Measurement found = match::measure(video, {});
+        const match::Measurement found = match::measure_video(video, {}).found;
         best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
         plays = video.info().duration;
         const auto measurable = std::count_if(found.frames.begin(), found.frames.end(),

@@ -13,7 +13,8 @@
 #include "lapfx/authoring/file.h"
 #include "lapfx/context.h"
 #include "match/fit/target.h"
-#include "match/peak_colors.h"
+#include "match/use/compare_scene.h"
+#include "match/use/measure_video.h"
 #include "output/files.h"
 
 namespace lapfx::commands {
@@ -62,40 +63,26 @@ void require_measurable(std::span<const match::FrameAmounts> frames, const Windo
                             match::seconds_text(times.to) + ", where it is compared");
 }
 
-struct MeasuredVideo {
-    match::Measurement found;
-    match::MeasuredColors colors;
-};
-
 /// `times`: s of the video, where it is compared.
-MeasuredVideo measured(VideoReader& video, const std::string& file, match::MeasureOptions options, const Window& times,
-                       const lapfx::Progress& progress) {
-    match::PeakColors colors(times.from, times.to);
-    options.measured = [&colors](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
-        colors.add(frame, estimator, amounts);
-    };
-    MeasuredVideo measured{.found = measured_video(video, file, options, progress), .colors = {}};
+match::MeasuredVideo measured(VideoReader& video, const std::string& file, const match::MeasureOptions& options,
+                              const Window& times, const lapfx::Progress& progress) {
+    match::MeasuredVideo measured = measured_video(
+        video, file, {.options = options, .colors_of = match::VideoPart{times.from, times.to}}, progress);
     require_measurable(measured.found.frames, times, file);
-    measured.colors = colors.found();
     return measured;
 }
 
-/// The scene, measured at those times.
-std::vector<match::FrameAmounts> draw(const Options& o, const ShownScene& shown, match::PreviewCurve& curve,
-                                      std::span<const double> times, match::PeakColors& colors, Progress& progress) {
+/// The scene, held against the reference.
+match::ComparedScene draw(const Options& o, const match::SceneToCompare& what, match::PreviewCurve& curve,
+                          Progress& progress) {
     const auto reached = [&progress](double share) {
         progress.to(reference_part + (1.0 - reference_part) * share);
         return true;
     };
-    const auto take = [&colors](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
-        colors.add(frame, estimator, amounts);
-    };
     try {
-        std::vector<match::FrameAmounts> frames =
-            *curve.measure(shown.scene, shown.presets.front(), times,
-                           {.progress = reached, .measured = take});  // never stopped by `reached`
-        require_measurable(frames, {times.front(), times.back()}, o.shown);
-        return frames;
+        match::ComparedScene drawn = *match::compare_scene(what, curve, reached);  // never stopped by `reached`
+        require_measurable(drawn.frames, {what.times.front(), what.times.back()}, o.shown);
+        return drawn;
     } catch (const Error& error) {
         throw at_file(o.shown, error);
     }
@@ -111,11 +98,11 @@ Found compare_scene(const Options& o) {
     const Window common = common_time(o.match.reference, video, o.shown, window, offset);
     Progress progress("comparing", progress_steps);
     const match::MeasureOptions options = measure_options(o.match, reference, video.info().size);
-    const MeasuredVideo of_reference = measured(video, o.match.reference, options,
-                                                {common.from + offset, common.to + offset}, [&progress](double share) {
-                                                    progress.to(reference_part * share);
-                                                    return true;
-                                                });
+    const match::MeasuredVideo of_reference = measured(
+        video, o.match.reference, options, {common.from + offset, common.to + offset}, [&progress](double share) {
+            progress.to(reference_part * share);
+            return true;
+        });
     const std::vector<double> times = match::compared_times(of_reference.found.frames, offset, window.from, window.to);
     if (times.empty()) throw refused(o.match.reference, "has fewer than two moments in common with " + o.shown);
     note_cover(o.match.reference, {times.front(), times.back()}, window, "compared");
@@ -123,13 +110,15 @@ Found compare_scene(const Options& o) {
     match::PreviewCurve curve =
         preview_curve(shown, prepare_organ(shown.scene, shown.presets.front().vessels), options.estimator,
                       match::preview_size(video.info().size, reference.aspect));
-    match::PeakColors colors(window.from, window.to);
-    const std::vector<match::FrameAmounts> frames = draw(o, shown, curve, times, colors, progress);
-    return {.compared = {.amounts = match::likeness_of(frames, of_reference.found.frames, offset),
-                         .colors = match::likeness_of(colors.found(), of_reference.colors)},
-            .offset = offset,
-            .window = window,
-            .of_scene = true};
+    const match::ComparedScene drawn = draw(o,
+                                            {.scene = shown.scene,
+                                             .preset = shown.presets.front(),
+                                             .times = times,
+                                             .reference = of_reference.found.frames,
+                                             .offset = offset,
+                                             .colors = &of_reference.colors.colors},
+                                            curve, progress);
+    return {.compared = drawn.compared, .offset = offset, .window = window, .of_scene = true};
 }
 
 Found compare_video(const Options& o) {
@@ -142,12 +131,12 @@ Found compare_video(const Options& o) {
     Progress progress("comparing", progress_steps);
     const match::MeasureOptions options = measure_options(o.match, {}, reference.info().size);
     const bool same = is_same_file(o.shown, o.match.reference);  // then the baseline is of both
-    const MeasuredVideo of_reference = measured(reference, o.match.reference, options,
-                                                {common.from + offset, common.to + offset}, [&progress](double share) {
-                                                    progress.to(reference_part * share);
-                                                    return true;
-                                                });
-    MeasuredVideo of_video =
+    const match::MeasuredVideo of_reference = measured(
+        reference, o.match.reference, options, {common.from + offset, common.to + offset}, [&progress](double share) {
+            progress.to(reference_part * share);
+            return true;
+        });
+    match::MeasuredVideo of_video =
         measured(video, o.shown, same ? options : match::MeasureOptions{}, common, [&progress](double share) {
             progress.to(reference_part + (1.0 - reference_part) * share);
             return true;
@@ -157,7 +146,8 @@ Found compare_video(const Options& o) {
     note_cover(o.match.reference, common, window, "compared");
     const match::Likeness likeness = match::likeness_of(frames, of_reference.found.frames, offset);
     if (!likeness.overlap) throw refused(o.match.reference, "has fewer than two moments in common with " + o.shown);
-    return {.compared = {.amounts = likeness, .colors = match::likeness_of(of_video.colors, of_reference.colors)},
+    return {.compared = {.amounts = likeness,
+                         .colors = match::likeness_of(of_video.colors.colors, of_reference.colors.colors)},
             .offset = offset,
             .window = window};
 }

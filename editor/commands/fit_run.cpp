@@ -2,6 +2,7 @@
 #include "commands/say.h"
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -11,10 +12,8 @@
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/context.h"
-#include "match/fit/curves_file.h"
-#include "match/fit/fit_colors.h"
-#include "match/fit/proposal.h"
-#include "match/fit/report_pictures.h"
+#include "match/report/curves_file.h"
+#include "match/use/fit_scene.h"
 
 namespace lapfx::commands {
 
@@ -39,11 +38,9 @@ class Steps {
     explicit Steps(double budget) : budget_(budget), progress_("fitting", progress_steps) {}
     /// False: the time is over.
     bool to(double share) {
-        share_ = share;
         progress_.to(share);
         return seconds() < budget_;
     }
-    bool goes_on() { return to(share_); }
     double seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
     Error over(const std::string& when) const {
         std::ostringstream reason;
@@ -53,40 +50,40 @@ class Steps {
 
   private:
     Clock::time_point began_ = Clock::now();
-    double budget_, share_ = 0.0;
+    double budget_;
     Progress progress_;
 };
 
-/// The figures of the fit; those of measuring, and pictures, are missing yet.
-match::FitReport report_of(const FitOptions& o, const Scene& scene, const Window& window, const match::FitInput& input,
-                           const match::FitResult& result) {
+match::ReportOf names_of(const FitOptions& o, const Scene& scene) {
     const auto name = [](const std::filesystem::path& file) { return file.filename().string(); };
     return {.scene = name(o.files.scene),
             .reference = name(o.files.reference),
             .preset = name(o.files.preset.empty() ? scene.preset : o.files.preset),
             .fitted = name(o.files.output),
-            .fitted_scene = name(o.files.fitted_scene),
-            .from = window.from,
-            .to = window.to,
-            .seed = o.seed,
-            .target = input.target,
-            .result = result};
+            .fitted_scene = name(o.files.fitted_scene)};
 }
 
-match::FitInput input_of(const FitOptions& o, const ShownScene& shown) {
-    match::FitInput input{.start = {shown.scene, shown.presets.front()}, .seed = o.seed};
-    input.parameters = match::free_parameters(input.start, keys_of(o.parameters));
-    for (const match::FreeParameter& p : input.parameters)
-        if (p.of_scene && o.files.fitted_scene.empty())
+match::SceneFit fit_of(const FitOptions& o, const ShownScene& shown) {
+    match::SceneFit fit{.start = {shown.scene, shown.presets.front()},
+                        .keys = keys_of(o.parameters),
+                        .tools = !o.files.fitted_scene.empty(),
+                        .seed = o.seed,
+                        .colors = o.colors ? match::ColorsOfFit::match : match::ColorsOfFit::leave};
+    for (const match::FreeParameter& p : match::free_parameters(fit.start, fit.keys))
+        if (p.of_scene && !fit.tools)
             throw wrong_option("--parameters", p.key + ": is the scene's, which is written with --fitted-scene only");
-    return input;
+    if (!fit.tools) std::erase_if(fit.color_keys, [](const auto& key) { return match::is_color_of_scene(key); });
+    return fit;
 }
 
-match::Measurement measured(const FitOptions& o, VideoReader& video, const match::MeasureOptions& options,
-                            Steps& steps) {
+/// `part`: of the video, whose colours are wanted.
+match::MeasuredVideo measured(const FitOptions& o, VideoReader& video, const match::MeasureOptions& options,
+                              const match::VideoPart& part, Steps& steps) {
     bool in_time = true;
+    match::VideoMeasuring how{.options = options};
+    if (o.colors) how.colors_of = part;
     try {
-        return measured_video(video, o.files.reference, options, [&](double share) {
+        return measured_video(video, o.files.reference, std::move(how), [&](double share) {
             in_time = steps.to(reference_part * share);
             return in_time;
         });
@@ -96,47 +93,15 @@ match::Measurement measured(const FitOptions& o, VideoReader& video, const match
     }
 }
 
-match::FitResult fitted(const FitOptions& o, match::FitInput& input, match::PreviewCurve& curve, Steps& steps) {
-    double share = reference_part;
-    input.draw = [&](const match::Tuned& tuned, std::span<const double> times) {
-        return curve.measure(tuned.scene, tuned.preset, times, {.progress = [&](double) { return steps.to(share); }});
-    };
-    input.progress = [&](const match::FitProgress& progress) {
-        share = reference_part + (1.0 - reference_part) * progress.share;
-        return steps.to(share);
-    };
+match::FittedScene fitted(const FitOptions& o, const match::SceneFit& fit, match::PreviewCurve& curve, Steps& steps) {
+    const auto reached = [&steps](double share) { return steps.to(std::lerp(reference_part, 1.0, share)); };
     try {
-        match::FitResult result = match::fit(input);
-        if (result.after.empty()) throw steps.over("the scene was drawn");
-        return result;
+        match::FittedScene found = match::fit_scene(fit, curve, {.progress = reached});
+        if (found.result->after.empty()) throw steps.over("the scene was drawn");
+        return found;
     } catch (const Error& error) {
         throw error.failure() == Failure::bad_input ? at_file(o.files.scene, error) : error;
     }
-}
-
-match::ColorFit color_fit(const FitOptions& o, const match::PeakColors& peaks,
-                          std::span<const match::TargetPoint> target, Steps& steps) {
-    match::ColorFit input{.reference = peaks.at_peak(),
-                          .target = target,
-                          .amidst = [&steps](double) { return steps.goes_on(); },
-                          .finish = [&steps](double) { return steps.to(1.0); }};
-    if (o.files.fitted_scene.empty())
-        std::erase_if(input.keys, [](const std::string& key) { return match::is_color_of_scene(key); });
-    return input;
-}
-
-/// Not ended by the budget: what was found is to be shown.
-void add_pictures(match::FitReport& report, VideoReader& video, double aspect, const match::Tuned& before,
-                  match::PreviewCurve& curve, Steps& steps) {
-    match::add_pictures(
-        report, video, aspect, before,
-        [&curve](const match::Tuned& tuned, double time, glm::ivec2 size) {
-            return curve.picture(tuned.scene, tuned.preset, time, size);
-        },
-        [&steps](double) {
-            (void)steps.to(1.0);  // throws where it was interrupted
-            return true;
-        });
 }
 
 }  // namespace
@@ -179,7 +144,7 @@ void check_options(const FitOptions& options) {
     } catch (const Error&) {
         return;
     }
-    (void)input_of(options, *shown);
+    (void)fit_of(options, *shown);
 }
 
 FitRun run_fit(const FitOptions& given) {
@@ -190,7 +155,7 @@ FitRun run_fit(const FitOptions& given) {
     const ShownScene shown =
         open_shown(files.scene, files.preset.empty() ? std::vector<std::string>() : std::vector{files.preset}, {});
     check_files(files, shown);
-    match::FitInput input = input_of(o, shown);
+    match::SceneFit fit = fit_of(o, shown);
     const Window window = window_of(o.match.window, shown.scene.duration, "scene");
     VideoReader video = opened_video(files.reference);
     const SceneReference reference = reference_of(o.match, shown.scene);
@@ -198,44 +163,39 @@ FitRun run_fit(const FitOptions& given) {
     if (shown.scene.events.empty() && files.fitted_scene.empty())
         say(o.files.scene + ": /events is empty, so nothing smokes or bleeds; with --fitted-scene tools are added");
     Steps steps(o.budget);
-    match::MeasureOptions options = measure_options(o.match, reference, video.info().size);
-    match::PeakColors peaks(window.from + reference.offset, window.to + reference.offset);
-    if (o.colors)
-        options.measured = [&peaks](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& found) {
-            peaks.add(frame, estimator, found);
-        };
+    const match::MeasureOptions options = measure_options(o.match, reference, video.info().size);
+    match::MeasuredVideo of_reference =
+        measured(o, video, options, {window.from + reference.offset, window.to + reference.offset}, steps);
     FitRun run;
-    run.measured = measured(o, video, options, steps);
-    input.target =
-        match::target_of(run.measured.frames, {.offset = reference.offset, .from = window.from, .to = window.to});
-    if (!input.target.empty())
-        note_cover(files.reference, {input.target.front().time, input.target.back().time}, window, "fitted");
+    run.measured = std::move(of_reference.found);
+    fit.reference = run.measured.frames, fit.reference_colors = of_reference.colors;
+    fit.offset = reference.offset, fit.from = window.from, fit.to = window.to;
+    if (const std::vector<match::TargetPoint> target = match::target_of(fit); !target.empty())
+        note_cover(files.reference, {target.front().time, target.back().time}, window, "fitted");
     const Context context = Context::create(Backend::automatic);
-    input.organ = prepare_organ(shown.scene, input.start.preset.vessels);
+    fit.organ = prepare_organ(shown.scene, fit.start.preset.vessels);
     const glm::ivec2 size = match::preview_size(video.info().size, reference.aspect);
-    input.aspect = static_cast<double>(size.x) / size.y;
-    const bool tools = !files.fitted_scene.empty();
-    std::vector<std::string> proposed = match::begin_with_proposal(input, tools);
-    if (tools) run.proposed = std::move(proposed);
-    match::PreviewCurve curve = preview_curve(shown, input.organ, options.estimator, size);
-    match::FitColors color_matching(color_fit(o, peaks, input.target, steps), curve);
-    if (o.colors) input.match_colors = [&](const match::Tuned& tuned) { return color_matching.amidst(tuned); };
-    match::FitResult result = fitted(o, input, curve, steps);
-    if (result.proposal_left) run.proposed = {match::scene_was_nearer(shown.scene)};
-    std::vector<std::string> colors;
-    if (o.colors) colors = color_matching.finish(result);
+    fit.aspect = static_cast<double>(size.x) / size.y;
+    match::PreviewCurve curve = preview_curve(shown, fit.organ, options.estimator, size);
+    match::FittedScene found = fitted(o, fit, curve, steps);
     if (o.colors && files.fitted_scene.empty())
-        colors.emplace_back("camera.exposure and organ.color: stay, the scene is written with --fitted-scene only");
-    run.report = report_of(o, shown.scene, window, input, result);
+        found.colors.emplace_back(
+            "camera.exposure and organ.color: stay, the scene is written with --fitted-scene only");
+    run.proposed = found.lines;
+    match::ReportOf of = names_of(o, shown.scene);
+    of.seconds = steps.seconds(), of.notes = run.measured.notes;
+    run.report = match::report_of(found, of);
     match::FitReport& report = run.report;
-    report.colors = std::move(colors);
-    report.offset = reference.offset, report.seconds = steps.seconds(), report.notes = run.measured.notes;
+    const match::FitResult& result = report.result;
     if (!video.info().warning.empty()) report.notes.push_back(video.info().warning);
     if (!files.report.empty()) {
-        add_pictures(report, video, reference.aspect, input.before.value_or(input.start), curve, steps);
+        match::add_pictures(report, video, reference.aspect, found.start, curve, [&steps](double) {
+            (void)steps.to(1.0);  // throws where it was interrupted
+            return true;          // not ended by the budget: what was found is to be shown
+        });
         write_file(files.report, match::report_html(report));
     }
-    if (!files.csv.empty()) write_file(files.csv, match::curves_csv(input.target, result));
+    if (!files.csv.empty()) write_file(files.csv, match::curves_csv(report.target, result));
     write_file(files.output, write_preset(result.tuned.preset));
     if (!files.fitted_scene.empty()) save_scene(fitted_scene(files, reference, result.tuned.scene), files.fitted_scene);
     return run;

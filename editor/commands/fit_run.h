@@ -8,8 +8,8 @@
 
 #include "commands/fit_files.h"
 #include "commands/matched_videos.h"
-#include "match/fit/report.h"
-#include "match/measure.h"
+#include "match/report/report.h"
+#include "match/video/measure.h"
 
 namespace lapfx::commands {
 

@@ -11,6 +11,7 @@
 #include "commands/measured_part.h"
 #include "commands/options.h"
 #include "commands/session.h"
+#include "match/use/measure_video.h"
 
 namespace lapfx::commands {
 
@@ -58,7 +59,7 @@ SceneReference reference_of(const MatchOptions& options, const Scene& scene) {
 }
 
 match::MeasureOptions measure_options(const MatchOptions& options, const SceneReference& reference, glm::ivec2 size) {
-    match::MeasureOptions made = app::measure_options(reference.measure);
+    match::MeasureOptions made = match::measure_options(reference.measure);
     if (options.baseline) made.baseline = options.baseline;  // also 0, which a scene has for none
     if (!options.view.empty()) made.estimator.round_view = round_view_of(options.view, size);
     return made;
@@ -79,12 +80,12 @@ Error at_file(const std::string& file, const Error& error) {
     return {error.failure(), std::move(faults)};
 }
 
-match::Measurement measured_video(VideoReader& video, const std::string& file, match::MeasureOptions options,
-                                  const lapfx::Progress& progress) {
+match::MeasuredVideo measured_video(VideoReader& video, const std::string& file, match::VideoMeasuring how,
+                                    const lapfx::Progress& progress) {
     try {
-        match::Measurement found = match::measure(video, options, progress);
-        for (const std::string& line : found.notes) say(file + ": " + line);
-        return found;
+        match::MeasuredVideo measured = match::measure_video(video, std::move(how), progress);
+        for (const std::string& line : measured.found.notes) say(file + ": " + line);
+        return measured;
     } catch (const Error& error) {
         std::vector<Fault> faults = error.faults();
         for (Fault& fault : faults)

@@ -11,8 +11,8 @@
 #include "commands/shown_scene.h"
 #include "lapfx/authoring/video.h"
 #include "lapfx/error.h"
-#include "match/fit/preview_curve.h"
-#include "match/measure.h"
+#include "match/scene/preview_curve.h"
+#include "match/use/measure_video.h"
 
 namespace lapfx::commands {
 
@@ -48,8 +48,8 @@ Error at_file(const std::string& file, const Error& error);
 
 /// Measures a whole video: what lies outside a window helps to find its baseline. Prints what should be known about the
 /// figures. Throws Error that names the file. `progress`: shares 0..1.
-match::Measurement measured_video(VideoReader& video, const std::string& file, match::MeasureOptions options,
-                                  const lapfx::Progress& progress);
+match::MeasuredVideo measured_video(VideoReader& video, const std::string& file, match::VideoMeasuring how,
+                                    const lapfx::Progress& progress);
 
 /// Tells where much of the window lacks. `done`: "fitted".
 void note_cover(const std::string& file, const Window& covered, const Window& window, const std::string& done);

@@ -13,8 +13,8 @@
 #include "commands/say.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/video.h"
-#include "match/counted.h"
-#include "match/measure.h"
+#include "match/frame/counted.h"
+#include "match/use/measure_video.h"
 #include "output/files.h"
 
 namespace lapfx::commands {
@@ -151,17 +151,18 @@ match::Measurement measure(VideoReader& video, const Options& o) {
     if (!o.region.empty()) options.estimator.region = region_of(o.region, video.info().size);
     if (!o.view.empty()) options.estimator.round_view = round_view_of(o.view, video.info().size);
     for (const std::string& text : o.masks)
-        for (match::Part& mask : masks_of(text, video.info().size)) options.estimator.masks.push_back(std::move(mask));
+        for (match::MaskPolygon& mask : masks_of(text, video.info().size))
+            options.estimator.masks.push_back(std::move(mask));
     Progress progress("measuring", progress_steps);
     OverlayFile overlay(o.overlay, video.info());  // after Progress: Ctrl-C leaves nothing of it
     if (overlay)
         options.measured = [&overlay](Image& frame, const match::Estimator* estimator,
                                       const match::FrameAmounts& amounts) { overlay.add(frame, estimator, amounts); };
     try {
-        match::Measurement found = match::measure(video, options, [&](double share) {
-            progress.to(share);
-            return true;
-        });
+        match::Measurement found = match::measure_video(video, {.options = options}, [&](double share) {
+                                       progress.to(share);
+                                       return true;
+                                   }).found;
         overlay.finish(end_of(found, video));  // before anything else is written: a full disk is found by now
         return found;
     } catch (const Error& error) {

@@ -42,9 +42,9 @@ bool are_fractions(const std::vector<double>& numbers) {
 }
 
 /// Corners as fractions of the picture; nothing if one is not inside.
-std::optional<match::Part> part_of(const std::vector<double>& numbers, bool fractions, glm::ivec2 size) {
+std::optional<match::MaskPolygon> part_of(const std::vector<double>& numbers, bool fractions, glm::ivec2 size) {
     const glm::dvec2 whole = fractions ? glm::dvec2(1.0) : glm::dvec2(size);
-    match::Part part;
+    match::MaskPolygon part;
     for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
         const glm::dvec2 corner = glm::dvec2(numbers[i], numbers[i + 1]) / whole;
         if (corner.x < 0.0 || corner.y < 0.0 || corner.x > 1.0 || corner.y > 1.0) return {};
@@ -61,7 +61,7 @@ std::string polygon_rule() {
     return "x,y of 3 to " + std::to_string(most_part_corners) + " corners";
 }
 
-match::Part mask_of_corners(const std::string& text, glm::ivec2 size) {
+match::MaskPolygon mask_of_corners(const std::string& text, glm::ivec2 size) {
     const auto numbers = numbers_of(text);
     if (!numbers) throw wrong_option("--mask", "\"" + text + "\" is not x,y,x,y,x,y");
     if (numbers->size() % 2 != 0 || !fits_polygon(numbers->size() / 2))
@@ -72,7 +72,7 @@ match::Part mask_of_corners(const std::string& text, glm::ivec2 size) {
 }
 
 /// The polygons of a file are all in pixels, or all in fractions.
-std::vector<match::Part> masks_of_file(const std::string& file, glm::ivec2 size) {
+std::vector<match::MaskPolygon> masks_of_file(const std::string& file, glm::ivec2 size) {
     const auto refuse = [&file](const std::string& place, const std::string& reason) {
         throw Error(Failure::bad_input, Fault{.file = file, .place = place, .reason = reason});
     };
@@ -93,7 +93,7 @@ std::vector<match::Part> masks_of_file(const std::string& file, glm::ivec2 size)
         }
         fractions = fractions && are_fractions(numbers);
     }
-    std::vector<match::Part> parts;
+    std::vector<match::MaskPolygon> parts;
     for (const std::vector<double>& numbers : polygons) {
         const auto part = part_of(numbers, fractions, size);
         if (!part) refuse("/" + std::to_string(parts.size()), "is not inside the picture of " + text_of(size));
@@ -104,7 +104,7 @@ std::vector<match::Part> masks_of_file(const std::string& file, glm::ivec2 size)
 
 }  // namespace
 
-std::vector<match::Part> masks_of(const std::string& text, glm::ivec2 size) {
+std::vector<match::MaskPolygon> masks_of(const std::string& text, glm::ivec2 size) {
     if (std::filesystem::path(text).extension() == ".json") return masks_of_file(text, size);
     return {mask_of_corners(text, size)};
 }

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "match/estimator.h"
+#include "match/frame/estimator.h"
 
 namespace lapfx::commands {
 
 /// --mask: the corners of a polygon, "x,y,x,y,x,y", or a JSON file of polygons, [[[x,y],...],...].
-std::vector<match::Part> masks_of(const std::string& text, glm::ivec2 size);
+std::vector<match::MaskPolygon> masks_of(const std::string& text, glm::ivec2 size);
 /// --roi: "x,y,width,height" as fractions of the picture.
 glm::dvec4 region_of(const std::string& text, glm::ivec2 size);
 /// --view: "x,y,r" as fractions of width, height and height; fractions if neither x nor y is above 1.

@@ -20,16 +20,10 @@
 #include <string_view>
 #include <vector>
 
+#include "document/content.h"
 #include "document/delta.h"
-#include "lapfx/preset.h"
-#include "lapfx/scene.h"
 
 namespace lapfx::document {
-
-struct Content {
-    Scene scene;
-    Preset preset;
-};
 
 /// Whether both would be written as the same files. Two clips are the same when they name the same file, even from
 /// different folders.

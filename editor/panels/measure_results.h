@@ -1,7 +1,7 @@
 // What was measured, as figures and curves: parts of the Measure panel.
 #pragma once
 
-#include "match/estimator.h"
+#include "match/frame/estimator.h"
 #include "panels/panels.h"
 
 namespace lapfx::panels {

@@ -12,7 +12,7 @@
 #include "app/tuning/key_titles.h"
 #include "app/tuning/parameters.h"
 #include "app/tuning/tuning.h"
-#include "match/likeness_words.h"
+#include "match/compare/likeness_words.h"
 #include "panels/measured_colors.h"
 #include "panels/table_rows.h"
 #include "ui/canvas/axis.h"

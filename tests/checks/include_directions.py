@@ -4,8 +4,9 @@
     editor, samples -> effects/include/lapfx/*.h, and what is for lapfx's own programs:
                        effects/include_authoring/lapfx/authoring/*.h
     samples/host, as any host -> effects/include/lapfx/*.h, effects/c/include/lapfx.h alone
-    editor: commands -> window, panels -> app -> document -> lapfx/*.h
+    editor: commands -> window, panels -> app -> match -> document -> lapfx/*.h
     editor/app: browser -> files -> measure -> {clips, reference} -> tuning -> preview -> base
+    editor/match: use -> report -> fit -> {compare, explain, scene} -> video -> frame -> picture
     effects/c -> effects/*.{h,cpp} -> render -> {bleeding, smoke, cautery} -> organ -> {media, tool}
               -> {preset, gl, work} -> effects/include/lapfx/*.h
     lapfx::simulation (all of effects/ that does not draw, by the list in effects/CMakeLists.txt) -> nothing that draws,
@@ -31,9 +32,14 @@ DRAWN = (*FACADE, PUBLIC + "context.h")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
 STANDARD = re.compile(r"[a-z_0-9]+")
 # Of editor/, but its toolkit: a folder may include those below it, and those that share its number and are itself.
-EDITOR_LEVELS = {"document": 0, "output": 0, "app": 1, "panels": 2, "gallery": 2, "window": 2, "commands": 3}
+EDITOR_LEVELS = {"document": 0, "output": 0, "match": 1, "app": 2, "panels": 3, "gallery": 3, "window": 3, "commands": 4}
+# Of what is edited, measuring and fitting know what it holds, and not how it is edited.
+SEEN_BY_MATCH = "editor/document/content.h"
 # Of editor/app/: what lies in no room is above all rooms.
 APP_LEVELS = {"base": 0, "preview": 1, "tuning": 2, "clips": 3, "reference": 3, "measure": 4, "files": 5, "browser": 6, "": 7}
+# Of editor/match/: every file lies in a room.
+MATCH_LEVELS = {"picture": 0, "frame": 1, "video": 2, "compare": 3, "explain": 3, "scene": 3, "fit": 4, "report": 5, "use": 6}
+ROOMS = {"app": APP_LEVELS, "match": MATCH_LEVELS}
 # Of its toolkit, editor/ui/: events in, list of shapes out; gl/ draws that list.
 TOOLKIT_LEVELS = {"value": 0, "draw": 1, "text": 2, "paint": 3, "gl": 4, "core": 4, "widgets": 5, "canvas": 6, "shell": 7}
 GL = ("glad/", "GL/", "EGL/", "GLES", "KHR/")
@@ -125,20 +131,21 @@ def toolkit_fault(path, target, name):
 
 
 def room(path):
-    """The room of editor/app/ that a file lies in, '' in none of them."""
+    """The room of editor/app/ or editor/match/ that a file lies in, '' in none of them."""
     pieces = path.split("/")
     return pieces[2] if len(pieces) > 3 else ""
 
 
-def app_fault(path, target):
-    """Inside editor/app/: downwards only."""
-    here, there = room(path), room(target)
+def room_fault(path, target):
+    """Inside a folder of editor/ that has rooms: downwards only."""
+    folder, here, there = path.split("/")[1], room(path), room(target)
+    levels = ROOMS[folder]
     if here == there:
         return None
-    if here not in APP_LEVELS or there not in APP_LEVELS:
-        return f"editor/app/{here if here not in APP_LEVELS else there} has no level in {os.path.basename(__file__)}"
-    if APP_LEVELS[there] >= APP_LEVELS[here]:
-        return f"editor/app/{there} is above or beside editor/app/{here}"
+    if here not in levels or there not in levels:
+        return f"editor/{folder}/{here if here not in levels else there} has no level in {os.path.basename(__file__)}"
+    if levels[there] >= levels[here]:
+        return f"editor/{folder}/{there} is above or beside editor/{folder}/{here}"
     return None
 
 
@@ -154,17 +161,19 @@ def outside_fault(path, target):
 
 
 def editor_fault(path, target, name):
-    """What is edited knows no UI; the editor knows no panels; panels know no window and no OpenGL."""
+    """What is edited or measured knows no UI; the editor knows no panels; panels know no window and no OpenGL."""
     here = path.split("/")[1]
-    if here in ("document", "panels") and name.startswith((*GL, "GLFW/")):
+    if here in ("document", "match", "panels") and name.startswith((*GL, "GLFW/")):
         return f"editor/{here} does not know OpenGL and the window system"
     if target is None or not target.startswith("editor/") or here not in EDITOR_LEVELS:
         return None
     there = target.split("/")[1]
-    if here == there == "app":
-        return app_fault(path, target)
-    if there == "ui" and here == "document":
-        return "what is edited knows nothing of the UI"
+    if here == there and here in ROOMS:
+        return room_fault(path, target)
+    if there == "ui" and here in ("document", "match"):
+        return "what is edited knows nothing of the UI" if here == "document" else "measuring knows nothing of the UI"
+    if here == "match" and there == "document" and target != SEEN_BY_MATCH:
+        return f"of what is edited, editor/match knows {SEEN_BY_MATCH} alone"
     if there in EDITOR_LEVELS and there != here and EDITOR_LEVELS[there] >= EDITOR_LEVELS[here]:
         return f"editor/{there} is above or beside editor/{here}"
     return None
@@ -261,7 +270,7 @@ EXAMPLES = [
             "effects/effects.cpp": '#include "lapfx/effects.h"\n#include "render/frame.h"',
             "effects/render/frame.h": '#include "lapfx/authoring/preview.h"\n#include <glad/gl.h>', PUBLIC + "effects.h": "",
             AUTHORING + "preview.h": '#include "lapfx/effects.h"\n#include <glm/vec3.hpp>\n#include <vector>'}),
-    (None, {"editor/match/fit.cpp": '#include "lapfx/effects.h"\n#include <nlopt.hpp>', PUBLIC + "effects.h": ""}),
+    (None, {"editor/match/fit/fit.cpp": '#include "lapfx/effects.h"\n#include <nlopt.hpp>', PUBLIC + "effects.h": ""}),
     (None, {"tests/parity/ooze_test.cpp": '#include "bleeding/ooze_cpu.h"\n#include "bleeding/ooze_gpu.h"',
             "effects/bleeding/ooze_cpu.h": "", "effects/bleeding/ooze_gpu.h": ""}),
     (None, {"effects/smoke/smoke.cpp": '#include "smoke/keying_cpu.h"\n#include "smoke/keying_gpu.h"',
@@ -323,6 +332,25 @@ EXAMPLES = [
      {"editor/app/new/a.cpp": '#include "app/base/b.h"', "editor/app/base/b.h": ""}),
     (None, {"editor/app/editor.cpp": '#include "app/files/a.h"', "editor/app/files/a.h": '#include "app/base/b.h"',
             "editor/app/base/b.h": '#include "c.h"', "editor/app/base/c.h": "", "editor/panels/d.cpp": '#include "app/base/b.h"'}),
+    ("editor/match/fit is above or beside editor/match/scene",
+     {"editor/match/scene/a.h": '#include "match/fit/b.h"', "editor/match/fit/b.h": ""}),
+    ("editor/match/compare is above or beside editor/match/explain",
+     {"editor/match/explain/a.cpp": '#include "match/compare/b.h"', "editor/match/compare/b.h": ""}),
+    ("editor/match/new has no level",
+     {"editor/match/new/a.cpp": '#include "match/picture/b.h"', "editor/match/picture/b.h": ""}),
+    ("editor/match/ has no level",
+     {"editor/match/a.cpp": '#include "match/picture/b.h"', "editor/match/picture/b.h": ""}),
+    ("editor/match is above or beside editor/output",
+     {"editor/output/a.cpp": '#include "match/video/b.h"', "editor/match/video/b.h": ""}),
+    ("editor/app is above or beside editor/match",
+     {"editor/match/video/a.cpp": '#include "app/base/b.h"', "editor/app/base/b.h": ""}),
+    ("measuring knows nothing of the UI", {"editor/match/video/a.cpp": '#include "ui/b.h"', "editor/ui/b.h": ""}),
+    ("editor/match does not know OpenGL", {"editor/match/scene/a.cpp": "#include <glad/gl.h>"}),
+    ("editor/match knows editor/document/content.h alone",
+     {"editor/match/fit/a.h": '#include "document/document.h"', "editor/document/document.h": ""}),
+    (None, {"editor/match/report/a.cpp": '#include "match/fit/b.h"\n#include "c.h"', "editor/match/report/c.h": "",
+            "editor/match/fit/b.h": '#include "document/content.h"', "editor/document/content.h": "",
+            "editor/app/measure/d.cpp": '#include "match/report/c.h"'}),
     ("only lapfx/*.h may be included here",
      {"editor/app.cpp": '#include "../effects/render/frame.h"', "effects/render/frame.h": ""}),
     ("only lapfx/*.h may be included here", {"samples/make.cpp": '#include "gl/b.h"', "effects/gl/b.h": ""}),

@@ -7,7 +7,7 @@
 #include "app/preview/seen_colors.h"
 #include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
-#include "match/region.h"
+#include "match/compare/region.h"
 #include "ui/core/node.h"
 
 namespace lapfx::test {

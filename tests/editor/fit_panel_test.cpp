@@ -16,8 +16,8 @@
 #include "document/document.h"
 #include "editor/support/editor_test.h"
 #include "lapfx/authoring/preview.h"
-#include "match/fit/report.h"
 #include "match/fit/worse.h"
+#include "match/report/report.h"
 #include "output/files.h"
 #include "support/wait_until.h"
 
@@ -64,7 +64,7 @@ TEST_F(FitPanel, TheProposalIsTakenAsOneStep) {
     ASSERT_FALSE(fitting().found()->lines.empty());
     EXPECT_TRUE(says(app::with_titles(fitting().found()->lines.front())));
     EXPECT_FALSE(says("(null)")) << "a parameter without a unit";
-    const match::Tuned found = fitting().found()->tuned;
+    const document::Content found = fitting().found()->tuned;
     press("Take");
     EXPECT_EQ(steps(), steps_before + 1);
     EXPECT_EQ(editor().document.steps().back().name, "Take proposal");
@@ -329,7 +329,7 @@ class FitColors : public FitPanel {
     }
     std::vector<match::FrameAmounts> curve_of_found() {
         const app::FitFound& found = *fitting().found();
-        match::PreviewCurve curve(found.of.organ,
+        match::PreviewCurve curve(found.organ,
                                   {.clip_folders = editor().options().clip_folders, .wait_for_clips = true},
                                   {.size = match::preview_size({256, 206})});
         std::vector<double> times;

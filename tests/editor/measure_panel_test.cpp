@@ -9,7 +9,7 @@
 #include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
 #include "editor/support/held_jobs.h"
-#include "match/measure.h"
+#include "match/video/measure.h"
 #include "output/files.h"
 #include "support/clips.h"
 #include "support/wait_until.h"

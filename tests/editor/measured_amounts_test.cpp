@@ -16,8 +16,10 @@
 #include "app/tuning/tuning.h"
 #include "editor/support/editor_test.h"
 #include "lapfx/authoring/video.h"
-#include "match/likeness_words.h"
-#include "match/measure.h"
+#include "match/compare/color_likeness.h"
+#include "match/compare/likeness_words.h"
+#include "match/use/measure_video.h"
+#include "match/video/measure.h"
 #include "support/wait_until.h"
 
 namespace lapfx::test {
@@ -184,7 +186,7 @@ TEST_F(MeasuredAmounts, ColoursAreThoseThatMeasuringTheVideoFinds) {
     settle();
     ASSERT_NE(measuring().colors(), nullptr);
     VideoReader video(editor().reference().file());
-    match::MeasureOptions options = app::measure_options(editor().document.scene().reference.measure);
+    match::MeasureOptions options = match::measure_options(editor().document.scene().reference.measure);
     match::PeakColors peaks(0.5, 5.37);  // to the end of a step
     options.measured = [&](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
         peaks.add(frame, estimator, amounts);

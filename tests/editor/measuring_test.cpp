@@ -7,7 +7,8 @@
 #include "app/measure/proposed_marks.h"
 #include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
-#include "match/counted.h"
+#include "match/frame/counted.h"
+#include "match/use/measure_video.h"
 #include "support/folders.h"
 #include "support/wait_until.h"
 
@@ -83,8 +84,9 @@ TEST_F(MeasuringTest, WhatWasStoppedGoesOnToTheSameEnd) {
     EXPECT_GE(measuring().frames().size(), so_far) << "it does not start anew";
     wait_for([&] { return measuring().found() != nullptr; });
     VideoReader video(editor().reference().file());
-    EXPECT_EQ(match::csv_of(*measuring().found()),
-              match::csv_of(match::measure(video, app::measure_options(editor().document.scene().reference.measure))));
+    EXPECT_EQ(
+        match::csv_of(*measuring().found()),
+        match::csv_of(match::measure(video, match::measure_options(editor().document.scene().reference.measure))));
 }
 
 TEST_F(MeasuringTest, AChangeThatDoesNotConcernItStopsNothing) {
@@ -152,7 +154,7 @@ TEST_F(MeasuringTest, WhatWasCountedIsDrawnOverTheReferenceWhereItIsMeasured) {
     VideoReader video(editor().reference().file());
     Image drawn;
     const double wanted = video.time_of(editor().reference().shown_frame());
-    match::MeasureOptions options = app::measure_options(editor().document.scene().reference.measure);
+    match::MeasureOptions options = match::measure_options(editor().document.scene().reference.measure);
     options.measured = [&](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
         if (amounts.time != wanted) return;
         if (estimator != nullptr) match::draw_counted(frame, *estimator, amounts);

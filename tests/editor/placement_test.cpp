@@ -8,7 +8,7 @@
 #include "app/reference/placed_picture.h"
 #include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
-#include "match/region.h"
+#include "match/compare/region.h"
 #include "support/endoscope.h"
 
 namespace lapfx::test {

@@ -3,6 +3,7 @@
 #include "app/measure/drawn_curve.h"
 #include "app/measure/measuring.h"
 #include "app/measure/side_by_side.h"
+#include "match/use/measure_video.h"
 
 namespace lapfx::app {
 
@@ -41,7 +42,7 @@ void PageMaking::work() noexcept {
 void PageMaking::make() {
     video_ = std::make_shared<VideoReader>(wanted_.video, &job_.stop());
     const SceneReference& reference = wanted_.scene.reference;
-    const match::MeasureOptions options = measure_options(reference.measure);
+    const match::MeasureOptions options = match::measure_options(reference.measure);
     curve_->set_options(
         {.size = match::preview_size(video_->info().size, reference.aspect), .estimator = options.estimator});
     const auto progress = [this](double share) {

@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "match/fit/target.h"
-#include "match/likeness.h"
+#include "match/use/compare_scene.h"
+#include "match/use/measure_video.h"
 
 namespace lapfx::app {
 
@@ -30,7 +31,9 @@ bool measure_both(Compared& compared, const BothWanted& wanted, const Progress& 
     const bool known = wanted.found != nullptr;
     try {
         compared.of_reference =
-            known ? wanted.found->frames : match::measure(wanted.video, wanted.options, part(0, reference_part)).frames;
+            known
+                ? wanted.found->frames
+                : match::measure_video(wanted.video, {.options = wanted.options}, part(0, reference_part)).found.frames;
     } catch (const Error& error) {
         if (stopped) return false;
         compared.words = not_measured("The reference", error);
@@ -43,11 +46,15 @@ bool measure_both(Compared& compared, const BothWanted& wanted, const Progress& 
         return true;
     }
     try {
-        auto frames =
-            wanted.curve.measure(wanted.scene, wanted.preset, times, {.progress = part(known ? 0 : reference_part, 1)});
-        if (!frames) return false;
-        compared.of_preview = std::move(*frames);
-        compared.words = in_words(match::likeness_of(compared.of_preview, compared.of_reference, offset));
+        auto done = match::compare_scene({.scene = wanted.scene,
+                                          .preset = wanted.preset,
+                                          .times = times,
+                                          .reference = compared.of_reference,
+                                          .offset = offset},
+                                         wanted.curve, part(known ? 0 : reference_part, 1));
+        if (!done) return false;
+        compared.of_preview = std::move(done->frames);
+        compared.words = in_words(done->compared.amounts);
     } catch (const Error& error) {
         compared.words = not_measured("The preview", error);
     }

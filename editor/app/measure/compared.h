@@ -9,8 +9,8 @@
 #include "lapfx/preset.h"
 #include "lapfx/progress.h"
 #include "lapfx/scene.h"
-#include "match/fit/preview_curve.h"
-#include "match/measure.h"
+#include "match/scene/preview_curve.h"
+#include "match/video/measure.h"
 
 namespace lapfx::app {
 

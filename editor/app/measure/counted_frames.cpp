@@ -4,7 +4,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "match/counted.h"
+#include "match/frame/counted.h"
 
 namespace lapfx::app {
 

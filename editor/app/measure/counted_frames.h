@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "match/estimator.h"
+#include "match/frame/estimator.h"
 
 namespace lapfx::app {
 

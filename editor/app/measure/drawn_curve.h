@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/base/render_steps.h"
-#include "match/fit/preview_curve.h"
+#include "match/scene/preview_curve.h"
 
 namespace lapfx::app {
 

@@ -12,8 +12,7 @@
 #include "app/preview/scene_pace.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/video.h"
-#include "match/fit/report.h"
-#include "match/fit/report_pictures.h"
+#include "match/report/report.h"
 
 namespace lapfx::app {
 
@@ -23,19 +22,12 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-match::FitReport report_of(const FitFound& found) {
+match::ReportOf names_of(const FitFound& found) {
     return {.scene = found.of.scene,
             .reference = found.of.reference.filename().string(),
             .preset = found.of.preset,
-            .fitted = {},
-            .offset = found.of.offset,
-            .to = found.start.scene.duration,
-            .seed = found.of.seed,
             .seconds = found.seconds,
-            .notes = found.of.notes,
-            .colors = found.colors,
-            .target = found.target,
-            .result = *found.result};
+            .notes = found.of.notes};
 }
 
 }  // namespace
@@ -48,7 +40,7 @@ class FitReporting::Run {
         Notices& notices, std::function<void()> tell, bool beside)
         : of_(found.of),
           before_(found.start),
-          report_(report_of(found)),
+          report_(match::report_of(found, names_of(found))),
           path_(std::move(path)),
           curve_(curve),
           steps_(steps),
@@ -94,21 +86,18 @@ class FitReporting::Run {
     bool write() {
         require_not_opened(path_);
         VideoReader video(of_.reference, &job_->stop());
-        const auto draw = [this](const match::Tuned& tuned, double time, glm::ivec2 size) {
-            return curve_.picture(tuned.scene, tuned.preset, time, size);
-        };
         const auto goes_on = [this](double share) {
             job_->set_progress(share);
             return !job_->cancelled();
         };
-        if (!match::add_pictures(report_, video, of_.aspect, before_, draw, goes_on, &job_->stop()) || !goes_on(1.0))
+        if (!match::add_pictures(report_, video, of_.aspect, before_, curve_, goes_on, &job_->stop()) || !goes_on(1.0))
             return false;
         write_file(path_, match::report_html(report_));
         return true;
     }
 
     const FitOf of_;
-    const match::Tuned before_;
+    const document::Content before_;
     match::FitReport report_;
     const fs::path path_;
     match::PreviewCurve& curve_;
@@ -143,7 +132,7 @@ void FitReporting::write(const FitFound& found, const fs::path& path) {
     if (!found.result) return;
     run_.reset();
     steps_ = std::make_unique<RenderSteps>([this] { jobs_.wake(); });
-    curve_ = drawn_curve(found.of.organ, host_, clip_folders_, exact_ ? nullptr : &steps_);
+    curve_ = drawn_curve(found.organ, host_, clip_folders_, exact_ ? nullptr : &steps_);
     run_ = std::make_unique<Run>(
         found, path, *curve_, *steps_, jobs_, notices_, [this, path] { tell(path); }, !exact_);
 }

@@ -14,6 +14,7 @@
 #include "app/tuning/tuning.h"
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/compare.h"
+#include "match/use/measure_video.h"
 
 namespace lapfx::app {
 
@@ -115,8 +116,7 @@ void Fitting::follow_document() {
     if (!reference_.opening() && found_->of.reference != reference_.file()) return leave();
     if (!taken_step_ || taken_ == taken_step_.in_effect(document_)) return;
     taken_ = !taken_;
-    const document::Content start{found_->start.scene, found_->start.preset};
-    if (!taken_ && document::same(start, document_.content())) of_version_ = document_.version();
+    if (!taken_ && document::same(found_->start, document_.content())) of_version_ = document_.version();
     ++version_;
 }
 
@@ -178,7 +178,7 @@ bool Fitting::measured() {
 }
 
 /// The document and its reference, as they are now.
-FitOf Fitting::of_now(std::shared_ptr<const PreparedOrgan> organ) const {
+FitOf Fitting::of_now() const {
     const auto named = [](const fs::path& file, const std::string& name) {
         return !file.empty() ? file.filename().string() : !name.empty() ? name : "not saved";
     };
@@ -186,11 +186,29 @@ FitOf Fitting::of_now(std::shared_ptr<const PreparedOrgan> organ) const {
     return {.scene = named(document_.scene_file(), scene.name),
             .preset = named(document_.preset_file(), document_.preset().name),
             .reference = measuring_.file(),
-            .offset = scene.reference.offset,
             .aspect = scene.reference.aspect,
-            .notes = measuring_.found()->notes,
-            .organ = std::move(organ),
-            .seed = look.seed};
+            .notes = measuring_.found()->notes};
+}
+
+/// What a person has chosen, of the document as it is now. `size`: of the pictures.
+match::SceneFit Fitting::fit_now(std::shared_ptr<const PreparedOrgan> organ, glm::ivec2 size) const {
+    const Scene& scene = document_.scene();
+    const double offset = scene.reference.offset;
+    match::SceneFit fit{.start = document_.content(),
+                        .organ = std::move(organ),
+                        .keys = free_keys(look.keys),
+                        .reference = measuring_.found()->frames,
+                        .offset = offset,
+                        .to = scene.duration,
+                        .tools = look.tools,
+                        .aspect = static_cast<double>(size.x) / size.y,
+                        .weights = look.weights,
+                        .seed = look.seed,
+                        .colors = match::ColorsOfFit::compare,
+                        .reference_colors = measuring_.colors()->at_peak(offset, offset + scene.duration)};
+    fit.color_keys = free_keys(fit.color_keys);
+    if (look.colors && !fit.color_keys.empty()) fit.colors = match::ColorsOfFit::match;
+    return fit;
 }
 
 /// False while the organ or the clips are still being loaded, or where it cannot begin.
@@ -207,20 +225,11 @@ bool Fitting::prepare(double now) {
     const glm::ivec2 size = match::preview_size(reference_.video()->info().size, scene.reference.aspect);
     steps_ = std::make_unique<RenderSteps>([this] { jobs_.wake(); });
     curve_ = drawn_curve(organ, host_, clip_folders_, exact_ ? nullptr : &steps_,
-                         {.size = size, .estimator = measure_options(scene.reference.measure).estimator});
-    FitWanted wanted{.start = {scene, document_.preset()},
-                     .of = of_now(organ),
-                     .keys = free_keys(look.keys),
-                     .tools = look.tools,
-                     .proposal_alone = *asked_,
-                     .weights = look.weights,
-                     .reference = measuring_.found()->frames,
-                     .aspect = static_cast<double>(size.x) / size.y};
-    if (look.colors) wanted.color_keys = free_keys({match::color_keys().begin(), match::color_keys().end()});
-    const double offset = scene.reference.offset;
-    wanted.reference_colors = measuring_.colors()->at_peak(offset, offset + scene.duration);
+                         {.size = size, .estimator = match::measure_options(scene.reference.measure).estimator});
     began_ = now, of_version_ = document_.version();
-    run_ = std::make_unique<FittingRun>(std::move(wanted), curve_.get(), *steps_, jobs_, !exact_);
+    run_ =
+        std::make_unique<FittingRun>(FitWanted{.fit = fit_now(organ, size), .of = of_now(), .proposal_alone = *asked_},
+                                     curve_.get(), *steps_, jobs_, !exact_);
     return true;
 }
 
@@ -252,16 +261,14 @@ void Fitting::take() {
     bool kept_locked = false;
     const std::uint64_t before = document::newest_step(document_);
     document_.change(found.result ? "Fit" : "Take proposal", [&](document::Content& content) {
-        match::Tuned present{std::move(content.scene), std::move(content.preset)};
         for (const match::FreeParameter& p : found.parameters)
             if (locked(p.key))
                 kept_locked = true;
             else if (const double value = p.get(found.tuned); value != p.get(found.start))
-                p.set(present, value);
+                p.set(content, value);
         std::vector<std::string> colors = match::different_colors(found.start, found.tuned);
         kept_locked |= std::erase_if(colors, [this](const std::string& key) { return locked(key); }) > 0;
-        match::take_colors(present, found.tuned, colors);
-        content = {std::move(present.scene), std::move(present.preset)};
+        match::take_colors(content, found.tuned, colors);
         if (!moved || !tools) return;
         content.scene.events = found.tuned.scene.events;
         content.scene.curves.emission = found.tuned.scene.curves.emission;

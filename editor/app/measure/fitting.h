@@ -106,7 +106,8 @@ class Fitting {
     void forget_found_clip();
     void follow_document();
     std::vector<std::string> free_keys(std::vector<std::string> keys) const;
-    FitOf of_now(std::shared_ptr<const PreparedOrgan> organ) const;
+    FitOf of_now() const;
+    match::SceneFit fit_now(std::shared_ptr<const PreparedOrgan> organ, glm::ivec2 size) const;
     void fail(std::vector<Fault> faults);
     void end_run();
 

@@ -17,9 +17,7 @@
 #include <vector>
 
 #include "lapfx/error.h"
-#include "match/fit/fit.h"
-#include "match/fit/fit_colors.h"
-#include "match/fit/preview_curve.h"
+#include "match/use/fit_scene.h"
 
 namespace lapfx::app {
 
@@ -30,37 +28,21 @@ class RenderSteps;
 struct FitOf {
     std::string scene = {}, preset = {};  ///< names for people
     std::filesystem::path reference = {};
-    double offset = 0.0;                  ///< s; reference time = scene time + offset
     double aspect = 0.0;                  ///< of the reference, SceneReference::aspect
     std::vector<std::string> notes = {};  ///< of measuring it
-    std::shared_ptr<const PreparedOrgan> organ = {};
-    std::uint32_t seed = 1;
 };
 
 /// All that a fit goes by; a copy, so that the document may change meanwhile.
 struct FitWanted {
-    match::Tuned start;
+    match::SceneFit fit;
     FitOf of = {};
-    std::vector<std::string> keys = {};
-    bool tools = true;            ///< the proposal may move, add and silence them
     bool proposal_alone = false;  ///< nothing is drawn
-    match::Weights weights = {};
-    std::vector<std::string> color_keys = {};   ///< whose colours are matched once the amounts are fitted
-    match::ColorsAtPeak reference_colors = {};  ///< what they are matched with, or only compared
-    std::vector<match::FrameAmounts> reference = {};
-    double aspect = 1.25;  ///< of the pictures, width over height
 };
 
 /// What came of it.
-struct FitFound {
-    match::Tuned start, tuned;
+struct FitFound : match::FittedScene {
     FitOf of = {};
-    std::vector<std::string> lines = {};   ///< of the proposal, for people
-    std::vector<std::string> colors = {};  ///< of how near the colours are, and which were changed, for people
-    std::vector<match::FreeParameter> parameters = {};
-    std::vector<match::TargetPoint> target = {};
-    std::optional<match::FitResult> result = {};  ///< none: a proposal alone
-    double seconds = 0.0;                         ///< that it took
+    double seconds = 0.0;  ///< that it took
 };
 
 class FittingRun {
@@ -88,9 +70,6 @@ class FittingRun {
   private:
     void work();
     FitFound find();
-    bool drawing(double share);
-    bool matching(double share);
-    bool reached(double share);
 
     const FitWanted wanted_;
     match::PreviewCurve* curve_;
@@ -98,8 +77,6 @@ class FittingRun {
     Jobs& jobs_;
     std::atomic<bool> cancelled_ = false;
     std::atomic<double> progress_ = 0.0;
-    double share_ = 0.0, next_ = 0.0, amounts_part_ = 1.0;  ///< of the thread that works,
-    int curves_ = 0;                                        ///< and the curve that best_ is of
     mutable std::mutex mutex_;
     std::shared_ptr<const Frames> best_;
     bool ended_ = false;

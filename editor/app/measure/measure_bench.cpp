@@ -9,8 +9,9 @@
 #include "app/preview/pick_color.h"
 #include "app/reference/reference.h"
 #include "lapfx/authoring/compare.h"
-#include "match/colors.h"
-#include "match/counted.h"
+#include "match/frame/counted.h"
+#include "match/picture/colors.h"
+#include "match/use/measure_video.h"
 
 namespace lapfx::app {
 
@@ -139,7 +140,7 @@ class MeasureWork {
     /// What one knows about the video holds for other regions and parts, too.
     void make_estimator(const Request& request, const Image& clear, Job& job) {
         const ReferenceMeasure& measure = request.measure;
-        match::EstimatorOptions options = measure_options(measure).estimator;
+        match::EstimatorOptions options = match::measure_options(measure).estimator;
         const bool learnt =
             learnt_ && learnt_->baseline == baseline_ && learnt_->from == measure.from && learnt_->to == measure.to;
         options.survey = request.survey || !learnt ? request.survey : learnt_->survey;

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "match/episode.h"
-#include "match/estimator.h"
+#include "match/frame/estimator.h"
+#include "match/video/episode.h"
 #include "ui/canvas/plot.h"
 
 namespace lapfx::app {

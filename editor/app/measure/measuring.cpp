@@ -11,6 +11,7 @@
 #include "app/reference/reference.h"
 #include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/file.h"
+#include "match/use/measure_video.h"
 #include "output/files.h"
 
 namespace lapfx::app {
@@ -19,9 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t least_corners = 3;  // of a polygon
-constexpr double settled_after = 0.6;     // s without a change
-constexpr double between_looks = 0.25;    // s between two states of a curve that grows
+constexpr double settled_after = 0.6;   // s without a change
+constexpr double between_looks = 0.25;  // s between two states of a curve that grows
 constexpr double never = std::numeric_limits<double>::infinity();
 
 bool same_object(const std::weak_ptr<const VideoReader>& a, const std::shared_ptr<const VideoReader>& b) {
@@ -33,23 +33,6 @@ bool same_object(const std::weak_ptr<const VideoReader>& a, const std::shared_pt
 const Table& measure_table() {
     static const Table& table = *scene_table().find("reference")->find("measure");
     return table;
-}
-
-match::MeasureOptions measure_options(const ReferenceMeasure& measure) {
-    match::MeasureOptions options;
-    const MeasuredRegion& region = measure.region;
-    options.estimator.blood = measure.blood;
-    options.estimator.region = {region.x, region.y, std::min(region.width, 1 - region.x),
-                                std::min(region.height, 1 - region.y)};
-    for (const LeftOutPart& part : measure.parts) {
-        if (part.corners.size() < least_corners) continue;
-        match::Part& mask = options.estimator.masks.emplace_back();
-        for (const PartCorner& corner : part.corners) mask.emplace_back(corner.x, corner.y);
-    }
-    if (measure.baseline > 0) options.baseline = measure.baseline;
-    options.from = measure.from;
-    if (measure.to > 0) options.to = measure.to;
-    return options;
 }
 
 Measuring::Measuring(document::Document& document, const Reference& reference, Jobs& jobs, Notices& notices,
@@ -166,7 +149,7 @@ Measuring::Measured& Measuring::begin() {
     all_.push_back(std::make_unique<Measured>(
         Measured{.serial = ++serials_,
                  .of = of,
-                 .run = std::make_unique<MeasuringRun>(of.file, measure_options(of.measure), jobs_),
+                 .run = std::make_unique<MeasuringRun>(of.file, match::measure_options(of.measure), jobs_),
                  .frames = {},
                  .counted = {},
                  .found = nullptr,

@@ -22,8 +22,8 @@
 #include "app/measure/counted_frames.h"
 #include "document/document.h"
 #include "lapfx/error.h"
-#include "match/measure.h"
-#include "match/peak_colors.h"
+#include "match/video/measure.h"
+#include "match/video/peak_colors.h"
 
 namespace lapfx::app {
 
@@ -32,9 +32,6 @@ class Jobs;
 class MeasuringRun;
 class Notices;
 class Reference;
-
-/// What the scene says, as the library takes it.
-match::MeasureOptions measure_options(const ReferenceMeasure& measure);
 
 /// What can be written of a measurement.
 enum class MeasureFile : std::uint8_t { csv, json, png };

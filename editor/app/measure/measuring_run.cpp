@@ -15,7 +15,6 @@ struct MeasuringRun::Shared {
     Shared(std::filesystem::path of, match::MeasureOptions how, Jobs& all)
         : file(std::move(of)), options(std::move(how)), jobs(all) {
         options.measured = [this](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
-            colors->add(frame, estimator, amounts);
             CountedFrames::Frame packed = CountedFrames::pack(estimator, amounts);
             const std::lock_guard lock(mutex);
             frames.push_back(amounts);
@@ -26,12 +25,12 @@ struct MeasuringRun::Shared {
 
     void work() {
         if (!reach(0)) return;
-        std::shared_ptr<const match::Measurement> made;
+        std::shared_ptr<const match::MeasuredVideo> made;
         std::vector<Fault> wrong;
         try {
             VideoReader video(file, &stopping);
-            made = std::make_shared<const match::Measurement>(
-                match::measure(video, options, [this](double done) { return reach(done); }));
+            made = std::make_shared<const match::MeasuredVideo>(match::measure_video(
+                video, {.options = options, .colors_over_time = true}, [this](double done) { return reach(done); }));
         } catch (const Error& error) {
             wrong = error.faults();
         } catch (const std::exception& error) {
@@ -65,7 +64,6 @@ struct MeasuringRun::Shared {
     const std::filesystem::path file;
     match::MeasureOptions options;
     Jobs& jobs;
-    const std::shared_ptr<match::ColorsOverTime> colors = std::make_shared<match::ColorsOverTime>();  ///< of the thread
     std::atomic<bool> stopping = false;
     mutable std::mutex mutex;
     std::condition_variable changed;
@@ -74,7 +72,7 @@ struct MeasuringRun::Shared {
     std::vector<match::FrameAmounts> frames;
     std::vector<CountedFrames::Frame> counted;
     bool ended = false;
-    std::shared_ptr<const match::Measurement> found;
+    std::shared_ptr<const match::MeasuredVideo> found;
     std::vector<Fault> faults;
     std::thread thread;
 };
@@ -122,11 +120,12 @@ bool MeasuringRun::ended() const {
 
 std::shared_ptr<const match::Measurement> MeasuringRun::found() const {
     const std::lock_guard lock(shared_->mutex);
-    return shared_->found;
+    return shared_->found ? std::shared_ptr<const match::Measurement>(shared_->found, &shared_->found->found) : nullptr;
 }
 
 std::shared_ptr<const match::ColorsOverTime> MeasuringRun::colors() const {
-    return found() ? shared_->colors : nullptr;
+    const std::lock_guard lock(shared_->mutex);
+    return shared_->found ? shared_->found->colors_over_time : nullptr;
 }
 
 std::vector<Fault> MeasuringRun::faults() const {

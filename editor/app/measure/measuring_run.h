@@ -15,8 +15,7 @@
 
 #include "app/measure/counted_frames.h"
 #include "lapfx/error.h"
-#include "match/measure.h"
-#include "match/peak_colors.h"
+#include "match/use/measure_video.h"
 
 namespace lapfx::app {
 

@@ -16,7 +16,8 @@
 #include "app/preview/scene_pace.h"
 #include "app/reference/reference.h"
 #include "lapfx/authoring/compare.h"
-#include "match/view.h"
+#include "match/picture/view.h"
+#include "match/use/measure_video.h"
 
 namespace lapfx::app {
 
@@ -68,7 +69,7 @@ class PreviewMeasuring::Run {
           steps_(steps),
           jobs_(jobs),
           times_(times_of(wanted.content.scene.duration)) {
-        const EstimatorOptions options = measure_options(wanted.content.scene.reference.measure).estimator;
+        const EstimatorOptions options = match::measure_options(wanted.content.scene.reference.measure).estimator;
         if (wanted.truth) part_ = match::wanted_part({wanted.size.x, wanted.size.y}, options.region, options.masks);
         curve_.set_options({.size = wanted.size, .estimator = options});
         if (beside)

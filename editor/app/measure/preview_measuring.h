@@ -20,8 +20,8 @@
 #include "app/base/editor_options.h"
 #include "document/document.h"
 #include "lapfx/error.h"
-#include "match/estimator.h"
-#include "match/peak_colors.h"
+#include "match/frame/estimator.h"
+#include "match/video/peak_colors.h"
 
 namespace lapfx {
 class VideoReader;

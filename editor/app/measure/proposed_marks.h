@@ -5,7 +5,7 @@
 #pragma once
 
 #include "document/document.h"
-#include "match/measure.h"
+#include "match/video/measure.h"
 
 namespace lapfx::app {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/preview/pick_color.h"
-#include "match/region.h"
+#include "match/compare/region.h"
 #include "ui/canvas/pixels.h"
 #include "ui/widgets/color_field.h"
 

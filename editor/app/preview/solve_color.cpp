@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/preview/pick_color.h"
-#include "match/region.h"
+#include "match/compare/region.h"
 
 namespace lapfx::app {
 

@@ -15,7 +15,7 @@
 
 #include "lapfx/organ.h"
 #include "lapfx/scene.h"
-#include "match/region.h"
+#include "match/compare/region.h"
 
 namespace lapfx::app {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "match/round_view.h"
+#include "match/picture/round_view.h"
 
 namespace lapfx::app {
 

@@ -181,9 +181,9 @@ class Reference {
     const ComparedRegions& regions() const { return regions_; }
 
     // --- look --------------------------------------------------------------------------------------------------------
-    /// After this frame, or when frame() is decoded: camera and look as that frame proposes them (match/look.h),
-    /// against the preview at 0 s, without blood and smoke. Nothing changes until it is taken. None while the plate
-    /// stands in for the organ: it is the reference itself.
+    /// After this frame, or when frame() is decoded: camera and look as that frame proposes them
+    /// (match/explain/scene_look.h), against the preview at 0 s, without blood and smoke. Nothing changes until it is
+    /// taken. None while the plate stands in for the organ: it is the reference itself.
     void propose_look();
     /// And neither taken nor left yet. It is left once the organ, camera, light, colours or the plate that it was made
     /// for are others, or the reference is.

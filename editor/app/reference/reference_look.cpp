@@ -14,7 +14,7 @@
 #include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/preview.h"
 #include "lapfx/authoring/round_view.h"
-#include "match/look.h"
+#include "match/explain/scene_look.h"
 
 namespace lapfx::app {
 
@@ -81,8 +81,8 @@ SceneOrgan organ_of(const Scene& scene) {
     return organ;
 }
 
-bool same_look(const match::Look& a, const match::Look& b) {
-    const auto colors = [](const match::Look& look) {
+bool same_look(const match::SceneLook& a, const match::SceneLook& b) {
+    const auto colors = [](const match::SceneLook& look) {
         return std::tie(look.light, look.organ, look.blood_thin, look.blood_deep, look.haze);
     };
     return a.vignette == b.vignette && a.exposure == b.exposure && colors(a) == colors(b);
@@ -91,13 +91,13 @@ bool same_look(const match::Look& a, const match::Look& b) {
 }  // namespace
 
 struct Reference::ProposedLook {
-    match::Look look;
+    match::SceneLook look;
     // What it was made for.
     Scene scene;
-    match::Look before;
+    match::SceneLook before;
     std::uint64_t version = 0;  ///< of the document that still was so
 
-    bool holds(const Scene& now, const match::Look& look_now) const {
+    bool holds(const Scene& now, const match::SceneLook& look_now) const {
         const auto same = [](std::string_view part, const void* a, const void* b) {
             return equal(*scene_table().find(part), a, b);
         };
@@ -212,7 +212,7 @@ void Reference::make_proposal() {
     if (!clean_.draw(preview_, {.time = 0, .camera = camera}) && !clean_.drawn()) {
         say({"There is no preview to compare with: load an organ first."});
     } else {
-        const match::Look now = match::look_of(document_.scene(), document_.preset());
+        const match::SceneLook now = match::look_of(document_.scene(), document_.preset());
         match::LookProposal found =
             match::propose_look(in_shape(feed_.image(), shape), clean_.image(), now, organ_in(preview_, camera, size));
         say(std::move(found.notes));
@@ -235,7 +235,7 @@ void Reference::leave_stale_look() {
 void Reference::take_look() {
     leave_stale_look();  // what changed it may have come in this very frame
     if (!look_) return;
-    const match::Look look = std::exchange(look_, nullptr)->look;
+    const match::SceneLook look = std::exchange(look_, nullptr)->look;
     forget_look_notes();
     document_.change("Propose look", [&](document::Content& c) { match::put_look(look, c.scene, c.preset); });
 }

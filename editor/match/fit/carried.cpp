@@ -5,8 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "match/episode.h"
-
 namespace lapfx::match {
 
 namespace {

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "lapfx/amounts.h"
-#include "match/estimator.h"
+#include "match/frame/frame_amounts.h"
 
 namespace lapfx::match {
 

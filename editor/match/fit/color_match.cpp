@@ -108,7 +108,7 @@ glm::dvec3 scaled(const glm::dvec3& color, const glm::dvec3& factor) {
 }
 
 /// One measured colour that can be corrected.
-struct Part {
+struct MatchedColor {
     const char* name;  ///< "blood"
     std::optional<glm::dvec3> MeasuredColors::*seen;
     std::optional<double> ColorLikeness::*off;
@@ -116,7 +116,7 @@ struct Part {
     double least, much, least_drawn;
     double least_slope;  ///< how much of what is seen the colour makes, at least
 };
-constexpr std::array<Part, 2> parts = {{
+constexpr std::array<MatchedColor, 2> parts = {{
     {"blood", &MeasuredColors::blood, &ColorLikeness::blood, &ColorsAtPeak::blood, least_blood, much_blood,
      least_blood_drawn, through_blood},
     {"smoke", &MeasuredColors::smoke, &ColorLikeness::smoke, &ColorsAtPeak::veil, least_veil, 1.0, least_veil_drawn,
@@ -124,7 +124,7 @@ constexpr std::array<Part, 2> parts = {{
 }};
 
 /// What was drawn: the factor on each part's colours, and what was seen.
-struct Tried {
+struct TriedColors {
     double exposure = 1.0;
     glm::dvec3 organ{1.0};  ///< its colour
     std::array<glm::dvec3, parts.size()> factor = {glm::dvec3(1.0), glm::dvec3(1.0)};
@@ -165,24 +165,24 @@ class Matching {
     }
 
     ColorMatch run() {
-        Tried first{.organ = input_.start.scene.organ.color, .colors = start_};
+        TriedColors first{.organ = input_.start.scene.organ.color, .colors = start_};
         if (exposure_) first.exposure = exposure_->get(input_.start);
         if (!draw(std::move(first))) return std::move(result_);
         decide();
         for (int round = 0; round < input_.rounds && (moves_exposure_ || moves_[0] || moves_[1]); ++round) {
             if (is_good(best())) break;
-            std::optional<Tried> next = corrected();
+            std::optional<TriedColors> next = corrected();
             if (!next || !draw(std::move(*next))) break;
         }
         if ((moves_[0] || moves_[1]) && !result_.ended_early && !is_good(best()))
-            if (std::optional<Tried> next = joined_best()) draw(std::move(*next));
+            if (std::optional<TriedColors> next = joined_best()) draw(std::move(*next));
         finish();
         return std::move(result_);
     }
 
   private:
     bool is_free(const std::string& key) const { return std::ranges::find(input_.keys, key) != input_.keys.end(); }
-    std::vector<std::string> free_fields(const Part& part) const {
+    std::vector<std::string> free_fields(const MatchedColor& part) const {
         std::vector<std::string> keys;
         for (const Field& field : fields())
             if (field.seen == part.seen && is_free(field.key)) keys.push_back(field.key);
@@ -190,14 +190,14 @@ class Matching {
     }
     void say(std::string line) { result_.lines.push_back(std::move(line)); }
 
-    Tuned tuned_of(const Tried& tried) const {
-        Tuned tuned = input_.start;
+    document::Content tuned_of(const TriedColors& tried) const {
+        document::Content tuned = input_.start;
         if (exposure_) exposure_->set(tuned, tried.exposure);
         tuned.scene.organ.color = tried.organ;
         for (std::size_t k = 0; k < start_.size(); ++k) fields()[k].of(tuned.preset) = tried.colors[k];
         return tuned;
     }
-    bool draw(Tried next) {
+    bool draw(TriedColors next) {
         const std::optional<ColorsAtPeak> drawn = input_.draw(tuned_of(next));
         result_.ended_early = !drawn;
         if (!drawn) return false;
@@ -241,7 +241,7 @@ class Matching {
             moves_exposure_ = true;
         moves_organ_ = moves_exposure_ && is_free(organ_key);
     }
-    std::string why_untold(const Part& part) const {
+    std::string why_untold(const MatchedColor& part) const {
         const auto no_color = [&](const ColorsAtPeak& at) {
             const std::optional<glm::dvec3>& color = at.colors.*part.seen;
             return !color || !finite(*color);
@@ -257,8 +257,8 @@ class Matching {
         return {};
     }
 
-    ColorLikeness off(const Tried& tried) const { return likeness_of(tried.seen, input_.reference.colors); }
-    double light_off(const Tried& tried) const {
+    ColorLikeness off(const TriedColors& tried) const { return likeness_of(tried.seen, input_.reference.colors); }
+    double light_off(const TriedColors& tried) const {
         if (!moves_exposure_) return 0.0;
         if (moves_organ_) return off(tried).tissue.value_or(lost);
         const std::optional<double> light = relative_light(tried.seen, input_.reference.colors);
@@ -268,20 +268,20 @@ class Matching {
     /// Else only how bright it is.
     bool by_channel(std::size_t i) const { return parts[i].seen != &MeasuredColors::smoke || tinted(); }
     /// Of a part that is not seen any more: as far as can be.
-    double part_off(const Tried& tried, std::size_t i) const {
+    double part_off(const TriedColors& tried, std::size_t i) const {
         if (!moves_[i]) return 0.0;
         return (off(tried).*parts[i].off).value_or(lost);
     }
-    double cost(const Tried& tried) const { return light_off(tried) + part_off(tried, 0) + part_off(tried, 1); }
-    bool is_good(const Tried& tried) const {
+    double cost(const TriedColors& tried) const { return light_off(tried) + part_off(tried, 0) + part_off(tried, 1); }
+    bool is_good(const TriedColors& tried) const {
         return light_off(tried) < good && part_off(tried, 0) < good && part_off(tried, 1) < good;
     }
-    const Tried& best() const {
-        return *std::ranges::min_element(tried_, {}, [&](const Tried& tried) { return cost(tried); });
+    const TriedColors& best() const {
+        return *std::ranges::min_element(tried_, {}, [&](const TriedColors& tried) { return cost(tried); });
     }
 
     /// What is seen of blood depends on the smoke before it, too: what was tried long ago says little.
-    std::span<const Tried> latest() const {
+    std::span<const TriedColors> latest() const {
         constexpr std::size_t most = 3;
         return std::span(tried_).last(std::min(tried_.size(), most));
     }
@@ -289,7 +289,7 @@ class Matching {
     double wanted_factor(std::size_t i, int channel, double exposure) const {
         const auto light = [&](const glm::dvec3& color) { return by_channel(i) ? color[channel] : light_of(color); };
         std::vector<glm::dvec2> pairs;
-        for (const Tried& tried : latest())
+        for (const TriedColors& tried : latest())
             if (const std::optional<glm::dvec3>& color = tried.seen.*parts[i].seen)
                 pairs.emplace_back(tried.factor[i][channel], light(*color) / tried.exposure);
         if (pairs.empty()) return 1.0;
@@ -298,7 +298,7 @@ class Matching {
     }
     double wanted_exposure() const {
         std::vector<glm::dvec2> pairs;
-        for (const Tried& tried : tried_)
+        for (const TriedColors& tried : tried_)
             if (const std::optional<double> light = tissue_light(tried.seen); light && *light > 0.0)
                 pairs.emplace_back(tried.exposure, *light);
         return next_of(std::move(pairs), *tissue_light(input_.reference.colors), through_exposure);
@@ -308,7 +308,7 @@ class Matching {
         glm::dvec3 wanted;
         for (int c = 0; c < 3; ++c) {
             std::vector<glm::dvec2> pairs;
-            for (const Tried& tried : tried_)
+            for (const TriedColors& tried : tried_)
                 if (const std::optional<glm::dvec3>& color = tried.seen.tissue; color && finite(*color))
                     pairs.emplace_back(tried.exposure * std::max(glm::convertSRGBToLinear(tried.organ)[c], least_organ),
                                        (*color)[c]);
@@ -320,7 +320,7 @@ class Matching {
         return std::clamp(std::round(100.0 * exposure) / 100.0, exposure_->minimum, exposure_->maximum);
     }
     /// The organ's colour keeps how light it is; the exposure takes the rest.
-    void correct_tissue(Tried& next) const {
+    void correct_tissue(TriedColors& next) const {
         if (!moves_organ_) {
             next.exposure = rounded_exposure(wanted_exposure());
             return;
@@ -330,36 +330,36 @@ class Matching {
         const glm::dvec3 organ = glm::clamp(wanted / next.exposure, least_organ, 1.0);
         next.organ = glm::round(glm::convertLinearToSRGB(organ) * 255.0) / 255.0;
     }
-    std::optional<Tried> corrected() const {
-        Tried next{.exposure = best().exposure, .organ = best().organ, .colors = start_};
+    std::optional<TriedColors> corrected() const {
+        TriedColors next{.exposure = best().exposure, .organ = best().organ, .colors = start_};
         if (moves_exposure_) correct_tissue(next);
         for (std::size_t i = 0; i < parts.size(); ++i)
             for (int c = 0; moves_[i] && c < 3; ++c) next.factor[i][c] = wanted_factor(i, c, next.exposure);
         return colored(std::move(next));
     }
     /// What came nearest of each, together: one may have gone too far while another was found.
-    std::optional<Tried> joined_best() const {
-        Tried next{.exposure = best().exposure, .organ = best().organ, .colors = start_};
+    std::optional<TriedColors> joined_best() const {
+        TriedColors next{.exposure = best().exposure, .organ = best().organ, .colors = start_};
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            const auto off_of = [&](const Tried& tried) { return part_off(tried, i); };
+            const auto off_of = [&](const TriedColors& tried) { return part_off(tried, i); };
             next.factor[i] = std::ranges::min_element(tried_, {}, off_of)->factor[i];
         }
         return colored(std::move(next));
     }
     /// With the colours of its factors; nothing: it was drawn.
-    std::optional<Tried> colored(Tried next) const {
+    std::optional<TriedColors> colored(TriedColors next) const {
         for (std::size_t k = 0; k < start_.size(); ++k)
             for (std::size_t i = 0; i < parts.size(); ++i)
                 if (fields()[k].seen == parts[i].seen && is_free(fields()[k].key))
                     next.colors[k] = scaled(start_[k], next.factor[i]);
-        const auto is_same = [&](const Tried& tried) {
+        const auto is_same = [&](const TriedColors& tried) {
             return tried.exposure == next.exposure && tried.organ == next.organ && tried.colors == next.colors;
         };
-        return std::ranges::any_of(tried_, is_same) ? std::optional<Tried>() : next;
+        return std::ranges::any_of(tried_, is_same) ? std::optional<TriedColors>() : next;
     }
 
     void finish() {
-        const Tried& found = best();
+        const TriedColors& found = best();
         result_.tuned = tuned_of(found);
         result_.before = input_.begun ? input_.begun->before : off(tried_.front());
         result_.after = off(found);
@@ -370,7 +370,7 @@ class Matching {
         for (std::size_t i = 0; i < parts.size(); ++i)
             if (moves_[i]) tell_part(found, i);
     }
-    void tell_exposure(const Tried& found) {
+    void tell_exposure(const TriedColors& found) {
         if (!moves_exposure_) return;
         const double before = exposure_->get(result_.start), after = found.exposure;
         const glm::dvec3 from = result_.start.scene.organ.color, &to = found.organ;
@@ -386,8 +386,8 @@ class Matching {
         say("light.color and light.intensity: stay, the video does not tell the lamp's colour from the tissue's, and "
             "exposure does what intensity would");
     }
-    void tell_part(const Tried& found, std::size_t i) {
-        const Part& part = parts[i];
+    void tell_part(const TriedColors& found, std::size_t i) {
+        const MatchedColor& part = parts[i];
         const FieldColors before = colors_of(result_.start.preset);
         for (std::size_t k = 0; k < start_.size(); ++k) {
             const Field& field = fields()[k];
@@ -407,7 +407,7 @@ class Matching {
     bool moves_exposure_ = false, moves_organ_ = false;
     std::array<bool, parts.size()> moves_ = {};
     ColorsAtPeak first_;
-    std::vector<Tried> tried_;
+    std::vector<TriedColors> tried_;
 };
 
 }  // namespace
@@ -425,7 +425,7 @@ bool is_color_of_scene(std::string_view key) {
     return key == exposure_key || key == organ_key;
 }
 
-std::vector<std::string> different_colors(const Tuned& a, const Tuned& b) {
+std::vector<std::string> different_colors(const document::Content& a, const document::Content& b) {
     std::vector<std::string> keys;
     if (a.scene.camera.exposure != b.scene.camera.exposure) keys.push_back(exposure_key);
     if (a.scene.organ.color != b.scene.organ.color) keys.push_back(organ_key);
@@ -435,7 +435,7 @@ std::vector<std::string> different_colors(const Tuned& a, const Tuned& b) {
     return keys;
 }
 
-void take_colors(Tuned& into, const Tuned& from, std::span<const std::string> keys) {
+void take_colors(document::Content& into, const document::Content& from, std::span<const std::string> keys) {
     const FieldColors colors = colors_of(from.preset);
     for (const std::string& key : keys) {
         if (key == exposure_key) into.scene.camera.exposure = from.scene.camera.exposure;
@@ -465,8 +465,8 @@ std::vector<std::string> likeness_lines(const ColorMatch& match) {
     return lines;
 }
 
-std::optional<ColorsAtPeak> drawn_colors(PreviewCurve& curve, const Tuned& tuned, std::span<const TargetPoint> target,
-                                         const Progress& progress) {
+std::optional<ColorsAtPeak> drawn_colors(PreviewCurve& curve, const document::Content& tuned,
+                                         std::span<const TargetPoint> target, const Progress& progress) {
     std::vector<double> times;
     const std::size_t count = std::min(target.size(), most_times);
     for (std::size_t i = 0; i < count; ++i)

@@ -27,10 +27,11 @@
 #include <vector>
 
 #include "lapfx/progress.h"
+#include "match/compare/color_likeness.h"
 #include "match/fit/free_parameter.h"
-#include "match/fit/preview_curve.h"
 #include "match/fit/target.h"
-#include "match/peak_colors.h"
+#include "match/scene/preview_curve.h"
+#include "match/video/peak_colors.h"
 
 namespace lapfx::match {
 
@@ -41,15 +42,15 @@ std::span<const std::string> color_keys();
 bool is_color_of_scene(std::string_view key);
 
 /// Those of color_keys() that differ.
-std::vector<std::string> different_colors(const Tuned& a, const Tuned& b);
+std::vector<std::string> different_colors(const document::Content& a, const document::Content& b);
 /// Takes the values of these keys over; other keys are ignored.
-void take_colors(Tuned& into, const Tuned& from, std::span<const std::string> keys);
+void take_colors(document::Content& into, const document::Content& from, std::span<const std::string> keys);
 
 /// Draws a scene and measures it; nothing: it was cancelled.
-using DrawColors = std::function<std::optional<ColorsAtPeak>(const Tuned& tuned)>;
+using DrawColors = std::function<std::optional<ColorsAtPeak>(const document::Content& tuned)>;
 
 struct ColorMatchInput {
-    Tuned start;
+    document::Content start;
     ColorsAtPeak reference = {};                                                 ///< measured in the video
     std::vector<std::string> keys = {color_keys().begin(), color_keys().end()};  ///< that are free; others are ignored
     DrawColors draw = {};
@@ -58,8 +59,8 @@ struct ColorMatchInput {
 };
 
 struct ColorMatch {
-    Tuned start;                                                ///< before any colour was changed
-    Tuned tuned;                                                ///< was drawn; no farther from the video than the start
+    document::Content start;                                    ///< before any colour was changed
+    document::Content tuned;                                    ///< was drawn; no farther from the video than the start
     ColorLikeness before = {}, after = {};                      ///< Delta E 2000
     std::optional<double> light_before = {}, light_after = {};  ///< tissue's mean light, that of the video is 1
     std::vector<std::string> lines = {};  ///< for people: what was proposed, and why something was not
@@ -75,7 +76,7 @@ std::vector<std::string> likeness_lines(const ColorMatch& match);
 
 /// A scene's colours, measured at some of the target's times. Nothing when `progress` stopped it. Throws as
 /// PreviewCurve::measure().
-std::optional<ColorsAtPeak> drawn_colors(PreviewCurve& curve, const Tuned& tuned, std::span<const TargetPoint> target,
-                                         const Progress& progress = {});
+std::optional<ColorsAtPeak> drawn_colors(PreviewCurve& curve, const document::Content& tuned,
+                                         std::span<const TargetPoint> target, const Progress& progress = {});
 
 }  // namespace lapfx::match

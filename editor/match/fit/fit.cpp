@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "lapfx/prepared_organ.h"
-#include "match/episode.h"
 #include "match/fit/certainty.h"
 #include "match/fit/color_match.h"
 #include "match/fit/search.h"
-#include "match/fit/seen_places.h"
 #include "match/fit/undetermined.h"
+#include "match/frame/frame_amounts.h"
+#include "match/scene/seen_places.h"
 
 namespace lapfx::match {
 
@@ -91,7 +91,7 @@ class Fit {
     }
 
   private:
-    static std::vector<double> coordinates_of(const FitInput& input, const Tuned& tuned) {
+    static std::vector<double> coordinates_of(const FitInput& input, const document::Content& tuned) {
         std::vector<double> coordinates;
         for (const FreeParameter& p : input.parameters)
             coordinates.push_back(
@@ -190,12 +190,12 @@ class Fit {
         SearchOptions options = first_options(unknown());
         search_round(options);
         if (!goes_on()) return false;
-        const std::optional<Tuned> matched = input_.match_colors(space().tuned(best_.coordinates));
+        const std::optional<document::Content> matched = input_.match_colors(space().tuned(best_.coordinates));
         early_ = !matched;
         if (early_) return false;
         const std::vector<std::string> changed = different_colors(base_, *matched);
         if (changed.empty()) return true;
-        const Tuned other = base_;
+        const document::Content other = base_;
         take_colors(base_, *matched, changed);
         Drawn before = std::exchange(best_, {});
         Carried carried = std::exchange(carried_, Carried(start_.size(), share_of(input_)));
@@ -388,7 +388,7 @@ class Fit {
         best_ = std::move(before);
         return false;
     }
-    const Tuned& original() const { return input_.before ? *input_.before : input_.start; }
+    const document::Content& original() const { return input_.before ? *input_.before : input_.start; }
     /// An event that the proposal added was not there before.
     double value_before(const FreeParameter& p) const {
         try {
@@ -454,7 +454,7 @@ class Fit {
 
     const FitInput& input_;
     Shared& shared_;
-    Tuned base_;  ///< the start, with the colours of the reference once they are matched
+    document::Content base_;  ///< the start, with the colours of the reference once they are matched
     const std::vector<double> start_;
     std::vector<double> times_;
     Objective objective_;

@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "match/color_likeness.h"
+#include "match/compare/color_likeness.h"
 #include "match/fit/free_parameter.h"
 #include "match/fit/objective.h"
 #include "match/fit/target.h"
@@ -33,8 +33,8 @@ class PreparedOrgan;
 namespace lapfx::match {
 
 /// Draws a scene at these times, s, and measures it; as many frames as times. Nothing: it was cancelled.
-using DrawCurve =
-    std::function<std::optional<std::vector<FrameAmounts>>(const Tuned& tuned, std::span<const double> times)>;
+using DrawCurve = std::function<std::optional<std::vector<FrameAmounts>>(const document::Content& tuned,
+                                                                         std::span<const double> times)>;
 
 /// How far a fit has come.
 struct FitProgress {
@@ -45,9 +45,11 @@ struct FitProgress {
 };
 
 struct FitInput {
-    Tuned start;                         ///< where the search begins
-    std::optional<Tuned> before = {};    ///< without the proposal; what is not determined keeps its value; none: start
-    std::optional<Tuned> proposed = {};  ///< another place that the first search tries: a proposal without its tools
+    document::Content start;  ///< where the search begins
+    std::optional<document::Content> before =
+        {};  ///< without the proposal; what is not determined keeps its value; none: start
+    std::optional<document::Content> proposed =
+        {};  ///< another place that the first search tries: a proposal without its tools
     std::vector<FreeParameter> parameters = {};  ///< at least one
     std::size_t of_proposal = 0;                 ///< so many of the last parameters exist beside its tools only
     std::vector<TargetPoint> target = {};        ///< at least two
@@ -55,7 +57,7 @@ struct FitInput {
     DrawCurve draw = {};
     /// Asked once the first search has brought the amounts near: the colours of what it gives are taken, and the search
     /// goes on with them (fit_colors.h). Nothing: it was ended.
-    std::function<std::optional<Tuned>(const Tuned& tuned)> match_colors = {};
+    std::function<std::optional<document::Content>(const document::Content& tuned)> match_colors = {};
     double aspect = 1.25;  ///< of the drawn pictures, width over height
     Weights weights = {};
     std::uint32_t seed = 1;
@@ -77,7 +79,7 @@ struct FittedParameter {
 };
 
 struct FitResult {
-    Tuned tuned;
+    document::Content tuned;
     std::vector<FittedParameter> parameters = {};       ///< as FitInput's; none where it ended before the search
     std::vector<FrameAmounts> before = {}, after = {};  ///< as drawn and measured, at the target's times
     std::optional<double> blood_before = {}, blood_after = {};  ///< root mean square differences

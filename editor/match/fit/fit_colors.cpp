@@ -6,19 +6,19 @@
 namespace lapfx::match {
 
 /// `progress`: how many were drawn before, and the share of what is being drawn.
-ColorMatch FitColors::match(const Tuned& start, std::vector<std::string> keys,
+ColorMatch FitColors::match(const document::Content& start, std::vector<std::string> keys,
                             const std::function<bool(int drawn, double share)>& progress) {
     ColorMatchInput matched{
         .start = start, .reference = input_.reference, .keys = std::move(keys), .begun = begun_ ? &*begun_ : nullptr};
     int drawn = -1;
-    matched.draw = [&](const Tuned& tuned) {
+    matched.draw = [&](const document::Content& tuned) {
         ++drawn;
         return drawn_colors(*curve_, tuned, input_.target, [&](double share) { return progress(drawn, share); });
     };
     return match_colors(matched);
 }
 
-std::optional<Tuned> FitColors::amidst(const Tuned& tuned) {
+std::optional<document::Content> FitColors::amidst(const document::Content& tuned) {
     std::vector<std::string> keys = input_.keys;
     std::erase_if(keys, [](const std::string& key) { return key.starts_with("bleeding."); });  // once all is found
     ColorMatch found =
@@ -72,8 +72,8 @@ std::vector<std::string> FitColors::finish(FitResult& result) {
     return lines;
 }
 
-void FitColors::compare(FitResult& result, const Tuned& before) {
-    const auto likeness = [this](const Tuned& tuned, double from) -> std::optional<ColorLikeness> {
+void FitColors::compare(FitResult& result, const document::Content& before) {
+    const auto likeness = [this](const document::Content& tuned, double from) -> std::optional<ColorLikeness> {
         const std::optional<ColorsAtPeak> seen = drawn_colors(*curve_, tuned, input_.target, [&](double share) {
             return !input_.finish || input_.finish(from + 0.5 * share);
         });

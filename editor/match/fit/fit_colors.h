@@ -2,7 +2,7 @@
 // its colour, so they are matched as soon as the amounts are near, and once more at the end.
 //
 //     FitColors colors({.reference = peaks.at_peak(), .target = target}, curve);
-//     input.match_colors = [&](const Tuned& tuned) { return colors.amidst(tuned); };
+//     input.match_colors = [&](const document::Content& tuned) { return colors.amidst(tuned); };
 //     FitResult result = fit(input);
 //     const std::vector<std::string> lines = colors.finish(result);
 //
@@ -33,16 +33,16 @@ class FitColors {
     FitColors(ColorFit input, PreviewCurve& curve) : input_(std::move(input)), curve_(&curve) {}
 
     /// For FitInput::match_colors. Throws as PreviewCurve::measure().
-    std::optional<Tuned> amidst(const Tuned& tuned);
+    std::optional<document::Content> amidst(const document::Content& tuned);
     /// What was found becomes the result's, with its curves. Lines for people, of the differences and of what was
     /// changed. Throws as PreviewCurve::measure().
     std::vector<std::string> finish(FitResult& result);
     /// Where no colour was to be matched: how far they are from the reference's before and after, since amounts change
     /// them, too. `before`: without the proposal. Missing where it was ended. Throws as PreviewCurve::measure().
-    void compare(FitResult& result, const Tuned& before);
+    void compare(FitResult& result, const document::Content& before);
 
   private:
-    ColorMatch match(const Tuned& start, std::vector<std::string> keys,
+    ColorMatch match(const document::Content& start, std::vector<std::string> keys,
                      const std::function<bool(int drawn, double share)>& progress);
     std::vector<std::string> ended_lines(const FitResult& result) const;
     bool draw_again(FitResult& result, const Progress& progress);

@@ -43,13 +43,13 @@ const Table& table_of(const FreeParameter& parameter) {
     return parameter.of_scene ? scene_table() : preset_table();
 }
 
-FoundParameter find(const FreeParameter& parameter, Tuned& tuned) {
+FoundParameter find(const FreeParameter& parameter, document::Content& tuned) {
     void* const document = parameter.of_scene ? static_cast<void*>(&tuned.scene) : static_cast<void*>(&tuned.preset);
     return find_parameter(table_of(parameter), document, parameter.key);
 }
 
 /// Of the preset if it knows the key, else of the scene; what the preset says of an unknown key is told.
-FreeParameter find_key(Tuned& tuned, const std::string& key) {
+FreeParameter find_key(document::Content& tuned, const std::string& key) {
     FreeParameter parameter{.key = key};
     try {
         parameter.row = find(parameter, tuned).row;
@@ -75,7 +75,7 @@ bool is_number(const Parameter& row) {
 }
 
 /// Throws Error for anything that is wrong with one of `keys`.
-FreeParameter parameter_of(Tuned& tuned, const std::string& text) {
+FreeParameter parameter_of(document::Content& tuned, const std::string& text) {
     const std::size_t equals = text.find('=');
     const std::string key = text.substr(0, equals);
     FreeParameter parameter;
@@ -108,11 +108,12 @@ FreeParameter parameter_of(Tuned& tuned, const std::string& text) {
 
 }  // namespace
 
-double FreeParameter::get(const Tuned& tuned) const {
-    return std::get<double>(row->get(find(*this, const_cast<Tuned&>(tuned)).owner));  // only an address is taken
+double FreeParameter::get(const document::Content& tuned) const {
+    return std::get<double>(
+        row->get(find(*this, const_cast<document::Content&>(tuned)).owner));  // only an address is taken
 }
 
-void FreeParameter::set(Tuned& tuned, double value) const {
+void FreeParameter::set(document::Content& tuned, double value) const {
     row->set(find(*this, tuned).owner, std::clamp(value, minimum, maximum));
 }
 
@@ -126,11 +127,11 @@ double FreeParameter::value(double coordinate) const {
     return std::clamp(value, minimum, maximum);
 }
 
-std::vector<FreeParameter> free_parameters(const Tuned& tuned, std::span<const std::string> keys) {
+std::vector<FreeParameter> free_parameters(const document::Content& tuned, std::span<const std::string> keys) {
     if (keys.empty())
         throw Error(Failure::bad_input,
                     Fault{.file = "", .place = "--parameters", .reason = "names no parameter: nothing is free"});
-    Tuned looked_at = tuned;
+    document::Content looked_at = tuned;
     std::vector<FreeParameter> parameters;
     std::vector<Fault> faults;
     for (const std::string& key : keys) {

@@ -1,6 +1,6 @@
 // The parameters that a fit may change: numbers of a preset or of its scene, each within bounds of its own.
 //
-//     Tuned tuned{scene, preset};
+//     document::Content tuned{scene, preset};
 //     for (FreeParameter& p : free_parameters(tuned, {"bleeding.speed", "smoke.haze.ventilation=0.02..0.5"}))
 //         p.set(tuned, p.value(p.coordinate(p.get(tuned)) + 0.1));
 //
@@ -13,16 +13,9 @@
 #include <string_view>
 #include <vector>
 
-#include "lapfx/preset.h"
-#include "lapfx/scene.h"
+#include "document/content.h"
 
 namespace lapfx::match {
-
-/// What a fit changes.
-struct Tuned {
-    Scene scene;
-    Preset preset;
-};
 
 struct FreeParameter {
     std::string key = {};                 ///< as `--set` takes it: "smoke.haze.ventilation", "events.0.time"
@@ -30,9 +23,9 @@ struct FreeParameter {
     const Parameter* row = nullptr;       ///< a number
     double minimum = 0.0, maximum = 0.0;  ///< within those of the row
 
-    double get(const Tuned& tuned) const;
+    double get(const document::Content& tuned) const;
     /// Beyond the bounds it is the nearer bound.
-    void set(Tuned& tuned, double value) const;
+    void set(document::Content& tuned, double value) const;
     /// Where the search is: equal steps are equally large changes. Values that are not negative are there by their
     /// logarithm, those below one step of the row (Parameter::step) about linearly; times in s, and the others in units
     /// of a quarter of the row's range.
@@ -48,6 +41,6 @@ inline constexpr std::array<std::string_view, 5> usual_parameters = {"bleeding.s
 /// Keys of the preset, else of the scene; each may have bounds of its own, KEY=LOW..HIGH. Throws Error (bad_input) with
 /// place "--parameters": every key that is unknown, named twice or no number, bounds that are reversed or beyond those
 /// of the row, and a value of `tuned` outside of them; and where `keys` is empty.
-std::vector<FreeParameter> free_parameters(const Tuned& tuned, std::span<const std::string> keys);
+std::vector<FreeParameter> free_parameters(const document::Content& tuned, std::span<const std::string> keys);
 
 }  // namespace lapfx::match

@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "lapfx/prepared_organ.h"
-#include "match/emission.h"
-#include "match/fit/core_amounts.h"
-#include "match/fit/seen_places.h"
-#include "match/strokes.h"
-#include "match/wounds.h"
+#include "match/explain/emission.h"
+#include "match/explain/strokes.h"
+#include "match/explain/wounds.h"
+#include "match/scene/core_amounts.h"
+#include "match/scene/seen_places.h"
 
 namespace lapfx::match {
 
@@ -43,7 +43,7 @@ void retime(std::vector<ToolContact>& events, const std::vector<std::size_t>& st
 
 class Proposing {
   public:
-    Proposing(const Tuned& start, const std::shared_ptr<const PreparedOrgan>& organ,
+    Proposing(const document::Content& start, const std::shared_ptr<const PreparedOrgan>& organ,
               std::span<const TargetPoint> target, const ProposalOptions& options)
         : start_(start), organ_(organ), target_(target), options_(options), proposal_{.tuned = start} {}
 
@@ -235,7 +235,7 @@ class Proposing {
                    text_of("not determined, but not below %.0f mm; blood still spreads at the end", found.at_least));
     }
 
-    const Tuned& start_;
+    const document::Content& start_;
     const std::shared_ptr<const PreparedOrgan>& organ_;
     std::span<const TargetPoint> target_;
     const ProposalOptions& options_;
@@ -272,7 +272,7 @@ void free_moved_tools(FitInput& input, const std::vector<std::string>& chosen) {
 
 }  // namespace
 
-Proposal propose(const Tuned& start, const std::shared_ptr<const PreparedOrgan>& organ,
+Proposal propose(const document::Content& start, const std::shared_ptr<const PreparedOrgan>& organ,
                  std::span<const TargetPoint> target, const ProposalOptions& options) {
     return Proposing(start, organ, target, options).run();
 }

@@ -36,14 +36,14 @@ struct Proposal {
     /// nearest, and full power; those that are too many have none; where they are too few, coagulation is added. Blood:
     /// cold strokes that divide have the times of the wounds, cuts are added, and hot strokes open none. Strokes
     /// outside of the target's time, and values that the reference does not tell, stay.
-    Tuned tuned;
+    document::Content tuned;
     std::vector<std::string> lines = {};  ///< for people: what was found, and what is not determined
     double veil_offset = 0.0;             ///< of the baseline of the reference, which may be hazy itself
 };
 
 /// An amount that is not measurable at two times at least leaves what belongs to it as it is. Throws Error (bad_input)
 /// for a preset whose values are not allowed.
-Proposal propose(const Tuned& start, const std::shared_ptr<const PreparedOrgan>& organ,
+Proposal propose(const document::Content& start, const std::shared_ptr<const PreparedOrgan>& organ,
                  std::span<const TargetPoint> target, const ProposalOptions& options);
 
 /// The search of a fit begins where the reference says; what it began with becomes its `before`. The lines of the

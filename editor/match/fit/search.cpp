@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "match/least_squares.h"
+#include "match/explain/least_squares.h"
 
 namespace lapfx::match {
 
@@ -134,8 +134,8 @@ std::vector<Place> spread_places(const SearchSpace& space, std::span<const doubl
 
 }  // namespace
 
-Tuned SearchSpace::tuned(std::span<const double> coordinates) const {
-    Tuned tuned = base;
+document::Content SearchSpace::tuned(std::span<const double> coordinates) const {
+    document::Content tuned = base;
     for (std::size_t k = 0; k < parameters.size(); ++k)  // one that does not move keeps its value to the last bit
         if (std::abs(coordinates[k] - parameters[k].coordinate(parameters[k].get(base))) > unmoved)
             parameters[k].set(tuned, parameters[k].value(coordinates[k]));
@@ -143,7 +143,7 @@ Tuned SearchSpace::tuned(std::span<const double> coordinates) const {
 }
 
 std::vector<Amounts> SearchSpace::core_at(std::span<const double> coordinates) const {
-    const Tuned at = tuned(coordinates);
+    const document::Content at = tuned(coordinates);
     std::vector<Amounts> amounts = core.at(at, times);
     for (Amounts& amount : amounts) amount.emission *= at.preset.smoke.plume.density;
     return amounts;
@@ -158,7 +158,7 @@ double SearchSpace::cost_at(std::span<const double> coordinates) const {
 }
 
 void SearchSpace::expect(std::span<const std::vector<double>> places) const {
-    std::vector<Tuned> scenes;
+    std::vector<document::Content> scenes;
     for (const std::vector<double>& coordinates : places) scenes.push_back(tuned(coordinates));
     core.expect(scenes, times);
 }

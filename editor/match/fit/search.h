@@ -9,21 +9,22 @@
 #include <span>
 #include <vector>
 
-#include "match/fit/core_amounts.h"
+#include "match/fit/free_parameter.h"
 #include "match/fit/objective.h"
+#include "match/scene/core_amounts.h"
 
 namespace lapfx::match {
 
 /// What the search looks through. All must outlive it.
 struct SearchSpace {
-    const Tuned& base;
+    const document::Content& base;
     const std::vector<FreeParameter>& parameters;
     const std::vector<double>& times;  ///< of the target, s
     const Objective& objective;
     const Carried& carried;
     CoreAmounts& core;
 
-    Tuned tuned(std::span<const double> coordinates) const;
+    document::Content tuned(std::span<const double> coordinates) const;
     /// `emission` is what the plume goes by: times its density.
     std::vector<Amounts> core_at(std::span<const double> coordinates) const;
     /// Of the told curves; infinite where the core refuses the values.

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "match/episode.h"
-#include "match/likeness.h"
+#include "match/compare/likeness.h"
 
 namespace lapfx::match {
 

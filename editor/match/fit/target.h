@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "match/estimator.h"
+#include "match/frame/frame_amounts.h"
 
 namespace lapfx::match {
 

@@ -7,8 +7,8 @@
 #include "commands/bench_measure_camera.h"
 #include "commands/bench_measure_over.h"
 #include "lapfx/effects.h"
-#include "match/colors.h"
-#include "match/film.h"
+#include "match/frame/film.h"
+#include "match/picture/colors.h"
 
 namespace lapfx::commands {
 namespace {

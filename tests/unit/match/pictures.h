@@ -5,8 +5,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "match/colors.h"
-#include "match/haze_light.h"
+#include "match/frame/haze_light.h"
+#include "match/picture/colors.h"
 
 namespace lapfx::match::test {
 

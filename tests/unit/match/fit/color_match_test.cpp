@@ -15,16 +15,16 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-Tuned usual() {
-    Tuned tuned;
+document::Content usual() {
+    document::Content tuned;
     tuned.scene.camera.exposure = 1.9;
     tuned.preset.bleeding.color_thin = {0.45, 0.03, 0.035}, tuned.preset.bleeding.color_deep = {0.22, 0.016, 0.02};
     tuned.preset.smoke.haze.color = {0.46, 0.41, 0.46}, tuned.preset.smoke.plume.color = {0.62, 0.62, 0.68};
     return tuned;
 }
 
-Tuned hidden() {
-    Tuned tuned = usual();
+document::Content hidden() {
+    document::Content tuned = usual();
     tuned.scene.camera.exposure = 1.3, tuned.scene.organ.color = {1.0, 0.9, 0.8};
     tuned.preset.bleeding.color_thin = {0.7, 0.2, 0.12}, tuned.preset.bleeding.color_deep = {0.36, 0.1, 0.06};
     tuned.preset.smoke.haze.color = {0.4, 0.45, 0.6}, tuned.preset.smoke.plume.color = {0.54, 0.68, 0.88};
@@ -48,7 +48,7 @@ struct Camera {
     double blood = 0.08, veil = 0.3;  // amounts
     int drawn = 0;
 
-    ColorsAtPeak see(const Tuned& tuned) {
+    ColorsAtPeak see(const document::Content& tuned) {
         ++drawn;
         const Preset& p = tuned.preset;
         const double exposure = tuned.scene.camera.exposure;
@@ -63,11 +63,11 @@ struct Camera {
                 .veil = {veil, 0.8 * veil, 1.2 * veil}};
     }
     DrawColors draw() {
-        return [this](const Tuned& tuned) { return std::optional(see(tuned)); };
+        return [this](const document::Content& tuned) { return std::optional(see(tuned)); };
     }
 };
 
-ColorsAtPeak video_of(const Tuned& tuned) {
+ColorsAtPeak video_of(const document::Content& tuned) {
     return Camera{}.see(tuned);
 }
 
@@ -79,14 +79,14 @@ ColorMatch matched(const ColorsAtPeak& reference,
 
 TEST(ColorMatch, WhatDiffersIsTakenOver) {
     EXPECT_THAT(different_colors(usual(), usual()), testing::IsEmpty());
-    Tuned other = usual();
+    document::Content other = usual();
     other.preset.bleeding.color_deep = {0.1, 0.2, 0.3};
     other.scene.camera.exposure = 2.5;
     other.scene.organ.color = {1.0, 0.5, 0.5};
     EXPECT_THAT(different_colors(usual(), other),
                 testing::ElementsAre("camera.exposure", "organ.color", "bleeding.color_deep"));
     EXPECT_THAT(different_colors(usual(), hidden()), testing::ElementsAreArray(color_keys()));
-    Tuned present = usual();
+    document::Content present = usual();
     take_colors(present, hidden(), std::vector<std::string>{"smoke.plume.color", "bleeding.color_thin", "no.color"});
     EXPECT_EQ(present.preset.smoke.plume.color, hidden().preset.smoke.plume.color);
     EXPECT_EQ(present.preset.bleeding.color_thin, hidden().preset.bleeding.color_thin);
@@ -126,7 +126,7 @@ TEST(ColorMatch, FindsHiddenColoursAndExposure) {
 /// A channel that is 0 tells no proportion.
 TEST(ColorMatch, AnOrganWithoutAChannelIsFoundAllTheSame) {
     for (const glm::dvec3 none : {glm::dvec3(1.0, 0.0, 0.5), glm::dvec3(0.0, 0.5, 0.5), glm::dvec3(0.0)}) {
-        Tuned start = usual();
+        document::Content start = usual();
         start.scene.organ.color = none;
         Camera camera;
         camera.film = glm::dvec3(0.004);
@@ -142,8 +142,8 @@ TEST(ColorMatch, AnOrganWithoutAChannelIsFoundAllTheSame) {
 }
 
 TEST(ColorMatch, LeavesTheRestAsItIs) {
-    Tuned found = matched(video_of(hidden())).tuned;
-    const Tuned before = usual();
+    document::Content found = matched(video_of(hidden())).tuned;
+    const document::Content before = usual();
     EXPECT_EQ(found.scene.light.color, before.scene.light.color);
     EXPECT_EQ(found.scene.light.intensity, before.scene.light.intensity);
     found.preset.bleeding.color_thin = before.preset.bleeding.color_thin;
@@ -195,7 +195,7 @@ TEST(ColorMatch, TheTissueThatIsNotFreeIsAsBright) {
 }
 
 TEST(ColorMatch, ADarkOrganKeepsHowLightItIs) {
-    Tuned start = usual();
+    document::Content start = usual();
     start.scene.organ.color = {0.5, 0.5, 0.5};
     Camera camera;
     const ColorMatch found = match_colors({.start = start, .reference = video_of(hidden()), .draw = camera.draw()});
@@ -289,7 +289,7 @@ TEST(ColorMatch, WhatCannotBeReachedIsNotOverdone) {
 }
 
 TEST(ColorMatch, ThePlateKeepsItsExposure) {
-    Tuned start = usual();
+    document::Content start = usual();
     start.scene.plate.use = true;
     Camera camera;
     const ColorMatch found = match_colors({.start = start, .reference = video_of(hidden()), .draw = camera.draw()});
@@ -302,7 +302,7 @@ TEST(ColorMatch, ExposureStaysWithinItsBounds) {
     ColorsAtPeak video = video_of(hidden());
     video.colors.tissue = glm::dvec3(0.005);
     Camera camera{.tissue = glm::dvec3(0.7)};
-    Tuned start = usual();
+    document::Content start = usual();
     start.scene.camera.exposure = 0.015;
     const ColorMatch found = match_colors({.start = start, .reference = video, .draw = camera.draw()});
     EXPECT_GE(found.tuned.scene.camera.exposure, 0.01);
@@ -311,12 +311,13 @@ TEST(ColorMatch, ExposureStaysWithinItsBounds) {
 TEST(ColorMatch, ThatIsCancelledGivesTheBestSoFar) {
     for (const int most : {0, 1, 2}) {
         Camera camera;
-        const ColorMatch found = match_colors({.start = usual(),
-                                               .reference = video_of(hidden()),
-                                               .draw = [&](const Tuned& tuned) -> std::optional<ColorsAtPeak> {
-                                                   if (camera.drawn == most) return {};
-                                                   return camera.see(tuned);
-                                               }});
+        const ColorMatch found =
+            match_colors({.start = usual(),
+                          .reference = video_of(hidden()),
+                          .draw = [&](const document::Content& tuned) -> std::optional<ColorsAtPeak> {
+                              if (camera.drawn == most) return {};
+                              return camera.see(tuned);
+                          }});
         EXPECT_TRUE(found.ended_early);
         EXPECT_EQ(found.drawn, most);
         EXPECT_EQ(write_preset(found.tuned.preset) == write_preset(usual().preset), most < 2);

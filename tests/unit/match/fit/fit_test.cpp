@@ -7,7 +7,7 @@
 #include <random>
 
 #include "lapfx/prepared_organ.h"
-#include "match/fit/core_amounts.h"
+#include "match/scene/core_amounts.h"
 #include "support/meshes.h"
 
 namespace lapfx::match {
@@ -16,8 +16,8 @@ namespace {
 constexpr double seconds = 14.0;
 
 /// A cut and a burn on a plane.
-Tuned scene() {
-    Tuned tuned;
+document::Content scene() {
+    document::Content tuned;
     BleedingParameters& b = tuned.preset.bleeding;
     b.speed = 4.0, b.max_extent = 12.0;
     b.noise_strength = b.gravity_bias = b.crease_bias = b.rivulets = 0.0;
@@ -45,7 +45,7 @@ struct Camera {
     bool takes_bright_for_dense = false;  ///< smoke of twice the default's light for twice as much
     CoreAmounts core{organ()};
 
-    std::vector<FrameAmounts> see(const Tuned& tuned, std::span<const double> times) {
+    std::vector<FrameAmounts> see(const document::Content& tuned, std::span<const double> times) {
         const std::vector<Amounts> amounts = core.at(tuned, times);
         std::mt19937 random(seed);
         std::normal_distribution<double> normal(0.0, 1.0);
@@ -75,7 +75,7 @@ std::vector<double> all_times(double step = 0.04, double until = seconds) {
 }
 
 struct Known {
-    Tuned hidden = scene();
+    document::Content hidden = scene();
     std::vector<std::string> keys = {"bleeding.speed", "bleeding.max_extent", "smoke.haze.accumulation",
                                      "smoke.haze.ventilation"};
     double noise = 0.0, until = seconds;
@@ -83,13 +83,13 @@ struct Known {
 };
 
 FitInput input_of(const Known& known, Camera& camera) {
-    const Tuned start = scene();
+    const document::Content start = scene();
     Camera reference{.noise = known.noise, .seed = known.seed + 100};
     return {.start = start,
             .parameters = free_parameters(start, known.keys),
             .target = target_of(reference.see(known.hidden, all_times(0.04, known.until)), {.to = seconds}),
             .organ = organ(),
-            .draw = [&camera](const Tuned& tuned,
+            .draw = [&camera](const document::Content& tuned,
                               std::span<const double> times) { return std::optional(camera.see(tuned, times)); },
             .seed = known.seed};
 }
@@ -105,15 +105,15 @@ const FittedParameter& of(const FitResult& result, const std::string& key) {
     throw std::out_of_range(key);
 }
 
-Tuned hidden(double speed, double extent, double accumulation, double ventilation) {
-    Tuned tuned = scene();
+document::Content hidden(double speed, double extent, double accumulation, double ventilation) {
+    document::Content tuned = scene();
     tuned.preset.bleeding.speed = speed, tuned.preset.bleeding.max_extent = extent;
     tuned.preset.smoke.haze.accumulation = accumulation, tuned.preset.smoke.haze.ventilation = ventilation;
     return tuned;
 }
 
 TEST(Fit, FindsAHiddenPreset) {
-    for (const Tuned& truth :
+    for (const document::Content& truth :
          {hidden(7.0, 8.0, 0.3, 0.15), hidden(2.0, 20.0, 0.05, 0.3), hidden(4.0, 12.0, 0.12, 0.05)}) {
         const FitResult found = found_for({.hidden = truth});
         const BleedingParameters& b = found.tuned.preset.bleeding;
@@ -179,7 +179,7 @@ TEST(Fit, AValueThatTheCurvesRuleOutIsNotKept) {
 }
 
 TEST(Fit, FindsWhatTheCoreKnowsNothingOf) {
-    Tuned truth = scene();
+    document::Content truth = scene();
     truth.preset.smoke.plume.density = 1.2;
     const FitResult found = found_for({.hidden = truth, .keys = {"smoke.plume.density", "smoke.haze.accumulation"}});
     EXPECT_NEAR(found.tuned.preset.smoke.plume.density, 1.2, 0.1);
@@ -187,7 +187,7 @@ TEST(Fit, FindsWhatTheCoreKnowsNothingOf) {
 }
 
 TEST(Fit, FindsWhenAToolBegins) {
-    Tuned truth = scene();
+    document::Content truth = scene();
     truth.scene.events[0].time = 3.4, truth.scene.events[1].time = 0.7;
     const FitResult found = found_for({.hidden = truth, .keys = {"events.0.time", "events.1.time"}});
     EXPECT_NEAR(found.tuned.scene.events[0].time, 3.4, 0.1);
@@ -208,7 +208,7 @@ TEST(Fit, IsTheSameEachTime) {
 TEST(Fit, IntervalsHoldTheTruth) {
     int held = 0, all = 0;
     for (std::uint32_t seed = 1; seed <= 6; ++seed) {
-        const Tuned truth = hidden(6.0, 9.0, 0.2, 0.12);
+        const document::Content truth = hidden(6.0, 9.0, 0.2, 0.12);
         const FitResult found = found_for({.hidden = truth, .noise = 0.02, .seed = seed});
         for (const FittedParameter& p : found.parameters) {
             const double value = p.parameter.get(truth);
@@ -238,7 +238,7 @@ TEST(Fit, WhatTheReferenceDoesNotTellKeepsItsValue) {
 TEST(Fit, WhatItShowsIsWhatItGives) {
     // Too little smoke to tell how much; what is proposed is a little nearer all the same.
     Camera camera;
-    const Tuned truth = hidden(4.0, 12.0, 0.004, 0.05);
+    const document::Content truth = hidden(4.0, 12.0, 0.004, 0.05);
     FitInput input = input_of({.hidden = truth, .keys = {"smoke.haze.accumulation"}}, camera);
     input.start = hidden(4.0, 12.0, 0.009, 0.05);
     input.proposed = truth;
@@ -252,11 +252,11 @@ TEST(Fit, WhatItShowsIsWhatItGives) {
 }
 
 TEST(Fit, WithoutBloodSaysSo) {
-    Tuned truth = scene();
+    document::Content truth = scene();
     truth.scene.events.erase(truth.scene.events.begin());
     const FitResult found = found_for({.hidden = truth, .keys = {"smoke.haze.accumulation"}});
     EXPECT_NEAR(found.tuned.preset.smoke.haze.accumulation, 0.12, 0.01);
-    Tuned smokeless = scene();
+    document::Content smokeless = scene();
     smokeless.scene.events.pop_back();
     const FitResult other = found_for({.hidden = smokeless, .keys = {"bleeding.speed", "smoke.haze.suction"}});
     EXPECT_FALSE(of(other, "smoke.haze.suction").determined);
@@ -272,7 +272,7 @@ TEST(Fit, KeepsWithinItsBounds) {
 }
 
 TEST(Fit, GoesOnWithTheColoursThatAreMatchedAmidstIt) {
-    Tuned truth = hidden(7.0, 8.0, 0.3, 0.15);
+    document::Content truth = hidden(7.0, 8.0, 0.3, 0.15);
     truth.preset.smoke.haze.color.r = 0.5 * scene().preset.smoke.haze.color.r;
     Camera reference{.takes_bright_for_dense = true}, camera{.takes_bright_for_dense = true};
     FitInput input = input_of({}, camera);
@@ -280,9 +280,9 @@ TEST(Fit, GoesOnWithTheColoursThatAreMatchedAmidstIt) {
     const FitResult without = fit(input);
     EXPECT_NEAR(without.tuned.preset.smoke.haze.accumulation, 0.15, 0.02) << "half as bright, so half as dense";
     std::vector<double> asked;
-    input.match_colors = [&](const Tuned& tuned) {
+    input.match_colors = [&](const document::Content& tuned) {
         asked.push_back(tuned.preset.smoke.haze.accumulation);
-        Tuned matched = tuned;
+        document::Content matched = tuned;
         matched.preset.smoke.haze.color = truth.preset.smoke.haze.color;
         matched.preset.smoke.haze.ventilation = 9.0;  // no colour
         return std::optional(matched);
@@ -297,7 +297,7 @@ TEST(Fit, GoesOnWithTheColoursThatAreMatchedAmidstIt) {
 }
 
 TEST(Fit, WhatTheCoreKnowsNothingOfIsLearntWhereTheColoursWereMatched) {
-    Tuned truth = hidden(7.0, 8.0, 0.3, 0.15);
+    document::Content truth = hidden(7.0, 8.0, 0.3, 0.15);
     truth.preset.smoke.plume.density = 1.0;
     truth.preset.smoke.plume.size = 180.0;
     Camera camera;
@@ -306,14 +306,14 @@ TEST(Fit, WhatTheCoreKnowsNothingOfIsLearntWhereTheColoursWereMatched) {
                                         "smoke.haze.ventilation", "smoke.plume.size"}},
                               camera);
     input.start.preset.smoke.plume.density = 1.0;
-    std::vector<Tuned> drawn;
+    std::vector<document::Content> drawn;
     const auto draw = input.draw;
-    input.draw = [&](const Tuned& tuned, std::span<const double> times) {
+    input.draw = [&](const document::Content& tuned, std::span<const double> times) {
         drawn.push_back(tuned);
         return draw(tuned, times);
     };
     std::size_t matched_at = 0;
-    input.match_colors = [&](Tuned tuned) {
+    input.match_colors = [&](document::Content tuned) {
         matched_at = drawn.size();
         tuned.preset.smoke.haze.color.b *= 0.9;  // which this camera does not see
         return std::optional(std::move(tuned));
@@ -331,12 +331,12 @@ TEST(Fit, WhatTheCoreKnowsNothingOfIsLearntWhereTheColoursWereMatched) {
 TEST(Fit, EndsEarlyWhereTheColoursDo) {
     Camera camera;
     FitInput input = input_of({.hidden = hidden(7.0, 8.0, 0.3, 0.15)}, camera);
-    input.match_colors = [](const Tuned&) { return std::optional<Tuned>(); };
+    input.match_colors = [](const document::Content&) { return std::optional<document::Content>(); };
     const FitResult found = fit(input);
     EXPECT_TRUE(found.ended_early);
     EXPECT_EQ(found.curves, 2) << "the start, and what the first search found";
     EXPECT_LT(*found.veil_after, *found.veil_before);
-    input.match_colors = [](const Tuned& tuned) { return std::optional(tuned); };
+    input.match_colors = [](const document::Content& tuned) { return std::optional(tuned); };
     EXPECT_FALSE(fit(input).ended_early) << "nothing to change";
 }
 
@@ -345,10 +345,10 @@ TEST(Fit, EndedBeforeTheColoursWereDrawnGivesWhatWasDrawn) {
     FitInput input = input_of({.hidden = hidden(7.0, 8.0, 0.3, 0.15)}, camera);
     bool matched = false;
     const auto draw = input.draw;
-    input.draw = [&](const Tuned& tuned, std::span<const double> times) {
+    input.draw = [&](const document::Content& tuned, std::span<const double> times) {
         return matched ? std::optional<std::vector<FrameAmounts>>() : draw(tuned, times);
     };
-    input.match_colors = [&](Tuned tuned) {
+    input.match_colors = [&](document::Content tuned) {
         matched = true;
         tuned.preset.smoke.haze.color.r *= 0.5;
         return std::optional(std::move(tuned));
@@ -397,12 +397,12 @@ TEST(Fit, AnAmountWithoutWeightIsLeftOut) {
 }
 
 TEST(Fit, ThatIsCancelledGivesTheBestSoFar) {
-    const Tuned truth = hidden(7.0, 8.0, 0.3, 0.15);
+    const document::Content truth = hidden(7.0, 8.0, 0.3, 0.15);
     Camera camera;
     FitInput input = input_of({.hidden = truth}, camera);
     int drawn = 0;
     const auto draw = input.draw;
-    input.draw = [&](const Tuned& tuned, std::span<const double> times) {
+    input.draw = [&](const document::Content& tuned, std::span<const double> times) {
         return ++drawn > 2 ? std::optional<std::vector<FrameAmounts>>() : draw(tuned, times);
     };
     const FitResult found = fit(input);
@@ -483,7 +483,7 @@ TEST(Fit, RefusesASceneThatCannotBeMeasured) {
     FitInput input = input_of({}, camera);
     const auto draw = input.draw;
     unsigned flags = told::not_measurable;
-    input.draw = [&](const Tuned& tuned, std::span<const double> times) {
+    input.draw = [&](const document::Content& tuned, std::span<const double> times) {
         auto frames = draw(tuned, times);
         for (FrameAmounts& frame : *frames) frame.flags = flags;
         return frames;

@@ -7,12 +7,12 @@
 namespace lapfx::match {
 namespace {
 
-std::vector<FreeParameter> of(std::vector<std::string> keys, const Tuned& tuned = {}) {
+std::vector<FreeParameter> of(std::vector<std::string> keys, const document::Content& tuned = {}) {
     return free_parameters(tuned, keys);
 }
 
 /// All that is said about `keys`.
-std::vector<std::string> faults_of(std::vector<std::string> keys, const Tuned& tuned = {}) {
+std::vector<std::string> faults_of(std::vector<std::string> keys, const document::Content& tuned = {}) {
     try {
         of(std::move(keys), tuned);
     } catch (const Error& error) {
@@ -27,14 +27,14 @@ std::vector<std::string> faults_of(std::vector<std::string> keys, const Tuned& t
     return {};
 }
 
-Tuned with_event() {
-    Tuned tuned;
+document::Content with_event() {
+    document::Content tuned;
     tuned.scene.events = {{.time = 2.0}};
     return tuned;
 }
 
 TEST(FreeParameter, IsOfThePresetOrOfTheScene) {
-    Tuned tuned = with_event();
+    document::Content tuned = with_event();
     const auto found = of({"bleeding.speed", "events.0.time"}, tuned);
     ASSERT_EQ(found.size(), 2U);
     EXPECT_FALSE(found[0].of_scene);
@@ -47,7 +47,7 @@ TEST(FreeParameter, IsOfThePresetOrOfTheScene) {
 }
 
 TEST(FreeParameter, StaysWithinTheBoundsOfItsRow) {
-    Tuned tuned;
+    document::Content tuned;
     const FreeParameter speed = of({"bleeding.speed"})[0];
     EXPECT_EQ(speed.minimum, 0.0);
     EXPECT_EQ(speed.maximum, 60.0);
@@ -60,7 +60,7 @@ TEST(FreeParameter, MayHaveBoundsOfItsOwn) {
     EXPECT_EQ(speed.key, "bleeding.speed");
     EXPECT_EQ(speed.minimum, 2.0);
     EXPECT_EQ(speed.maximum, 8.5);
-    Tuned tuned;
+    document::Content tuned;
     speed.set(tuned, 1.0);
     EXPECT_EQ(tuned.preset.bleeding.speed, 2.0);
 }

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "lapfx/prepared_organ.h"
-#include "match/fit/core_amounts.h"
-#include "match/view_share.h"
+#include "match/scene/core_amounts.h"
+#include "match/scene/view_share.h"
 #include "support/meshes.h"
 
 namespace lapfx::match {
@@ -18,8 +18,8 @@ namespace {
 constexpr double seconds = 16.0, aspect = 1.25;
 
 /// A cut and a burn on a plane, seen from above.
-Tuned scene() {
-    Tuned tuned;
+document::Content scene() {
+    document::Content tuned;
     BleedingParameters& b = tuned.preset.bleeding;
     b.speed = 4.0, b.max_extent = 12.0;
     b.noise_strength = b.gravity_bias = b.crease_bias = b.rivulets = 0.0;
@@ -43,7 +43,7 @@ Amount around(double value, double half) {
 }
 
 /// As an ideal camera sees the scene.
-std::vector<TargetPoint> seen(const Tuned& tuned, double haze_offset = 0.0) {
+std::vector<TargetPoint> seen(const document::Content& tuned, double haze_offset = 0.0) {
     std::vector<double> times;
     for (double time = 0.0; time <= seconds; time += 0.2) times.push_back(time);
     const double share = share_per_mm2(tuned.scene.camera, aspect, {0, 0, 0}, {0, 1, 0});
@@ -56,8 +56,8 @@ std::vector<TargetPoint> seen(const Tuned& tuned, double haze_offset = 0.0) {
     return target;
 }
 
-Tuned hidden() {
-    Tuned tuned = scene();
+document::Content hidden() {
+    document::Content tuned = scene();
     tuned.scene.events[0].time = 5.0;
     tuned.scene.events[1].time = 2.0, tuned.scene.events[1].duration = 4.0, tuned.scene.events[1].strength = 0.0;
     tuned.preset.bleeding.speed = 2.5, tuned.preset.bleeding.max_extent = 9.0;
@@ -100,7 +100,7 @@ TEST(Proposal, SetsOnlyWhatItMay) {
 }
 
 TEST(Proposal, LeavesWhatLiesBeyondTheReference) {
-    Tuned start = scene();
+    document::Content start = scene();
     const ToolContact late{.action = ToolAction::cauterise, .time = 30.0, .position = {-28, 0, 0}, .to = {-28, 0, 0}};
     const ToolContact cut{
         .action = ToolAction::cut, .time = 31.0, .duration = 0.0, .position = {0, 0, 28}, .to = {0, 0, 28}};
@@ -132,7 +132,7 @@ TEST(Proposal, SmokeThatIsThereAtFirstCameBefore) {
 }
 
 TEST(Proposal, ABurstTakesTheNearestStroke) {
-    Tuned start = scene();
+    document::Content start = scene();
     start.scene.events[1].time = 12.0;
     start.scene.events.push_back(
         {.action = ToolAction::coagulate, .time = 2.5, .duration = 1.0, .position = {-28, 0, 0}, .to = {-28, 0, 0}});
@@ -143,7 +143,7 @@ TEST(Proposal, ABurstTakesTheNearestStroke) {
 }
 
 TEST(Proposal, AddsToolsInViewAndTakesAwayOthers) {
-    Tuned truth = hidden();
+    document::Content truth = hidden();
     truth.scene.events.push_back(
         {.action = ToolAction::coagulate, .time = 11.0, .duration = 2.0, .position = {-28, 0, 0}, .to = {-28, 0, 0}});
     const Proposal more = of(seen(truth));
@@ -155,7 +155,7 @@ TEST(Proposal, AddsToolsInViewAndTakesAwayOthers) {
     for (const ToolContact& event : scene().scene.events)
         EXPECT_GE(glm::distance(added.position, event.position), 15.0);
 
-    Tuned clear = scene();
+    document::Content clear = scene();
     clear.scene.events.clear();
     const Proposal none = of(seen(clear));
     EXPECT_EQ(none.tuned.scene.events[0].strength, 0.0);
@@ -172,7 +172,7 @@ TEST(Proposal, SeesThroughAHazyBaseline) {
 }
 
 TEST(Proposal, SaysWhatIsNotDetermined) {
-    Tuned truth = hidden();
+    document::Content truth = hidden();
     truth.scene.events[1].duration = 10.0;
     std::vector<TargetPoint> target = seen(truth);
     std::erase_if(target, [](const TargetPoint& aim) { return aim.time > 7.6; });
@@ -191,7 +191,7 @@ TEST(Proposal, LeavesWhatIsNotMeasurable) {
     EXPECT_EQ(found.lines.size(), 2U);
 }
 
-FitInput fit_of(const Tuned& start, const Tuned& truth, std::vector<std::string> keys) {
+FitInput fit_of(const document::Content& start, const document::Content& truth, std::vector<std::string> keys) {
     return {.start = start,
             .parameters = free_parameters(start, keys),
             .target = seen(truth),
@@ -216,7 +216,7 @@ TEST(BeginWithProposal, WhenMovedToolsWorkIsFoundMoreExactly) {
 }
 
 TEST(BeginWithProposal, StrokesOfSeveralContactsStayTogether) {
-    Tuned start = scene();
+    document::Content start = scene();
     const ToolContact& burn = start.scene.events[1];
     start.scene.events.push_back(
         {.action = burn.action, .time = burn.end(), .duration = 1.0, .position = burn.to, .to = {28, 0, 8}});
@@ -244,22 +244,23 @@ std::vector<double> times_of(const FitInput& input) {
 }
 
 DrawCurve ideal_camera() {
-    return [core = std::make_shared<CoreAmounts>(organ())](const Tuned& tuned, std::span<const double> times) {
-        const std::vector<Amounts> amounts = core->at(tuned, times);
-        const double share = share_per_mm2(tuned.scene.camera, aspect, {0, 0, 0}, {0, 1, 0});
-        std::vector<FrameAmounts> frames;
-        for (std::size_t i = 0; i < times.size(); ++i)
-            frames.push_back({.time = times[i],
-                              .blood = around(share * amounts[i].blood_area, 0.004),
-                              .veil = around(1.0 - std::exp(-amounts[i].haze), 0.03)});
-        return std::optional(frames);
-    };
+    return
+        [core = std::make_shared<CoreAmounts>(organ())](const document::Content& tuned, std::span<const double> times) {
+            const std::vector<Amounts> amounts = core->at(tuned, times);
+            const double share = share_per_mm2(tuned.scene.camera, aspect, {0, 0, 0}, {0, 1, 0});
+            std::vector<FrameAmounts> frames;
+            for (std::size_t i = 0; i < times.size(); ++i)
+                frames.push_back({.time = times[i],
+                                  .blood = around(share * amounts[i].blood_area, 0.004),
+                                  .veil = around(1.0 - std::exp(-amounts[i].haze), 0.03)});
+            return std::optional(frames);
+        };
 }
 
 TEST(BeginWithProposal, AToolThatWasNotThereHasNoValueBefore) {
-    Tuned start = scene();
+    document::Content start = scene();
     start.scene.events.pop_back();
-    Tuned truth = hidden();
+    document::Content truth = hidden();
     truth.preset = start.preset;
     FitInput input = fit_of(start, truth, {"smoke.haze.accumulation"});
     begin_with_proposal(input);
@@ -276,12 +277,12 @@ TEST(BeginWithProposal, AToolThatWasNotThereHasNoValueBefore) {
 
 /// Two burns with a short rest between look like one.
 TEST(BeginWithProposal, ToolsThatAreNearerThanTheProposedStay) {
-    Tuned truth = hidden();
+    document::Content truth = hidden();
     ToolContact again = truth.scene.events[1];
     truth.scene.events[1].duration = 1.7, truth.scene.events[1].strength = 1.0;
     again.time = 4.1, again.position = again.to = {-28, 0, 0}, again.duration = 1.9;
     truth.scene.events.push_back(again);
-    Tuned start = truth;
+    document::Content start = truth;
     start.preset = scene().preset;
     const std::vector<std::string> keys = {"bleeding.speed", "bleeding.max_extent", "smoke.haze.accumulation",
                                            "smoke.haze.ventilation"};

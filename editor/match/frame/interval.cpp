@@ -1,0 +1,50 @@
+#include "match/frame/interval.h"
+
+#include <algorithm>
+
+namespace lapfx::match {
+
+namespace {
+
+// Half of an interval grows with the amount, with the smoke before the tissue, with what the model leaves unexplained
+// and with what cannot be read; of a veil, half as strong is the least known. The factors were fitted to the pictures
+// of `lapfx bench measure`, seeds 1 and 2, renders and known smoke and blood over real frames, so that about nine of
+// ten intervals hold the true amount. A veil is harder to tell in renders, where they hold some 86 to 92 %, than over
+// real frames, where they hold 97 %.
+constexpr double veil_least = 0.018, veil_of_middle = 0.34, veil_of_rest = 0.25;
+constexpr double blood_least = 0.01, blood_of_blood = 0.28, blood_of_veil = 0.28, blood_of_rest = 0.05,
+                 blood_of_hidden = 0.1;
+constexpr double usual_rest = 0.06, blood_of_more_rest = 1.0;  // more is left where tissue moves or is turned
+
+// What the flags say about a frame makes its intervals wider.
+struct Wider {
+    unsigned bit;
+    double factor;
+};
+constexpr Wider wider[] = {
+    {told::tinted, 1.3}, {told::bleached, 1.25}, {told::motion, 1.25}, {told::unregistered, 1.1}};
+
+void set(Amount& amount, double half) {
+    amount.low = std::max(amount.value - half, 0.0);
+    amount.high = std::min(amount.value + half, 1.0);
+}
+
+}  // namespace
+
+void set_intervals(FrameAmounts& a) {
+    if (!a.measurable()) {  // nothing is known
+        set(a.veil, 1.0);
+        set(a.blood, 1.0);
+        return;
+    }
+    double factor = 1.0;
+    for (const Wider& row : wider)
+        if ((a.flags & row.bit) != 0) factor *= row.factor;
+    const double middle = a.veil.value * (1.0 - a.veil.value);
+    set(a.veil, factor * (veil_least + veil_of_middle * middle + veil_of_rest * a.rest));
+    set(a.blood,
+        factor * (blood_least + blood_of_blood * a.blood.value + blood_of_veil * a.veil.value + blood_of_rest * a.rest +
+                  blood_of_more_rest * std::max(a.rest - usual_rest, 0.0) + blood_of_hidden * a.hidden));
+}
+
+}  // namespace lapfx::match

@@ -1,0 +1,25 @@
+// Which pixels of a frame are looked at: the endoscope's picture without its black surround and the parts that
+// a user left out.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <opencv2/core.hpp>
+#include <span>
+#include <vector>
+
+namespace lapfx::match {
+
+/// For cv::dilate and its kind: all within so many px.
+cv::Mat disc(int radius);
+
+/// The picture of the endoscope, CV_8U 255 inside: round, or cut off at the sides. `code`: CV_8UC3 BGR. Dark hollows
+/// inside belong to it. All 0 for a black picture.
+cv::Mat view_of(const cv::Mat& code);
+
+/// A part of the picture that is not measured: corners as fractions of the picture, from its upper left corner.
+using MaskPolygon = std::vector<glm::dvec2>;
+
+/// The region and the parts that are left out, as pixels: CV_8U 255 where it may be measured.
+cv::Mat wanted_part(cv::Size size, const glm::dvec4& region, std::span<const MaskPolygon> masks);
+
+}  // namespace lapfx::match

@@ -1,0 +1,46 @@
+#include "match/use/measure_video.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lapfx::match {
+
+namespace {
+
+constexpr std::size_t least_corners = 3;  // of a polygon
+
+}  // namespace
+
+MeasureOptions measure_options(const ReferenceMeasure& measure) {
+    MeasureOptions options;
+    const MeasuredRegion& region = measure.region;
+    options.estimator.blood = measure.blood;
+    options.estimator.region = {region.x, region.y, std::min(region.width, 1 - region.x),
+                                std::min(region.height, 1 - region.y)};
+    for (const LeftOutPart& part : measure.parts) {
+        if (part.corners.size() < least_corners) continue;
+        MaskPolygon& mask = options.estimator.masks.emplace_back();
+        for (const PartCorner& corner : part.corners) mask.emplace_back(corner.x, corner.y);
+    }
+    if (measure.baseline > 0) options.baseline = measure.baseline;
+    options.from = measure.from;
+    if (measure.to > 0) options.to = measure.to;
+    return options;
+}
+
+MeasuredVideo measure_video(VideoReader& video, VideoMeasuring how, const Progress& progress) {
+    PeakColors peaks;
+    if (how.colors_of) peaks = PeakColors(how.colors_of->from, how.colors_of->to);
+    const auto over_time = how.colors_over_time ? std::make_shared<ColorsOverTime>() : nullptr;
+    if (how.colors_of || over_time)
+        how.options.measured = [&, also = std::move(how.options.measured)](auto& frame, const Estimator* estimator,
+                                                                           const FrameAmounts& amounts) {
+            if (how.colors_of) peaks.add(frame, estimator, amounts);
+            if (over_time) over_time->add(frame, estimator, amounts);
+            if (also) also(frame, estimator, amounts);
+        };
+    Measurement found = measure(video, how.options, progress);
+    return {.found = std::move(found), .colors = peaks.at_peak(), .colors_over_time = over_time};
+}
+
+}  // namespace lapfx::match

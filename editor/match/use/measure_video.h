@@ -1,0 +1,44 @@
+// A video, measured for whoever uses it: amounts of its frames over time, and its colours.
+//
+//     const match::MeasuredVideo of = match::measure_video(
+//         video, {.options = match::measure_options(scene.reference.measure), .colors_of = {{0.0, 8.0}}}, progress);
+//     plot(of.found.frames), show(of.colors.colors);
+//
+// Any thread.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "lapfx/authoring/video.h"
+#include "lapfx/progress.h"
+#include "lapfx/scene.h"
+#include "match/video/measure.h"
+#include "match/video/peak_colors.h"
+
+namespace lapfx::match {
+
+/// How a scene says that its reference is measured.
+MeasureOptions measure_options(const ReferenceMeasure& measure);
+
+/// s of a video, both included.
+struct VideoPart {
+    double from = 0.0, to = 0.0;
+};
+
+struct VideoMeasuring {
+    MeasureOptions options = {};
+    std::optional<VideoPart> colors_of = {};  ///< whose colours are wanted; none: they cost nothing
+    bool colors_over_time = false;            ///< of any part, asked for afterwards
+};
+
+struct MeasuredVideo {
+    Measurement found;
+    ColorsAtPeak colors = {};                                     ///< of VideoMeasuring::colors_of
+    std::shared_ptr<const ColorsOverTime> colors_over_time = {};  ///< null where they were not wanted
+};
+
+/// Throws as measure().
+MeasuredVideo measure_video(VideoReader& video, VideoMeasuring how, const Progress& progress = {});
+
+}  // namespace lapfx::match

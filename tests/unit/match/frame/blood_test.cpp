@@ -1,0 +1,171 @@
+#include "match/frame/blood.h"
+
+#include <gtest/gtest.h>
+
+#include "unit/match/pictures.h"
+
+namespace lapfx::match {
+namespace {
+
+struct Found {
+    explicit Found(const cv::Mat& frame, const cv::Mat& veil, const BloodQualifier& qualifier = {},
+                   const cv::Mat& clear = test::tissue(), bool well_placed = false) {
+        cv::Mat redness;
+        redness_of(clear, redness);
+        finder.find(clear, redness, frame, veil, test::light_of({}),
+                    cv::Mat(test::height, test::width, CV_8U, cv::Scalar(255)), qualifier, well_placed);
+    }
+    BloodFinder finder;
+    double blood() const { return cv::countNonZero(finder.blood()) / static_cast<double>(test::width * test::height); }
+    double hidden() const {
+        return cv::countNonZero(finder.hidden()) / static_cast<double>(test::width * test::height);
+    }
+};
+
+constexpr int radius = 40;
+constexpr double disc = 3.14159 * radius * radius / (test::width * test::height);
+
+cv::Mat bloody() {
+    cv::Mat frame = test::tissue();
+    test::bleed(frame, {150, 130}, radius);
+    return frame;
+}
+
+cv::Mat even(double veil) {
+    return {test::height, test::width, CV_32F, cv::Scalar(veil)};
+}
+
+TEST(Blood, OfADiscHasItsArea) {
+    EXPECT_NEAR(Found(bloody(), even(0)).blood(), disc, 0.05 * disc);
+    EXPECT_EQ(Found(test::tissue(), even(0)).blood(), 0.0);
+}
+
+/// A film of that thickness over the disc, by the law of Beer and Lambert.
+cv::Mat filmed(double thickness, const cv::Mat& clear = test::tissue()) {
+    cv::Mat frame = clear.clone(), part = cv::Mat::zeros(clear.size(), CV_8U);
+    cv::circle(part, {150, 130}, radius, 255, cv::FILLED);
+    const cv::Vec3d powers = cv::Vec3d(7.5, 8.0, 2.6) * thickness;
+    frame.forEach<cv::Vec3f>([&](cv::Vec3f& p, const int* at) {
+        if (part.at<std::uint8_t>(at[0], at[1]) == 0) return;
+        for (int k = 0; k < 3; ++k) p[k] *= static_cast<float>(std::exp2(-powers[k]));
+    });
+    return frame;
+}
+
+TEST(Blood, OfAThinFilmHasItsArea) {
+    for (const double thickness : {0.15, 0.3, 0.6})
+        EXPECT_NEAR(Found(filmed(thickness), even(0), {}, test::tissue(), true).blood(), disc, 0.06 * disc)
+            << thickness;
+    EXPECT_LT(Found(filmed(0.15), even(0)).blood(), 0.5 * disc) << "which redness alone does not tell";
+    EXPECT_EQ(Found(test::tissue(), even(0), {}, test::tissue(), true).blood(), 0.0);
+}
+
+TEST(Blood, OfAFilmBehindSmokeHasItsArea) {
+    for (const double veil : {0.2, 0.4}) {
+        const auto behind = [veil](const cv::Mat& tissue) {
+            return Found(test::veiled(tissue, even(veil), test::light_of({})), even(veil), {}, test::tissue(), true)
+                .blood();
+        };
+        EXPECT_NEAR(behind(filmed(0.4)), disc, 0.1 * disc) << veil;
+        EXPECT_EQ(behind(test::tissue()), 0.0) << veil;
+    }
+}
+
+TEST(Blood, IsFoundThoughTheCameraGainedItsChannels) {
+    cv::Mat frame = filmed(0.3);
+    frame = frame.mul(cv::Scalar(0.9, 0.85, 1.1));
+    EXPECT_NEAR(Found(frame, even(0), {}, test::tissue(), true).blood(), disc, 0.06 * disc);
+    frame = test::tissue().mul(cv::Scalar(0.9, 0.85, 1.1));
+    EXPECT_EQ(Found(frame, even(0), {}, test::tissue(), true).blood(), 0.0);
+}
+
+TEST(Blood, OfAFilmFollowsTheQualifier) {
+    const auto found = [](const BloodQualifier& qualifier) {
+        return Found(filmed(0.3), even(0), qualifier, test::tissue(), true).blood();
+    };
+    EXPECT_EQ(found({.redness = 15}), 0.0);
+    EXPECT_EQ(found({.rise = 5}), 0.0);
+    EXPECT_EQ(found({.brightness = 0.05}), 0.0);
+}
+
+/// As bright as the light makes it in the middle of a view: blood on it is brighter than most tissue.
+cv::Mat bright_tissue() {
+    cv::Mat tissue = test::tissue();
+    return tissue.mul(cv::Scalar::all(0.9 / cv::mean(tissue)[2]));
+}
+
+TEST(Blood, OfAFilmOnBrightTissueHasItsArea) {
+    const auto found = [](const cv::Mat& frame, const BloodQualifier& qualifier = {}) {
+        return Found(frame, even(0), qualifier, bright_tissue(), true).blood();
+    };
+    EXPECT_NEAR(found(filmed(0.15, bright_tissue())), disc, 0.06 * disc);
+    EXPECT_EQ(found(bright_tissue()), 0.0);
+    EXPECT_EQ(found(filmed(0.15, bright_tissue()), {.brightness = 0.05}), 0.0);
+}
+
+TEST(Blood, IsNoFilmWhereAllIsDarker) {
+    EXPECT_EQ(Found(0.6 * test::tissue(), even(0), {}, test::tissue(), true).blood(), 0.0);
+}
+
+TEST(Blood, BehindSmokeHasTheSameArea) {
+    for (const double veil : {0.2, 0.4, 0.6}) {
+        // Behind dense smoke, what is darkest cannot be told from tissue.
+        const double missing = veil > 0.5 ? 0.3 : 0.15;
+        EXPECT_NEAR(Found(test::veiled(bloody(), even(veil), test::light_of({})), even(veil)).blood(), disc,
+                    missing * disc)
+            << veil;
+    }
+}
+
+TEST(Blood, CannotBeReadBehindDenseSmoke) {
+    const Found found(test::veiled(bloody(), even(0.9), test::light_of({})), even(0.9));
+    EXPECT_EQ(found.blood(), 0.0);
+    EXPECT_GT(found.hidden(), 0.99);
+}
+
+TEST(Blood, FollowsTheQualifier) {
+    EXPECT_EQ(Found(bloody(), even(0), {.redness = 15}).blood(), 0.0);
+    EXPECT_EQ(Found(bloody(), even(0), {.rise = 9}).blood(), 0.0);
+    EXPECT_EQ(Found(bloody(), even(0), {.brightness = 0.05}).blood(), 0.0);
+}
+
+TEST(Blood, NeedsAPlaceThatIsSurelyBlood) {
+    cv::Mat frame = test::tissue();
+    test::bleed(frame, {100, 100}, 1);  // five pixels
+    EXPECT_EQ(Found(frame, even(0)).blood(), 0.0);
+}
+
+/// Tissue with a red disc of its own, at `x`.
+cv::Mat with_red_tissue(int x) {
+    cv::Mat tissue = test::tissue();
+    test::bleed(tissue, {x, 130}, radius);
+    return tissue;
+}
+
+TEST(Blood, IsNotRedTissueThatMovedALittle) {
+    EXPECT_EQ(Found(with_red_tissue(152), even(0), {}, with_red_tissue(150)).blood(), 0.0);
+    EXPECT_GT(Found(with_red_tissue(170), even(0), {}, with_red_tissue(150)).blood(), 0.2 * disc);
+}
+
+TEST(Blood, IsSureInALargePartOfItsPatch) {
+    // All that is left of the drop of green and blue is what makes it sure.
+    const auto patch = [](int sure) {
+        cv::Mat frame = test::tissue();
+        const cv::Mat clear = frame.clone();
+        test::bleed(frame, {150, 130}, radius);
+        frame = 0.25 * frame + 0.75 * clear;
+        if (sure > 0) test::bleed(frame, {150, 130}, sure);
+        return Found(frame, even(0)).blood();
+    };
+    EXPECT_EQ(patch(0), 0.0);
+    EXPECT_LT(patch(8), 0.1 * disc) << "a tenth of the patch";
+    EXPECT_GT(patch(30), 0.5 * disc);
+}
+
+TEST(Blood, IsNotTissueWhoseVeilWasTakenForTooDense) {
+    const cv::Mat smoky = test::veiled(test::tissue(), even(0.4), test::light_of({}));
+    EXPECT_LT(Found(smoky, even(0.42)).blood(), 0.02);
+}
+
+}  // namespace
+}  // namespace lapfx::match

@@ -1,0 +1,291 @@
+#include "match/frame/estimator.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "unit/match/clips.h"
+#include "unit/preset/support.h"
+
+namespace lapfx::match {
+namespace {
+
+// Of the mean veil: painted tissue is none of the renders that its model was learned from, of which it is off by 0.05.
+constexpr double off_by_model = 0.06;
+
+/// Tells the mean of the map.
+std::shared_ptr<const VeilModel> map_alone() {
+    nlohmann::json model = nlohmann::json::parse(VeilModel::shipped().json());
+    for (auto& weight : model["with_map"]["weights"]) weight = 0.0;     // nothing is added to the map
+    for (auto& weight : model["without_map"]["weights"]) weight = 1e6;  // nor is there a most
+    return std::make_shared<const VeilModel>(VeilModel::read(model.dump(), "map alone"));
+}
+
+cv::Mat even(double veil) {
+    return {test::height, test::width, CV_32F, cv::Scalar(veil)};
+}
+
+TEST(Estimator, MeasuresBloodAndSmokeTogether) {
+    const cv::Mat clear = test::tissue();
+    cv::Mat bloody = clear.clone();
+    constexpr int radius = 40;
+    test::bleed(bloody, {150, 130}, radius);
+    Estimator estimator(test::image_of(clear), {.survey = std::make_shared<const Survey>(), .veil_model = map_alone()}),
+        shipped(test::image_of(clear), {.survey = std::make_shared<const Survey>()});
+    for (const double veil : {0.0, 0.2, 0.5}) {
+        const Image picture = test::image_of(test::veiled(bloody, even(veil), test::light_of({})));
+        const FrameAmounts a = estimator.measure(picture, 0);
+        EXPECT_NEAR(a.veil.value, veil, 0.03) << veil;
+        EXPECT_NEAR(shipped.measure(picture, 0).veil.value, veil, off_by_model) << veil;
+        EXPECT_NEAR(a.blood.value, 3.14159 * radius * radius / (test::width * test::height), 0.015) << veil;
+        EXPECT_TRUE(a.measurable());
+        EXPECT_EQ(a.blood_measurable(), veil < dense_veil) << veil;
+        EXPECT_LE(a.veil.low, a.veil.value);
+        EXPECT_GE(a.veil.high, a.veil.value);
+    }
+}
+
+TEST(Estimator, LearnsTheLightOfTheSmoke) {
+    const HazeLight truth{.color = {0.40, 0.37, 0.42}, .fall_off = 0.25};
+    const cv::Mat clear = test::tissue();
+    Estimator estimator(test::image_of(clear), {.veil_model = map_alone()});
+    const Image smoky = test::image_of(test::veiled(clear, test::ramp(0.1, 0.7), test::light_of(truth)));
+    estimator.survey(smoky);
+    EXPECT_NEAR(estimator.surveyed()->light.color.r, truth.color.r, 0.15 * truth.color.r);
+    EXPECT_NEAR(estimator.measure(smoky, 0).veil.value, 0.4, 0.04);
+}
+
+TEST(Estimator, OfTheSameFramesGivesTheSameAmounts) {
+    const cv::Mat clear = test::tissue();
+    const Image smoky = test::image_of(test::veiled(clear, test::ramp(0, 0.6), test::light_of({})));
+    std::vector<FrameAmounts> found;
+    for (int i = 0; i < 2; ++i) {
+        Estimator estimator(test::image_of(clear), {});
+        estimator.survey(smoky);
+        found.push_back(estimator.measure(smoky, 1));
+    }
+    EXPECT_EQ(found[0].veil.value, found[1].veil.value);
+    EXPECT_EQ(found[0].blood.value, found[1].blood.value);
+    EXPECT_EQ(found[0].likeness, found[1].likeness);
+}
+
+TEST(Estimator, LeavesOutRegionMasksAndInstruments) {
+    const cv::Mat clear = test::tissue();
+    cv::Mat bloody = clear.clone();
+    test::bleed(bloody, {60, 60}, 30);
+    const Part corner{{0, 0}, {0.4, 0}, {0.4, 0.5}, {0, 0.5}};
+    Estimator masked(test::image_of(clear), {.masks = {corner}});
+    EXPECT_LT(masked.measure(test::image_of(bloody), 0).blood.value, 0.002);
+    Estimator regional(test::image_of(clear), {.region = {0.5, 0, 0.5, 1}});
+    const FrameAmounts a = regional.measure(test::image_of(bloody), 0);
+    EXPECT_EQ(a.blood.value, 0);
+    EXPECT_NEAR(a.valid, 0.5, 0.03);
+}
+
+cv::Mat evenly(const cv::Vec3f& color) {
+    return {test::height, test::width, CV_32FC3, cv::Scalar(color)};
+}
+
+/// In a round view with a black surround.
+cv::Mat round(const cv::Mat& picture) {
+    cv::Mat made = evenly({0, 0, 0}), disc = cv::Mat::zeros(picture.size(), CV_8U);
+    cv::circle(disc, {test::width / 2, test::height / 2}, 105, 255, cv::FILLED);
+    picture.copyTo(made, disc);
+    return made;
+}
+
+/// White letters over all of a dark picture.
+cv::Mat title_card() {
+    cv::Mat card = evenly({0.02F, 0.02F, 0.02F});
+    for (int y = 24; y < test::height; y += 24)
+        cv::putText(card, "Case 4: gastric banding", {2, y}, cv::FONT_HERSHEY_SIMPLEX, 0.8, {0.8, 0.8, 0.8}, 2);
+    return card;
+}
+
+TEST(Estimator, TellsWhatCannotBeMeasured) {
+    const cv::Mat clear = test::tissue();
+    Estimator estimator(test::image_of(clear), {.veil_model = map_alone()});
+    EXPECT_TRUE(estimator.measure(test::image_of(evenly({0, 0, 0})), 0).flags & told::dark);
+    estimator.measure(test::image_of(clear), 1);
+    const FrameAmounts a = estimator.measure(test::image_of(test::bag()), 2);
+    EXPECT_EQ(a.flags, told::cut | told::bag);
+    EXPECT_FALSE(a.measurable());
+    Estimator shipped(test::image_of(clear), {});
+    shipped.measure(test::image_of(clear), 1);
+    const FrameAmounts same = shipped.measure(test::image_of(test::bag()), 2);
+    EXPECT_EQ(same.flags, a.flags);
+    EXPECT_LT(same.veil.value, a.veil.value) << "the statistics limit what a map without the tissue tells";
+    EXPECT_GT(a.veil.value, dense_veil);
+    EXPECT_FALSE(a.flags & told::dense) << "nobody knows what is before the tissue";
+}
+
+TEST(Estimator, TellsACutWhereTheViewIsAnother) {
+    Estimator estimator(test::image_of(test::tissue()), {});
+    const auto cut = [&](const cv::Mat& frame) {
+        return (estimator.measure(test::image_of(frame), 0).flags & told::cut) != 0;
+    };
+    EXPECT_FALSE(cut(test::tissue())) << "the first frame follows none";
+    EXPECT_TRUE(cut(test::bag()));
+    EXPECT_FALSE(cut(test::bag()));
+    EXPECT_TRUE(cut(test::tissue(2)));
+    EXPECT_TRUE(cut(test::tissue()));
+    EXPECT_FALSE(cut(test::tissue()));
+}
+
+TEST(Estimator, TellsNoCutAroundPlainFrames) {
+    Estimator estimator(test::image_of(test::tissue()), {});
+    const cv::Mat dense(test::height, test::width, CV_32F, cv::Scalar(0.97));
+    for (const cv::Mat& plain :
+         {evenly({0, 0, 0}), evenly({0.95F, 0.95F, 0.95F}), test::veiled(test::tissue(), dense, test::light_of({}))}) {
+        EXPECT_FALSE(estimator.measure(test::image_of(test::tissue()), 0).flags & told::cut);
+        EXPECT_FALSE(estimator.measure(test::image_of(plain), 1).flags & told::cut);
+        EXPECT_FALSE(estimator.measure(test::image_of(test::tissue()), 2).flags & told::cut);
+    }
+}
+
+TEST(Estimator, TellsNoCutWhereTheCameraPans) {
+    cv::Mat wide;
+    const std::vector<cv::Mat> beside = {test::tissue(), test::tissue(5)};
+    cv::hconcat(beside, wide);
+    Estimator estimator(test::image_of(test::tissue()), {});
+    for (int x = 0; x <= test::width; x += 20)  // until nothing of the baseline is seen
+        EXPECT_FALSE(estimator.measure(test::image_of(wide(cv::Rect(x, 0, test::width, test::height))), x).flags &
+                     told::cut)
+            << x;
+}
+
+TEST(Estimator, SurveysNoForeignFrame) {
+    const HazeLight truth{.color = {0.40, 0.37, 0.42}, .fall_off = 0.25};
+    const cv::Mat clear = round(test::tissue());
+    const Image smoky =
+        test::image_of(round(test::veiled(test::tissue(), test::ramp(0.1, 0.7), test::light_of(truth))));
+    Estimator alone(test::image_of(clear), {}), mixed(test::image_of(clear), {});
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_TRUE(alone.survey(smoky));
+        EXPECT_TRUE(mixed.survey(smoky));
+        EXPECT_FALSE(mixed.survey(test::image_of(i % 2 == 0 ? evenly({0.95F, 0.95F, 0.95F}) : title_card())));
+        EXPECT_FALSE(mixed.survey(test::image_of(test::bag())));
+        EXPECT_FALSE(mixed.survey(test::image_of(evenly({0, 0, 0}))));
+    }
+    const auto a = alone.surveyed(), b = mixed.surveyed();
+    EXPECT_EQ(a->light.color, b->light.color);
+    EXPECT_EQ(cv::norm(a->brightest, b->brightest), 0);
+    EXPECT_EQ(cv::norm(a->overlay, b->overlay), 0);
+    EXPECT_EQ(alone.measure(smoky, 0).valid, mixed.measure(smoky, 0).valid);
+}
+
+TEST(Estimator, SurveysDenseSmoke) {
+    const HazeLight truth{.color = {0.40, 0.37, 0.42}, .fall_off = 0.25};
+    Estimator estimator(test::image_of(test::tissue()), {});
+    EXPECT_TRUE(
+        estimator.survey(test::image_of(test::veiled(test::tissue(), test::ramp(0.6, 0.95), test::light_of(truth)))));
+    EXPECT_NEAR(estimator.surveyed()->light.color.r, truth.color.r, 0.2 * truth.color.r);
+}
+
+TEST(Estimator, ItsViewGrowsIntoHollowsAndNotIntoTheSurround) {
+    const cv::Mat clear = test::tissue();
+    cv::Mat hollow = round(clear), lit = clear.clone();
+    cv::circle(hollow, {240, 128}, 40, cv::Scalar(0, 0, 0), cv::FILLED);  // dark, at the rim
+    Estimator estimator(test::image_of(hollow), {});
+    const double before = estimator.measure(test::image_of(hollow), 0).valid;
+    const cv::Mat veil(test::height, test::width, CV_32F, cv::Scalar(0.4));
+    const auto valid_after = [&](const cv::Mat& frame) {
+        estimator.survey(test::image_of(frame));
+        return estimator.measure(test::image_of(frame), 1).valid;
+    };
+    const double disc = 3.14159 * 105 * 105 / (test::width * test::height);
+    EXPECT_LT(before, 0.97 * disc);
+    // The whole picture is lit, as on a title card through which the video is faded in.
+    const double after = valid_after(test::veiled(lit, veil, test::light_of({})));
+    EXPECT_GT(after, before);
+    EXPECT_LT(after, 1.1 * disc);
+}
+
+TEST(Estimator, TellsAnotherWhiteBalance) {
+    const cv::Mat clear = test::tissue();
+    cv::Mat bluer;
+    cv::multiply(clear, cv::Scalar(1.4, 1.0, 0.95), bluer);
+    Estimator estimator(test::image_of(clear), {.survey = std::make_shared<const Survey>()});
+    EXPECT_FALSE(estimator.measure(test::image_of(clear), 0).flags & told::tinted);
+    EXPECT_TRUE(estimator.measure(test::image_of(bluer), 0).flags & told::tinted);
+}
+
+TEST(Estimator, TakesThinSmokeForNoOtherWhiteBalance) {
+    Estimator estimator(test::image_of(test::tissue()), {.survey = std::make_shared<const Survey>()});
+    for (const double veil : {0.02, 0.05, 0.07, 0.1})
+        EXPECT_FALSE(
+            estimator.measure(test::image_of(test::veiled(test::tissue(), even(veil), test::light_of({}))), 0).flags &
+            told::tinted)
+            << veil;
+}
+
+cv::Mat gained(const cv::Mat& picture, const cv::Scalar& by) {
+    cv::Mat made;
+    cv::multiply(picture, by, made);
+    return made;
+}
+
+/// A plume of this veil over the left quarter.
+cv::Mat plume(double veil) {
+    cv::Mat map = even(0.0);
+    map(cv::Rect(0, 0, test::width / 4, test::height)) = veil;
+    return map;
+}
+
+TEST(Estimator, TakesACameraThatChangesForNoSmoke) {
+    const cv::Mat clear = test::tissue();
+    cv::Mat bloody = clear.clone();
+    constexpr int radius = 30;
+    test::bleed(bloody, {150, 130}, radius);
+    Estimator estimator(test::image_of(clear), {.survey = std::make_shared<const Survey>()});
+    for (const double by : {0.7, 0.8, 1.1, 1.3}) {
+        const FrameAmounts a = estimator.measure(test::image_of(gained(bloody, {by, by, by})), 0);
+        EXPECT_LT(a.veil.value, 0.01) << by;
+        EXPECT_NEAR(a.blood.value, 3.14159 * radius * radius / (test::width * test::height), 0.01) << by;
+        EXPECT_EQ(a.flags, 0U) << by;
+    }
+}
+
+TEST(Estimator, TakesADarkerPictureForNoBlood) {
+    for (const int seed : {1, 3}) {
+        const cv::Mat clear = test::tissue(seed);
+        Estimator estimator(test::image_of(clear), {.survey = std::make_shared<const Survey>()});
+        for (const double by : {0.2, 0.3, 0.4, 0.5, 0.55, 0.6, 0.65}) {
+            const FrameAmounts a = estimator.measure(test::image_of(gained(clear, {by, by, by})), 0);
+            EXPECT_TRUE(!a.blood_measurable() || a.blood.value < 0.01) << seed << " " << by << " " << a.blood.value;
+        }
+    }
+}
+
+TEST(Estimator, FindsSmokeThoughTheCameraChanged) {
+    const cv::Mat clear = test::tissue(), brighter = gained(clear, {1.2, 1.2, 1.2});
+    Estimator estimator(test::image_of(clear), {.survey = std::make_shared<const Survey>(), .veil_model = map_alone()});
+    for (const cv::Mat& veil : {plume(0.2), plume(0.5)}) {
+        const Image picture = test::image_of(test::veiled(brighter, veil, test::light_of({})));
+        EXPECT_NEAR(estimator.measure(picture, 0).veil.value, cv::mean(veil)[0], 0.02) << cv::mean(veil)[0];
+    }
+}
+
+TEST(Estimator, RefusesABaselineThatShowsNothing) {
+    const Image black = test::image_of(cv::Mat(test::height, test::width, CV_32FC3, cv::Scalar::all(0)));
+    EXPECT_EQ(lapfx::test::faults_of([&] { Estimator(black, {}); }),
+              std::vector<std::string>{"baseline: has no view to measure: it is black"});
+    EXPECT_EQ(lapfx::test::faults_of([&] {
+                  Estimator(test::image_of(test::tissue()), {.region = {0.5, 0.5, 0, 0}});
+              }).size(),
+              1U);
+}
+
+TEST(Estimator, MeasuresPicturesOfAnySizeAlike) {
+    const cv::Mat clear = test::tissue(), smoky = test::veiled(clear, even(0.4), test::light_of({}));
+    cv::Mat large_clear, large_smoky;
+    cv::resize(clear, large_clear, {}, 3, 3, cv::INTER_CUBIC);
+    cv::resize(smoky, large_smoky, {}, 3, 3, cv::INTER_CUBIC);
+    Estimator estimator(test::image_of(cv::max(large_clear, 0.0)),
+                        {.survey = std::make_shared<const Survey>(), .veil_model = map_alone()});
+    EXPECT_NEAR(estimator.measure(test::image_of(cv::max(large_smoky, 0.0)), 0).veil.value, 0.4, 0.02);
+    EXPECT_EQ(estimator.working_size(), cv::Size(256, 205));
+}
+
+}  // namespace
+}  // namespace lapfx::match

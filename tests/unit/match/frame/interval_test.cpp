@@ -1,0 +1,52 @@
+#include "match/frame/interval.h"
+
+#include <gtest/gtest.h>
+
+#include "match/frame/estimator.h"
+
+namespace lapfx::match {
+namespace {
+
+FrameAmounts amounts_of(double blood, double smoke, unsigned flags = 0) {
+    FrameAmounts a;
+    a.blood.value = blood, a.veil.value = smoke, a.flags = flags;
+    set_intervals(a);
+    return a;
+}
+
+double width(const Amount& amount) {
+    return amount.high - amount.low;
+}
+
+TEST(Interval, IsWiderWhereTheFrameIsHarderToRead) {
+    const FrameAmounts plain = amounts_of(0.3, 0.4);
+    for (const unsigned flag : {told::tinted, told::bleached, told::motion}) {
+        const FrameAmounts spoiled = amounts_of(0.3, 0.4, flag);
+        EXPECT_GT(width(spoiled.blood), 1.2 * width(plain.blood)) << flag;
+        EXPECT_GT(width(spoiled.veil), 1.2 * width(plain.veil)) << flag;
+        EXPECT_LE(spoiled.veil.low, 0.4);
+        EXPECT_GE(spoiled.veil.high, 0.4);
+    }
+    EXPECT_EQ(width(amounts_of(0.3, 0.4, told::cut).veil), width(plain.veil));
+    EXPECT_EQ(width(amounts_of(0.3, 0.4, told::dark).veil), 1);
+}
+
+TEST(Interval, OfAVeilIsWidestInTheMiddle) {
+    const double clear = amounts_of(0, 0).veil.high, half = width(amounts_of(0, 0.5).veil) / 2.0,
+                 dense = 0.9 - amounts_of(0, 0.9).veil.low;
+    EXPECT_NEAR(clear, 0.018, 1e-9);
+    EXPECT_NEAR(half - clear, 0.34 * 0.25, 1e-9);
+    EXPECT_NEAR(dense - clear, 0.34 * 0.09, 1e-9);
+}
+
+TEST(Interval, GrowsWithWhatIsLeftUnexplained) {
+    FrameAmounts a;
+    a.blood.value = 0.5, a.veil.value = 0.5, a.rest = 0.16;
+    set_intervals(a);
+    const FrameAmounts plain = amounts_of(0.5, 0.5);
+    EXPECT_NEAR(width(a.veil) - width(plain.veil), 2 * 0.25 * 0.16, 1e-9);
+    EXPECT_NEAR(width(a.blood) - width(plain.blood), 2 * (0.05 * 0.16 + 1.0 * 0.1), 1e-9);
+}
+
+}  // namespace
+}  // namespace lapfx::match
