@@ -1,29 +1,15 @@
-// Shared by the benchmarks: rows of figures, ratios whose names explain themselves, and the machine. They are printed
-// as a table and written as JSON: {"bench", "machine", "results": [...], "ratios": {...}}.
+// The parts and options of `lapfx bench`: declared once, for `lapfx` and for the program that measures (tests/bench).
 #pragma once
 
-#include <filesystem>
-#include <map>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "lapfx/context.h"
+namespace CLI {
+class App;
+}
 
 namespace lapfx::commands {
-
-struct BenchRow {
-    std::map<std::string, std::string> of;   ///< what was measured: {"wounds", "10"}
-    std::map<std::string, double> measured;  ///< figures, units in their names: {"cpu_us_mean", 31.0}
-};
-
-struct BenchReport {
-    std::string bench;
-    std::string renderer;  ///< GL_RENDERER
-    std::vector<BenchRow> rows;
-    std::map<std::string, double> ratios;
-    std::string table;        ///< printed instead of the rows, unless empty
-    bool short_form = false;  ///< as in BenchOptions
-};
 
 struct BenchOptions {
     std::string json;                 ///< file that the figures are written to, unless empty
@@ -43,24 +29,12 @@ struct BenchOptions {
     bool short_form = false;
 };
 
-inline constexpr int fit_cases = 24;  ///< of bench_fit
+inline constexpr int fit_cases = 24;  ///< of `bench fit`
 
-/// Rows and ratios as text on stdout.
-void print(const BenchReport& report);
-/// Throws Error (runtime) when the file cannot be written.
-void write_json(const BenchReport& report, const std::filesystem::path& path);
+/// `part` as in "streaming".
+using RunBench = std::function<void(const std::string& part, const BenchOptions& options)>;
 
-/// CPU time of the calling thread so far, s, without other threads and processes.
-double thread_seconds();
-double median(std::vector<double> values);
-
-BenchReport bench_bleeding(const BenchOptions& options);
-BenchReport bench_editor(const BenchOptions& options);
-BenchReport bench_fit(const BenchOptions& options);
-BenchReport bench_frame(const BenchOptions& options);
-BenchReport bench_measure(const BenchOptions& options);
-BenchReport bench_measure_pairs(const BenchOptions& options);
-BenchReport bench_measure_learn(const BenchOptions& options);
-BenchReport bench_streaming(const BenchOptions& options);
+/// The verb with all of its parts, each of which calls `run`.
+void declare_bench(CLI::App& app, RunBench run);
 
 }  // namespace lapfx::commands

@@ -1,5 +1,5 @@
 // The verbs of `lapfx`. Each has its own file here and adds itself to the command line; its callback does the work and
-// throws lapfx::Error on failure. main.cpp turns that into lines on stderr and an exit code.
+// throws lapfx::Error on failure. program.cpp turns that into lines on stderr and an exit code.
 #pragma once
 
 namespace CLI {

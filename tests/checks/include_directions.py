@@ -32,7 +32,7 @@ DRAWN = (*FACADE, PUBLIC + "context.h")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
 STANDARD = re.compile(r"[a-z_0-9]+")
 # Of editor/, but its toolkit: a folder may include those below it, and those that share its number and are itself.
-EDITOR_LEVELS = {"document": 0, "output": 0, "match": 1, "app": 2, "panels": 3, "gallery": 3, "window": 3, "commands": 4}
+EDITOR_LEVELS = {"document": 0, "output": 0, "match": 1, "app": 2, "panels": 3, "window": 3, "commands": 4}
 # Of what is edited, measuring and fitting know what it holds, and not how it is edited.
 SEEN_BY_MATCH = "editor/document/content.h"
 # Of editor/app/: what lies in no room is above all rooms.
@@ -152,6 +152,8 @@ def room_fault(path, target):
 def outside_fault(path, target):
     """The editor and the samples see of the core what any simulator sees, and what there is for them; the sample host
     no more."""
+    if target is not None and target.startswith("tests/"):
+        return "this is of tests/: the product knows nothing of benches, the gallery and tests"
     seen = (PUBLIC, IN_C) if path.startswith("samples/host/") else (PUBLIC, IN_C, AUTHORING)
     if target is None or not target.startswith("effects/") or target.startswith(seen):
         return None
@@ -270,6 +272,10 @@ EXAMPLES = [
             "effects/effects.cpp": '#include "lapfx/effects.h"\n#include "render/frame.h"',
             "effects/render/frame.h": '#include "lapfx/authoring/preview.h"\n#include <glad/gl.h>', PUBLIC + "effects.h": "",
             AUTHORING + "preview.h": '#include "lapfx/effects.h"\n#include <glm/vec3.hpp>\n#include <vector>'}),
+    (None, {"tests/bench/fit/fit.cpp": '#include "bench/report.h"\n#include "commands/options.h"', "tests/bench/report.h": "",
+            "editor/commands/options.h": ""}),
+    ("the product knows nothing of benches",
+     {"editor/commands/a.cpp": '#include "bench/report.h"', "tests/bench/report.h": ""}),
     (None, {"editor/match/fit/fit.cpp": '#include "lapfx/effects.h"\n#include <nlopt.hpp>', PUBLIC + "effects.h": ""}),
     (None, {"tests/parity/ooze_test.cpp": '#include "bleeding/ooze_cpu.h"\n#include "bleeding/ooze_gpu.h"',
             "effects/bleeding/ooze_cpu.h": "", "effects/bleeding/ooze_gpu.h": ""}),

@@ -48,8 +48,6 @@ namespace lapfx {
 template <typename T>
 concept Opens = requires(const T& object) { object.state(); };
 template <typename... A>
-concept Measures = requires(const A&... a) { decoding_rate(a...); };
-template <typename... A>
 concept ParsesWords = requires(const A&... a) { parse_backend(a...); };
 template <typename... A>
 concept WritesFiles = requires(const A&... a) { write_file(a...); };
@@ -58,7 +56,7 @@ concept SavesPresets = requires(const A&... a) { save_preset(a...); };
 template <typename T>
 concept KnowsScenes = requires(const T& object) { object.made_for(0); } || requires(const T& object) { object.tool_files(); };
 static_assert(!Opens<PreparedOrgan> && !Opens<ClipCache> && !KnowsScenes<PreparedOrgan>);
-static_assert(!Measures<std::span<const std::filesystem::path>, int> && !ParsesWords<std::string>);
+static_assert(!ParsesWords<std::string>);
 static_assert(!WritesFiles<std::filesystem::path, std::string_view>);
 static_assert(!SavesPresets<Preset, std::filesystem::path>);
 static_assert(static_cast<int>(Failure::no_gl) != 77, "exit codes are the program's");

@@ -8,6 +8,7 @@ FOLDER is kept: what is built there once is not built again. --renew writes expo
 import os
 import re
 import shutil
+import subprocess
 import sys
 
 import installed_hosts
@@ -97,6 +98,11 @@ def check_program(prefix, build):
             pictures.append(file.read())
         os.remove(picture)
     assert pictures[0] == pictures[1], "the installed program draws another picture"
+    for words in (("bench", "bleeding"), ("gallery", "--bare")):
+        done = subprocess.run([program, *words], capture_output=True, text=True, timeout=100, env=environment)
+        line = f"lapfx: {program}_{words[0]}: not built: `lapfx {words[0]}` needs it; it is built from the source tree: " \
+               f"cmake --build build --target lapfx_{words[0]}\n"
+        assert (done.returncode, done.stdout, done.stderr) == (1, "", line), done
     return scene, os.path.join(data, "presets", "gastric_banding.json"), os.path.join(data, "samples", "clips")
 
 

@@ -14,8 +14,8 @@
 #include <iostream>
 #include <limits>
 
+#include "bench/report.h"
 #include "bench/ui/cases.h"
-#include "commands/bench.h"
 #include "lapfx/authoring/command_line.h"
 #include "lapfx/context.h"
 #include "lapfx/error.h"
@@ -63,9 +63,9 @@ struct Times {
 /// CPU time per frame, s.
 double built_in(bench::Toolkit& toolkit, const Extent& extent, bench::Drawn& drawn) {
     toolkit.frame();  // clears the caches of what the other toolkit left
-    const double from = commands::thread_seconds();
+    const double from = bench::thread_seconds();
     for (int i = 0; i < extent.frames; ++i) drawn = toolkit.frame();
-    return (commands::thread_seconds() - from) / extent.frames;
+    return (bench::thread_seconds() - from) / extent.frames;
 }
 
 void take_turns(bench::Toolkit& ours, bench::Toolkit& imgui, Screen screen, const Extent& extent, Times (&times)[2]) {
@@ -78,7 +78,7 @@ void take_turns(bench::Toolkit& ours, bench::Toolkit& imgui, Screen screen, cons
         for (int which = 0; which < 2; ++which) times[which].add(built_in(*both[which], extent, times[which].drawn));
 }
 
-void add_row(commands::BenchReport& report, const char* screen, const char* toolkit, const Times& times,
+void add_row(bench::BenchReport& report, const char* screen, const char* toolkit, const Times& times,
              std::size_t memory) {
     report.rows.push_back({.of = {{"screen", screen}, {"toolkit", toolkit}},
                            .measured = {{"cpu_us", times.us()},
@@ -89,7 +89,7 @@ void add_row(commands::BenchReport& report, const char* screen, const char* tool
 }
 
 /// Without comparison: Dear ImGui has no plot for a million points.
-void measure_million(bench::Toolkit& ours, const Extent& extent, commands::BenchReport& report) {
+void measure_million(bench::Toolkit& ours, const Extent& extent, bench::BenchReport& report) {
     ours.show(Screen::million);
     Times times;
     for (int i = 0; i < 10; ++i) ours.frame();
@@ -99,7 +99,7 @@ void measure_million(bench::Toolkit& ours, const Extent& extent, commands::Bench
 
 /// Draws whole frames with the renderer of this machine.
 void measure_drawing(bench::Toolkit& ours, bench::Toolkit& imgui, Screen screen, const std::string& name,
-                     const Extent& extent, commands::BenchReport& report) {
+                     const Extent& extent, bench::BenchReport& report) {
     const bench::ScreenSize size = bench::size_of(screen);
     unsigned texture = 0, framebuffer = 0;
     glCreateTextures(GL_TEXTURE_2D, 1, &texture);
@@ -132,9 +132,9 @@ void measure_drawing(bench::Toolkit& ours, bench::Toolkit& imgui, Screen screen,
     glDeleteTextures(1, &texture);
 }
 
-commands::BenchReport measure(const Extent& extent) {
+bench::BenchReport measure(const Extent& extent) {
     const Context context = Context::create(Backend::egl);
-    commands::BenchReport report;
+    bench::BenchReport report;
     report.bench = "ui";
     report.renderer = context.renderer();
     const auto ours = bench::make_ours(), imgui = bench::make_imgui();
@@ -174,15 +174,15 @@ int main(int argc, char** argv) {
         }
     }
     try {
-        commands::BenchReport report = measure(short_form ? least : whole);
+        bench::BenchReport report = measure(short_form ? least : whole);
         report.short_form = short_form;
 #ifndef LAPFX_IMGUI_FROM_SOURCE
         std::cout << "Dear ImGui is Debian's library: it has other flags than ours and no link-time optimisation, so "
                      "the ratios "
                      "do not compare\nlike with like. tests/bench/ui/get_imgui says what to do.\n";
 #endif
-        commands::print(report);
-        if (json != nullptr) commands::write_json(report, json);
+        bench::print(report);
+        if (json != nullptr) bench::write_json(report, json);
         return 0;
     } catch (const lapfx::Error& error) {
         for (const lapfx::Fault& fault : error.faults()) std::cerr << "lapfx: " << fault.text() << '\n';

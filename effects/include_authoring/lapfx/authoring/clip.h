@@ -68,9 +68,4 @@ std::vector<std::filesystem::path> clip_images(const std::filesystem::path& path
 void check_clips(const Preset& preset, const std::string& name, std::span<const std::filesystem::path> folders,
                  ClipCache* cache = nullptr);
 
-/// Measures how many frames per second the decoding threads reach on this machine. They decode all `clips` at the same
-/// time into planes in main memory, for `loops` times the longest clip. `threads`: 0 for as many as there are cores.
-/// Throws Error (bad_input).
-double decoding_rate(std::span<const std::filesystem::path> clips, int loops, int threads = 0);
-
 }  // namespace lapfx

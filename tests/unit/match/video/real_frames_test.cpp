@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <utility>
 
 #include "lapfx/authoring/video.h"
 #include "lapfx/error.h"
@@ -12,7 +11,6 @@
 #include "match/picture/traps.h"
 #include "match/picture/view.h"
 #include "match/video/measure.h"
-#include "match/video/pairs.h"
 #include "support/deep.h"
 #include "unit/organ/fixtures.h"
 #include "unit/preset/support.h"
@@ -27,12 +25,6 @@ class RealFrames : public ::testing::Test {
     void SetUp() override {
         data = lapfx::test::data_folder();
         if (data.empty()) GTEST_SKIP() << "no test data";
-    }
-    /// Of the pairs in two folders, how many have the more smoke where a viewer sees it.
-    static std::pair<int, int> right_of_all(const fs::path& smoky, const fs::path& clear) {
-        const std::vector<RankedPair> pairs = rank_pairs(smoky, clear, 4);  // with fewer frames chance decides
-        const auto right = std::count_if(pairs.begin(), pairs.end(), [](const RankedPair& p) { return p.right(); });
-        return {static_cast<int>(right), static_cast<int>(pairs.size())};
     }
     fs::path clip(int number) const {
         return data / "surgery/cholec80-5s-clips/train/high" / ("video01_" + std::to_string(number) + ".mp4");
@@ -75,20 +67,6 @@ TEST_F(RealFrames, SmokeIsNoTrap) {
         if (file.path().extension() == ".avi") {
             EXPECT_EQ(traps_of(file.path(), every).find_first_not_of('-'), std::string::npos) << file.path();
         }
-}
-
-TEST_F(RealFrames, SmokyOnesOfPairsRankAboveClearOnes) {
-    const fs::path folder = data / "surgery/desmoking-pairs-salazar/datasets/laparoscopy";
-    const auto [right, all] = right_of_all(folder / "input", folder / "output");
-    EXPECT_GE(all, 15);
-    EXPECT_GE(right, 0.9 * all);
-}
-
-TEST_F(RealFrames, InputsRankAboveTheirDesmokedOutputs) {
-    const fs::path folder = data / "surgery/DeSmoke-LAP/video clips";
-    const auto [right, all] = right_of_all(folder / "Input", folder / "DeSmoke-LAP");
-    EXPECT_GE(all, 7);
-    EXPECT_GE(right, all - 1);  // input_2 has hardly any smoke, and its output no less of it
 }
 
 /// 36 frames of tissue, then a trocar and a bag.

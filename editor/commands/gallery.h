@@ -1,0 +1,28 @@
+// The options of `lapfx gallery`: declared once, for `lapfx` and for the program that shows it (tests/gallery).
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace lapfx::commands {
+
+struct GalleryOptions {
+    std::string screenshot, dump, dump_on_close, page = "Overview", theme = "dark", size = "1280x800", backend = "auto",
+                                                 focus;
+    float scale = 0;
+    bool bare = false, reduced_motion = false, statistics = false;
+};
+
+/// The names of all pages in their order, with `separator` between them.
+std::string gallery_page_names(const std::string& separator);
+
+using RunGallery = std::function<void(const GalleryOptions& options)>;
+
+/// The verb, which calls `run`.
+void declare_gallery(CLI::App& app, RunGallery run);
+
+}  // namespace lapfx::commands
