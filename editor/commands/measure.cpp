@@ -92,12 +92,13 @@ class OverlayFile {
         if (!path.empty()) file_.emplace(path, rate_, even(info.size));
     }
     explicit operator bool() const { return file_.has_value(); }
-    /// `estimator`: null where no baseline serves; the frame is as it was then.
-    void add(Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
+    /// `estimator`: null where no baseline serves; the frame stays as it is then.
+    void add(const Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
         if (!start_) start_ = amounts.time;
         hold_until(amounts.time);
-        if (estimator != nullptr) match::draw_counted(frame, *estimator, amounts);
-        last_ = even_of(frame);
+        last_ = frame;
+        if (estimator != nullptr) match::draw_counted(last_, *estimator, amounts);
+        make_even(last_);
         if (frames_ <= at(amounts.time)) write();
     }
     /// `end`: when the last frame is gone, s.
@@ -112,16 +113,16 @@ class OverlayFile {
   private:
     /// A video has even sides.
     static cv::Size even(glm::ivec2 size) { return {size.x + size.x % 2, size.y + size.y % 2}; }
-    /// Its last column and row once more, where a side is odd.
-    const Image& even_of(const Image& frame) {
+    /// Adds its last column and row once more, where a side is odd.
+    static void make_even(Image& frame) {
         const cv::Size size = even({frame.width, frame.height});
-        if (size.width == frame.width && size.height == frame.height) return frame;
-        even_.width = size.width, even_.height = size.height;
-        even_.pixels.resize(4 * static_cast<std::size_t>(size.area()));
-        const cv::Mat from(frame.height, frame.width, CV_8UC4, const_cast<std::uint8_t*>(frame.pixels.data()));
-        cv::Mat to(size, CV_8UC4, even_.pixels.data());
+        if (size.width == frame.width && size.height == frame.height) return;
+        std::vector<std::uint8_t> pixels(4 * static_cast<std::size_t>(size.area()));
+        const cv::Mat from(frame.height, frame.width, CV_8UC4, frame.pixels.data());
+        cv::Mat to(size, CV_8UC4, pixels.data());
         cv::copyMakeBorder(from, to, 0, size.height - frame.height, 0, size.width - frame.width, cv::BORDER_REPLICATE);
-        return even_;
+        frame.width = size.width, frame.height = size.height;
+        frame.pixels = std::move(pixels);
     }
     int at(double time) const { return static_cast<int>(std::lround((time - *start_) * rate_)); }
     void write() {
@@ -135,7 +136,7 @@ class OverlayFile {
     double rate_;  // frames per second
     std::optional<output::VideoFile> file_;
     std::optional<double> start_;  // s of the video that is measured
-    Image even_, last_;
+    Image last_;                   // as the video has it, with what was counted
     int frames_ = 0;
 };
 
@@ -156,7 +157,7 @@ match::Measurement measure(VideoReader& video, const Options& o) {
     Progress progress("measuring", progress_steps);
     OverlayFile overlay(o.overlay, video.info());  // after Progress: Ctrl-C leaves nothing of it
     if (overlay)
-        options.measured = [&overlay](Image& frame, const match::Estimator* estimator,
+        options.measured = [&overlay](const Image& frame, const match::Estimator* estimator,
                                       const match::FrameAmounts& amounts) { overlay.add(frame, estimator, amounts); };
     try {
         match::Measurement found = match::measure_video(video, {.options = options}, [&](double share) {

@@ -2,30 +2,16 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <numeric>
 #include <string_view>
 #include <utility>
+
+#include "lapfx/authoring/letters.h"
 
 namespace lapfx::commands {
 
 namespace {
 
 constexpr std::size_t longest_verb = 32;  // longer words are cut before the comparison
-
-/// Number of letters to insert, remove or replace to turn `a` into `b`.
-std::size_t difference(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t corner = std::exchange(row[0], i + 1);
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = corner + (a[i] == b[j] ? 0 : 1);
-            corner = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, corner + 1});
-        }
-    }
-    return row.back();
-}
 
 bool could_be_file(const std::string& word) {
     std::error_code error;
@@ -36,9 +22,9 @@ bool could_be_file(const std::string& word) {
 Error refused(const std::string& word, const std::string& what, std::span<const std::string> known) {
     const std::string shown = word.substr(0, longest_verb);
     const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-        return difference(shown, a) < difference(shown, b);
+        return edit_distance(shown, a) < edit_distance(shown, b);
     });
-    const bool resembles = nearest != known.end() && 2 * difference(shown, *nearest) <= shown.size();
+    const bool resembles = nearest != known.end() && 2 * edit_distance(shown, *nearest) <= shown.size();
     return {Failure::bad_input, Fault{.file = "",
                                       .place = "",
                                       .reason = "\"" + shown + "\" " + what +

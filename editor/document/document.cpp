@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "document/hash.h"
 #include "document/words.h"
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/compare.h"
@@ -99,10 +100,7 @@ unsigned differing(const Table& table, const Part& a, const Part& b) {
 OnDisk OnDisk::of(const fs::path& file) {
     if (file.empty()) return {};
     try {
-        std::uint64_t hash = 0xcbf29ce484222325ULL;  // FNV-1a
-        for (const char c : read_file(file, longest_file))
-            hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-        return {.exists = true, .hash = hash};
+        return {.exists = true, .hash = hash_of(read_file(file, longest_file))};
     } catch (const Error&) {
         return {};
     }

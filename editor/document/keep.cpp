@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "document/hash.h"
 #include "document/tables.h"
 #include "lapfx/authoring/file.h"
 
@@ -19,15 +20,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t longest_file = std::size_t{32} << 20U;
 constexpr std::size_t snapshot_slots = 4;
 
-std::string hex(std::uint64_t value) {
-    std::string text;
-    for (int shift = 60; shift >= 0; shift -= 4)
-        text += "0123456789abcdef"[(value >> static_cast<unsigned>(shift)) & 15U];
-    return text;
-}
-
 Json disk_json(const OnDisk& disk) {
-    return disk.exists ? Json(hex(disk.hash)) : Json(nullptr);
+    return disk.exists ? Json(hex_of(disk.hash)) : Json(nullptr);
 }
 
 OnDisk disk_from(const Json& json) {
@@ -223,7 +217,7 @@ void KeepFolder::write(const Kept& kept) {
     std::error_code error;
     if (lock_ && !fs::exists(lock_->file(), error)) remove();  // someone has removed the folder
     for (unsigned attempt = 0; !lock_; ++attempt) {
-        own_ = all_ / (hex(static_cast<std::uint64_t>(kept.time)).substr(6) + '-' + std::to_string(::getpid()) + '-' +
+        own_ = all_ / (hex_of(static_cast<std::uint64_t>(kept.time)).substr(6) + '-' + std::to_string(::getpid()) + '-' +
                        std::to_string(attempt));
         lock_ = Lock::take(own_ / "lock");
         if (!kept_files(own_).empty()) lock_.reset();  // they belong to another editor that used the same name

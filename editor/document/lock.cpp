@@ -10,6 +10,7 @@
 #include <fstream>
 #include <utility>
 
+#include "document/hash.h"
 #include "lapfx/error.h"
 
 namespace lapfx::document {
@@ -86,12 +87,7 @@ fs::path lock_file(const fs::path& state_folder, const fs::path& document) {
     std::error_code error;
     fs::path whole = fs::weakly_canonical(document, error);
     if (error) whole = fs::absolute(document).lexically_normal();
-    std::uint64_t hash = 0xcbf29ce484222325ULL;  // FNV-1a
-    for (const char c : whole.string()) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-    std::string name;
-    for (int shift = 60; shift >= 0; shift -= 4)
-        name += "0123456789abcdef"[(hash >> static_cast<unsigned>(shift)) & 15U];
-    return state_folder / "locks" / (name + ".lock");
+    return state_folder / "locks" / (hex_of(hash_of(whole.string())) + ".lock");
 }
 
 std::string holder_of(const fs::path& lock_file) {

@@ -1,12 +1,12 @@
 #include "document/words.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <filesystem>
 
 #include "document/tables.h"
 #include "lapfx/authoring/compare.h"
+#include "lapfx/authoring/letters.h"
 #include "lapfx/authoring/strokes.h"
 
 namespace lapfx::document {
@@ -240,14 +240,12 @@ std::vector<Difference> compare(const Table& table, const Document& before, cons
 }
 
 bool says(std::string_view text, std::string_view word) {
-    const auto same = [](char a, char b) {
-        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-    };
+    const auto same = [](char a, char b) { return lower(a) == lower(b); };
     return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
 std::string lower_first(std::string text) {
-    if (!text.empty()) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    if (!text.empty()) text[0] = lower(text[0]);
     return text;
 }
 

@@ -15,6 +15,7 @@
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/formats.h"
+#include "lapfx/authoring/letters.h"
 #include "lapfx/authoring/pack.h"
 #include "lapfx/authoring/picture.h"
 #include "lapfx/authoring/prepared_scene.h"
@@ -39,9 +40,7 @@ bool is_file(const fs::path& path) {
 
 /// The extension of a clip's copy: that of `name` if it is a video's or a picture's, else ".clip".
 std::string clip_extension(const std::string& name) {
-    std::string extension = fs::path(name).extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const std::string extension = lower(fs::path(name).extension().string());
     const FileFormat* const format = format_named(name);
     return format != nullptr && (format->content == Content::video || format->content == Content::picture) ? extension
                                                                                                            : ".clip";

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lapfx/authoring/formats.h"
+#include "lapfx/rows.h"
 
 namespace lapfx::output {
 
@@ -61,14 +62,7 @@ constexpr std::array<QualityRow, quality_count> qualities = {{
      .quantizer_mpeg4 = 2},
 }};
 
-constexpr bool in_order() {
-    for (std::size_t i = 0; i < codecs.size(); ++i)
-        if (codecs[i].codec != static_cast<Codec>(i)) return false;
-    for (std::size_t i = 0; i < qualities.size(); ++i)
-        if (qualities[i].quality != static_cast<Quality>(i)) return false;
-    return true;
-}
-static_assert(in_order(), "rows follow the enumerators");
+static_assert(rows_follow<&CodecRow::codec>(codecs) && rows_follow<&QualityRow::quality>(qualities));
 
 /// ".mp4, .mov or .mkv"
 std::string listed(std::span<const std::string_view> extensions) {

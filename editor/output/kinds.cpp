@@ -1,5 +1,6 @@
 #include "output/kinds.h"
 
+#include "lapfx/rows.h"
 #include "output/files.h"
 #include "output/frame_files.h"
 
@@ -61,12 +62,7 @@ constexpr std::array<OutputRow, output_kind_count> rows = {{
      .frames = make_video_frames},
 }};
 
-constexpr bool in_order() {
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].kind != static_cast<OutputKind>(i)) return false;
-    return true;
-}
-static_assert(in_order(), "rows follow the enumerators");
+static_assert(rows_follow<&OutputRow::kind>(rows));
 
 constexpr auto titles = [] {
     std::array<std::string_view, output_kind_count> all{};

@@ -22,7 +22,7 @@ using app::amount_infos;
 /// One plot, with the data that it draws made ready.
 struct AmountPlot {
     ui::PlotState state;
-    std::vector<ui::PlotData> data;  ///< of the scene, then of the others
+    ui::PlotData data;
 };
 struct AmountPlots {
     std::uint64_t version = 0;
@@ -32,44 +32,31 @@ struct AmountPlots {
 void take_series(AmountPlots& plots, const app::AmountsOverTime& amounts) {
     if (plots.version == amounts.version()) return;
     plots.version = amounts.version();
-    for (std::size_t kind = 0; kind < plots.all.size(); ++kind) {
-        auto& data = plots.all[kind].data;
-        data.resize(1 + amounts.others().size());
-        if (const app::AmountSeries* scene = amounts.scene()) data[0].set(scene->values[kind], scene->times);
-        for (std::size_t i = 0; i < amounts.others().size(); ++i)
-            data[i + 1].set(amounts.others()[i].values[kind], amounts.others()[i].times);
-    }
+    const app::AmountSeries* const scene = amounts.scene();
+    for (std::size_t kind = 0; scene != nullptr && kind < plots.all.size(); ++kind)
+        plots.all[kind].data.set(scene->values[kind], scene->times);
 }
 
-/// "812", with the series' name where there are several.
-std::string_view legend_text(ui::Ui& ui, std::string_view name, const ui::PlotData& data, const app::AmountInfo& info,
-                             double time, bool named) {
+/// "812".
+std::string_view legend_text(ui::Ui& ui, const ui::PlotData& data, const app::AmountInfo& info, double time) {
     const double last = data.size() > 0 ? data.x(data.size() - 1) : 0;
     const double value = data.value_at(std::min(time, last));
     ui::ShortText text;
-    if (named) text.add(name).add(" ");
     if (std::isfinite(value))
         text.add(value, info.decimals);
     else
         text.add("-");
-    return ui.join({text.view(), "###", name});
+    return ui.join({text.view(), "###Scene"});
 }
 
-void one_plot(ui::Ui& ui, const app::AmountsOverTime& amounts, app::Timeline& timeline, AmountPlots& plots,
-              std::size_t kind) {
+void one_plot(ui::Ui& ui, app::Timeline& timeline, AmountPlots& plots, std::size_t kind) {
     const app::AmountInfo& info = amount_infos[kind];
     AmountPlot& plot = plots.all[kind];
-    std::array<ui::PlotSeries, 9> series;
-    const std::size_t count = std::min(plot.data.size(), series.size());
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::string_view name = i == 0 ? "Scene" : std::string_view(amounts.others()[i - 1].name);
-        series[i] = {.name = legend_text(ui, name, plot.data[i], info, timeline.time, count > 1),
-                     .data = &plot.data[i],
-                     .color = static_cast<int>((kind + 2 * i) % 8),
-                     .reference = i > 0};
-    }
+    const ui::PlotSeries series = {.name = legend_text(ui, plot.data, info, timeline.time),
+                                   .data = &plot.data,
+                                   .color = static_cast<int>(kind % 8)};
     const ui::PlotResult result =
-        ui::plot(ui, info.name, std::span(series).first(count),
+        ui::plot(ui, info.name, {&series, 1},
                  {.x_name = {},
                   .x_unit = "s",
                   .y_name = info.name,
@@ -140,7 +127,7 @@ void all_plots(ui::Ui& ui, const app::AmountsOverTime& amounts, app::Timeline& t
         const ui::Row row(ui,
                           {.width = ui::grow(), .height = ui::px(std::max(height, ui.em(least_height))), .gap = gap});
         for (std::size_t i = first; i < std::min(first + columns, plots.all.size()); ++i)
-            one_plot(ui, amounts, timeline, plots, i);
+            one_plot(ui, timeline, plots, i);
     }
 }
 

@@ -77,7 +77,7 @@ constexpr Library libraries[] = {
     {"tinygltf", "glTF", "MIT"},
     {"meshoptimizer", "packed glTF", "MIT"},
     {"Draco", "packed glTF", "Apache 2.0"},
-    {"OpenMesh", "OBJ, OFF, STL", "BSD 3-clause"},
+    {"OpenMesh", "OFF", "BSD 3-clause"},
     {"GLM", "vectors", "MIT"},
     {"nlohmann/json", "JSON", "MIT"},
     {"CLI11", "command line", "BSD 3-clause"},

@@ -41,8 +41,7 @@ void use(document::Document& document, const std::filesystem::path& picture) {
 }
 
 void use_button(ui::Ui& ui, const Edited& edited, const app::MissingTexture& m) {
-    const std::filesystem::path& picture = *m.likely;
-    if (ui::button(ui, ui.copy(app::offer_of(m)), {.tip = ui.copy(picture.string())})) use(edited.document, picture);
+    if (likely_texture_button(ui, m)) use(edited.document, *m.likely);
 }
 
 /// Where no picture near by may be meant.
@@ -59,6 +58,10 @@ void told(ui::Ui& ui, const app::MissingTexture& m, ui::Size width) {
 }
 
 }  // namespace
+
+bool likely_texture_button(ui::Ui& ui, const app::MissingTexture& missing) {
+    return ui::button(ui, ui.copy(app::offer_of(missing)), {.tip = ui.copy(missing.likely->string())});
+}
 
 void texture_notice(ui::Ui& ui, const Edited& edited, const app::PreviewHost& preview) {
     const app::MissingTexture* const m = missing_in(ui, edited, preview);

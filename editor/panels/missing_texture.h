@@ -6,9 +6,13 @@
 
 namespace lapfx::app {
 class PreviewHost;
-}
+struct MissingTexture;
+}  // namespace lapfx::app
 
 namespace lapfx::panels {
+
+/// With the picture that may be meant, of which there must be one; true when it was pressed.
+bool likely_texture_button(ui::Ui& ui, const app::MissingTexture& missing);
 
 /// In the Scene panel: that it is missing, and a button with the picture that may be meant, if there is one.
 void texture_notice(ui::Ui& ui, const Edited& edited, const app::PreviewHost& preview);

@@ -4,6 +4,7 @@
 
 #include "app/files/organ_choice.h"
 #include "lapfx/authoring/organ_report.h"
+#include "panels/missing_texture.h"
 #include "panels/panels.h"
 #include "panels/table_rows.h"
 #include "ui/canvas/drag_handle.h"
@@ -111,8 +112,7 @@ class OrganDialog {
                   {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
         if (!m->likely) return;
         const std::filesystem::path likely = *m->likely;
-        if (ui::button(ui_, ui_.copy(app::offer_of(*m)), {.tip = ui_.copy(likely.string())}))
-            choice_.use_texture(likely);
+        if (likely_texture_button(ui_, *m)) choice_.use_texture(likely);
     }
 
     /// Small enough that what has to be decided stays in sight.

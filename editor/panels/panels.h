@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "app/preview/looking.h"
@@ -48,6 +49,8 @@ namespace lapfx::panels {
 
 /// Which panels and layouts there are, and every command of the program with its standard keys.
 void set_up(app::Editor& editor);
+/// All panels, in the order of their table.
+std::vector<std::string_view> panel_names();
 
 /// The whole window: menus, panels as the user arranged them, status bar, dialogs, notices.
 void workspace(ui::Ui& ui, app::Editor& editor);

@@ -1,10 +1,10 @@
 // Commands of the reference.
-#include <cctype>
 
 #include "app/base/layouts.h"
 #include "app/editor.h"
 #include "app/reference/plate.h"
 #include "app/reference/reference.h"
+#include "lapfx/authoring/letters.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 
@@ -18,7 +18,7 @@ void add_mark_commands(app::Editor& editor) {
     char digit = '1';
     for (const Parameter& row : Reference::mark_table().rows) {
         std::string small(row.name);
-        small[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(small[0])));
+        small[0] = lower(small[0]);
         editor.commands.add({.id = "reference.mark_" + std::string(row.key),
                              .title = "Mark: " + small + " here",
                              .group = "Reference",

@@ -14,6 +14,7 @@
 #include "app/reference/plate.h"
 #include "app/reference/reference.h"
 #include "document/words.h"
+#include "lapfx/authoring/table_walk.h"
 #include "panels/band_strip.h"
 #include "panels/missing_texture.h"
 #include "panels/panels.h"
@@ -61,11 +62,7 @@ void take_tool(app::ToolHold& hold, app::ToolInHand& tool, int index) {
 
 /// mm around the tip that the tool works on: a parameter of the preset.
 double reach_of(ToolAction action, const Preset& preset) {
-    const std::string_view key = row_of(action).reach;
-    const std::size_t point = key.find('.');
-    const Table& table = *preset_table().find(key.substr(0, point));
-    const void* const owner = table.member(const_cast<Preset*>(&preset));
-    return std::get<double>(table.find_row(key.substr(point + 1))->get(owner));
+    return std::get<double>(value_at(preset_table(), &preset, row_of(action).reach));
 }
 
 /// What lies under the pointer; looked for again only when it may have changed.

@@ -2,6 +2,7 @@
 #include "app/base/layouts.h"
 #include "app/base/settings.h"
 #include "app/editor.h"
+#include "lapfx/authoring/letters.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "ui/shell/dialog.h"
@@ -16,12 +17,6 @@ namespace {
 using ui::Key;
 using ui::key_of;
 using ui::Mods;
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return result;
-}
 
 void add_layout_commands(app::Editor& editor) {
     char digit = '1';

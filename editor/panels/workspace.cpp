@@ -9,6 +9,7 @@
 #include "app/files/files.h"
 #include "app/measure/fit_reporting.h"
 #include "app/measure/fitting.h"
+#include "lapfx/authoring/letters.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "panels/standard_layouts.h"
@@ -84,13 +85,6 @@ constexpr PanelRow panel_rows[] = {
 /// Layouts that were kept by an earlier version of the program name these.
 constexpr ui::RenamedPanel renamed_panels[] = {{.before = "Presets", .now = "Library"}};
 
-/// A small letter for each large one: of "View" in "window.show_view".
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return result;
-}
-
 /// Files that were dropped where no panel takes them.
 void bring_dropped(const Ui& ui, app::Files& opens) {
     if (const std::vector<std::string> files = dropped_files(ui.dropped()); !files.empty()) opens.bring(files);
@@ -149,10 +143,14 @@ TimelineParts timeline_parts(Editor& e) {
             .toasts = e.toasts};
 }
 
-void set_up(Editor& editor) {
+std::vector<std::string_view> panel_names() {
     std::vector<std::string_view> names;
     for (const PanelRow& row : panel_rows) names.push_back(row.name);
-    editor.layouts().set_panels(std::move(names), standard_layouts(),
+    return names;
+}
+
+void set_up(Editor& editor) {
+    editor.layouts().set_panels(panel_names(), standard_layouts(),
                                 {std::begin(renamed_panels), std::end(renamed_panels)});
     add_commands(editor);
     // Keys, layouts and folders as the user left them.

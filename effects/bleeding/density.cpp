@@ -5,6 +5,7 @@
 
 #include "bleeding/texture_blur.h"
 #include "bleeding/tissue_color.h"
+#include "lapfx/authoring/srgb.h"
 #include "lapfx/authoring/tissue_report.h"
 
 namespace lapfx::bleeding {
@@ -13,13 +14,6 @@ namespace {
 
 constexpr double redness_step = 1.0 / 4096;  // finer than 8-bit texels; +-8 fits
 
-double linear_of(double srgb) {
-    return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
-}
-double srgb_of(double linear) {
-    return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
 /// 8-bit sRGB of a channel after it has been multiplied, in linear light.
 cv::Mat multiplied(const glm::vec3& factor) {
     cv::Mat table(1, 256, CV_8UC3);
@@ -27,7 +21,7 @@ cv::Mat multiplied(const glm::vec3& factor) {
         for (int c = 0; c < 3; ++c) {
             const double by = std::isfinite(factor[c]) ? glm::clamp(double(factor[c]), 0.0, 1.0) : 1.0;
             table.at<cv::Vec3b>(0, i)[c] =
-                static_cast<std::uint8_t>(std::lround(255.0 * srgb_of(linear_of(i / 255.0) * by)));
+                static_cast<std::uint8_t>(std::lround(255.0 * srgb_of_linear(linear_of_srgb(i / 255.0) * by)));
         }
     return table;
 }
@@ -134,7 +128,7 @@ DensityMap::Converted DensityMap::Source::convert() const {
     cv::cvtColor(rgb, converted, cv::COLOR_RGB2Lab);
     std::array<std::int16_t, 256> red, green;
     for (std::size_t i = 0; i < 256; ++i) {
-        const double light = linear_of(static_cast<double>(i) / 255.0), one = 1.0 - least_light;  // whose log is 0
+        const double light = linear_of_srgb(static_cast<double>(i) / 255.0), one = 1.0 - least_light;  // whose log is 0
         red[i] = static_cast<std::int16_t>(std::lround(bleeding::redness(light, one) / redness_step));
         green[i] = static_cast<std::int16_t>(std::lround(bleeding::redness(one, light) / redness_step));
     }

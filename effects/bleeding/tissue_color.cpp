@@ -1,5 +1,7 @@
 #include "bleeding/tissue_color.h"
 
+#include "lapfx/authoring/srgb.h"
+
 namespace lapfx::bleeding {
 
 glm::dvec3 lab_of(const glm::dvec3& linear) {
@@ -14,8 +16,7 @@ glm::dvec3 lab_of(const glm::dvec3& linear) {
 
 glm::dvec3 lab_of_srgb(const glm::dvec3& srgb) {
     glm::dvec3 linear;
-    for (int c = 0; c < 3; ++c)
-        linear[c] = srgb[c] <= 0.04045 ? srgb[c] / 12.92 : std::pow((srgb[c] + 0.055) / 1.055, 2.4);
+    for (int c = 0; c < 3; ++c) linear[c] = linear_of_srgb(srgb[c]);
     return lab_of(linear);
 }
 

@@ -5,6 +5,7 @@
 
 #include "bleeding/point_blur.h"
 #include "bleeding/tissue_color.h"
+#include "lapfx/authoring/srgb.h"
 #include "lapfx/authoring/tissue_report.h"
 #include "organ/refine.h"
 
@@ -46,8 +47,7 @@ glm::dvec3 color_of(const Organ& organ, const Material& material, const Image* i
     glm::dvec3 color = glm::dvec3(organ.colors[vertex]) * glm::dvec3(material.base_color);
     if (image != nullptr && image->pixels.size() >= 4) {
         for (int c = 0; c < 3; ++c) {
-            const double srgb = image->pixels[static_cast<std::size_t>(c)] / 255.0;
-            color[c] *= srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
+            color[c] *= linear_of_srgb(image->pixels[static_cast<std::size_t>(c)] / 255.0);
         }
     }
     return finite(color) ? glm::clamp(color, 0.0, 1.0) : glm::dvec3(1.0);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <iterator>
 
+#include "lapfx/rows.h"
 #include "lapfx/streaming.h"
 #include "media/picture.h"
 
@@ -23,13 +23,7 @@ inline constexpr SchemeRow scheme_rows[] = {
     {.scheme = Scheme::buffered_planar, .layout = Layout::planar, .textures = 4, .buffers = true},
     {.scheme = Scheme::resident, .layout = Layout::planar, .textures = 0, .buffers = false},
 };
-static_assert(
-    [] {
-        for (std::size_t i = 0; i < std::size(scheme_rows); ++i)
-            if (scheme_rows[i].scheme != static_cast<Scheme>(i)) return false;
-        return true;
-    }(),
-    "rows follow the enumerators");
+static_assert(rows_follow<&SchemeRow::scheme>(scheme_rows));
 
 constexpr const SchemeRow& row_of(Scheme scheme) noexcept {
     return scheme_rows[static_cast<std::size_t>(scheme)];

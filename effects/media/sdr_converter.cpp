@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapfx/authoring/srgb.h"
+
 namespace lapfx::media {
 
 namespace {
@@ -28,14 +30,6 @@ double hlg_light(double code) {
     return code <= 0.5 ? code * code / 3.0 : (std::exp((code - c) / a) + b) / 12.0;
 }
 
-double srgb_light(double code) {
-    return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
-}
-
-double srgb_code(double light) {
-    return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
-}
-
 /// 1 is the white of SDR; for HLG the light of the scene.
 double light_of(const TransferRow& transfer, double code) {
     switch (transfer.curve) {
@@ -44,7 +38,7 @@ double light_of(const TransferRow& transfer, double code) {
         case Curve::hlg:
             return hlg_light(code);
         case Curve::srgb:
-            return srgb_light(code);
+            return linear_of_srgb(code);
         case Curve::power:
             return std::pow(code, transfer.exponent);
         default:
@@ -58,7 +52,7 @@ double code_of(const TransferRow& transfer, double light) {
     switch (transfer.curve) {
         case Curve::srgb:
         case Curve::linear:
-            return srgb_code(light);
+            return srgb_of_linear(light);
         case Curve::power:
             return std::pow(light, 1.0 / transfer.exponent);
         default:

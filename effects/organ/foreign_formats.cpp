@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "lapfx/authoring/formats.h"
+#include "lapfx/authoring/letters.h"
 
 namespace lapfx {
 
@@ -69,9 +70,7 @@ bool is_named(const ForeignFormat& format, std::string_view name) {
 }  // namespace
 
 std::string why_not_read(const std::filesystem::path& file, std::string_view begin) {
-    std::string name = file.filename().string();
-    for (char& c : name)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const std::string name = lower(file.filename().string());
     const ForeignFormat* found = std::ranges::find_if(rows, [&](const auto& row) { return begins(row, begin); });
     if (found == std::end(rows))
         found = std::ranges::find_if(rows, [&](const auto& row) { return is_named(row, name); });

@@ -4,12 +4,14 @@
 #include <array>
 #include <fstream>
 
+#include "lapfx/authoring/letters.h"
 #include "media/formats.h"
 #include "organ/gltf.h"
 #include "organ/obj.h"
-#include "organ/openmesh_formats.h"
+#include "organ/off.h"
 #include "organ/pack.h"
 #include "organ/ply.h"
+#include "organ/stl.h"
 
 namespace lapfx {
 
@@ -146,9 +148,7 @@ std::span<const FileFormat> formats(Content content) {
 }
 
 const FileFormat* format_named(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const std::string extension = lower(file.extension().string());
     return find([&](const FileFormat& format) { return std::ranges::count(format.extensions, extension) > 0; });
 }
 

@@ -4,6 +4,7 @@
 #include <set>
 #include <sstream>
 
+#include "lapfx/authoring/letters.h"
 #include "organ/file.h"
 #include "organ/obj_text.h"
 #include "organ/pack.h"
@@ -20,11 +21,6 @@ std::string trimmed(const std::string& text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string::npos) return {};
     return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
-std::string lower(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
 }
 
 /// What the options of a map statement say.

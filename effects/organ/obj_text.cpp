@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "lapfx/authoring/letters.h"
+
 namespace lapfx::organ {
 
 namespace {
@@ -191,9 +193,7 @@ std::vector<std::string> libraries_of(std::string_view line) {
         std::string_view rest = line;
         for (bool ends = false; !ends && !rest.empty();) {
             const std::string_view word = next_word(rest);
-            std::string ending(word.substr(word.size() - std::min<std::size_t>(word.size(), 4)));
-            for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-            ends = ending == ".mtl";
+            ends = same_letters(word.substr(word.size() - std::min<std::size_t>(word.size(), 4)), ".mtl");
         }
         names.emplace_back(trimmed(line.substr(0, line.size() - rest.size())));
         line = rest;

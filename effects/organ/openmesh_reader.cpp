@@ -2,7 +2,6 @@
 
 #include <OpenMesh/Core/IO/importer/BaseImporter.hh>
 #include <OpenMesh/Core/IO/reader/OFFReader.hh>
-#include <OpenMesh/Core/IO/reader/STLReader.hh>
 #include <OpenMesh/Core/System/omstream.hh>
 #include <mutex>
 #include <sstream>
@@ -127,26 +126,9 @@ class Collector : public IO::BaseImporter {
     std::vector<char> hard_;  ///< vertices with normals that contradict each other
 };
 
-IO::Options wanted(OpenMeshFormat format) {
-    IO::Options options;
-    if (format == OpenMeshFormat::off) {
-        options += IO::Options::VertexNormal;
-        options += IO::Options::VertexColor;
-        options += IO::Options::VertexTexCoord;
-    } else {
-        options += IO::Options::Binary;
-    }
-    return options;
-}
-
-IO::BaseReader& reader(OpenMeshFormat format) {
-    if (format == OpenMeshFormat::off) return IO::OFFReader();
-    return IO::STLReader();
-}
-
 }  // namespace
 
-bool read_with_openmesh(OpenMeshFormat format, const std::string& text, Soup& soup) {
+bool read_off_with_openmesh(const std::string& text, Soup& soup) {
     static std::mutex one_at_a_time;
     const std::lock_guard lock(one_at_a_time);
     omerr().disable();
@@ -155,9 +137,12 @@ bool read_with_openmesh(OpenMeshFormat format, const std::string& text, Soup& so
     // Its loops trust the counts of the header, so a failed read has to end them.
     in.exceptions(std::ios::failbit | std::ios::badbit);
     Collector collector(soup);
-    IO::Options options = wanted(format);
+    IO::Options options;
+    options += IO::Options::VertexNormal;
+    options += IO::Options::VertexColor;
+    options += IO::Options::VertexTexCoord;
     try {
-        if (!reader(format).read(in, collector, options)) return false;
+        if (!IO::OFFReader().read(in, collector, options)) return false;
     } catch (const std::exception&) {
         return false;
     }

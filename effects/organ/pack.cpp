@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/letters.h"
 #include "lapfx/error.h"
 #include "media/image.h"
 #include "organ/formats.h"
@@ -15,15 +16,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t longest_stem = 80;
-
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](char c) { return lower(c); });
-    return text;
-}
 
 bool is_plain(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' ||

@@ -1,5 +1,6 @@
 #include "organ/soup.h"
 
+#include "lapfx/authoring/srgb.h"
 #include "organ/polygon.h"
 
 namespace lapfx::organ {
@@ -95,8 +96,7 @@ class PartBuilder {
 
 glm::vec4 linear_color(const glm::vec4& srgb) {
     glm::vec4 out = srgb;
-    for (int c = 0; c < 3; ++c)
-        out[c] = srgb[c] <= 0.04045f ? srgb[c] / 12.92f : std::pow((srgb[c] + 0.055f) / 1.055f, 2.4f);
+    for (int c = 0; c < 3; ++c) out[c] = linear_of_srgb(srgb[c]);
     return out;
 }
 

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <optional>
 
+#include "lapfx/authoring/letters.h"
 #include "lapfx/parameter.h"
 #include "preset/colors.h"
 #include "preset/text.h"
@@ -54,8 +55,7 @@ void list_keys(const Table& table, void* owner, const std::string& prefix, std::
     for (const std::string& known : keys) {
         // A key without its group means the last part.
         const std::string last = known.substr(known.rfind('.') + 1);
-        const std::size_t distance =
-            std::min(preset::edit_distance(wanted, known), preset::edit_distance(wanted, last) + 1);
+        const std::size_t distance = std::min(edit_distance(wanted, known), edit_distance(wanted, last) + 1);
         if (distance < least) {
             least = distance;
             best = known;

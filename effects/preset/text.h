@@ -25,9 +25,6 @@ std::string shown(std::string_view text, std::size_t longest);
 bool is_utf8(std::string_view text);
 std::size_t count_characters(std::string_view utf8);
 
-/// Insertions, deletions and replacements that turn `a` into `b` (Levenshtein).
-std::size_t edit_distance(std::string_view a, std::string_view b);
-
 /// The candidate with the least edit distance to `key`, the first of equals; empty without candidates.
 std::string_view nearest(std::string_view key, std::span<const std::string_view> candidates);
 

@@ -71,18 +71,6 @@ TEST_F(AmountsPanel, AClickGoesToTheTimeAndTheLegendHasItsValue) {
     EXPECT_TRUE(ui().exists("**/All plots/Blood area/" + value)) << value;
 }
 
-TEST_F(AmountsPanel, OthersAreLaidOver) {
-    app::AmountSeries other{.name = "Reference", .times = {0.0, 5.0}, .values = {}};
-    for (auto& values : other.values) values = {1.0, 2.0};
-    editor().amounts().lay_over(other);
-    ui().frame();
-    EXPECT_TRUE(ui().exists("**/All plots/Haze/Reference 1.00"));
-    other.times.clear();
-    editor().amounts().lay_over(other);
-    ui().frame();
-    EXPECT_FALSE(ui().exists("**/All plots/Haze/Reference 1.00"));
-}
-
 TEST_F(AmountsPanel, AFaultIsToldInPlace) {
     editor().document.change("Organ", [](auto& c) { c.scene.organ.file = "gone.glb"; });
     ui().frame().settle();

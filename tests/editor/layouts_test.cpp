@@ -1,10 +1,10 @@
 // Layouts without a window: the test gives them the list of panels.
 #include "app/base/layouts.h"
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
-#include <set>
 #include <stdexcept>
 
+#include "panels/panels.h"
 #include "panels/standard_layouts.h"
 
 namespace lapfx::test {
@@ -32,18 +32,16 @@ TEST(Layouts, APanelThatIsNoneIsAMistakeOfTheProgram) {
     EXPECT_THROW(layouts.bring_to_front("Veiw"), std::logic_error);
 }
 
-TEST(Layouts, TheStandardOnesNameTheSamePanelsEachOnce) {
-    std::set<std::string> all;
+/// A panel that a layout leaves out would come into its first group by itself, which nobody has chosen.
+TEST(Layouts, EachStandardOneNamesEveryPanelOnce) {
+    const std::vector<std::string_view> all = panels::panel_names();
+    EXPECT_GE(all.size(), 14U);
     for (const app::StandardLayout& layout : panels::standard_layouts()) {
         std::vector<std::string> tabs;
         for (const ui::DockNode& node : layout.make().nodes)
             tabs.insert(tabs.end(), node.tabs.begin(), node.tabs.end());
-        const std::set<std::string> named(tabs.begin(), tabs.end());
-        EXPECT_EQ(named.size(), tabs.size()) << layout.name << " names one twice";
-        if (all.empty()) all = named;
-        EXPECT_EQ(named, all) << layout.name;
+        EXPECT_THAT(tabs, testing::UnorderedElementsAreArray(all)) << layout.name;
     }
-    EXPECT_GE(all.size(), 12U);
 }
 
 }  // namespace

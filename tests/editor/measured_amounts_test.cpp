@@ -188,7 +188,7 @@ TEST_F(MeasuredAmounts, ColoursAreThoseThatMeasuringTheVideoFinds) {
     VideoReader video(editor().reference().file());
     match::MeasureOptions options = match::measure_options(editor().document.scene().reference.measure);
     match::PeakColors peaks(0.5, 5.37);  // to the end of a step
-    options.measured = [&](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
+    options.measured = [&](const Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
         peaks.add(frame, estimator, amounts);
     };
     match::measure(video, options);

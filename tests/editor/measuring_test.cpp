@@ -155,10 +155,10 @@ TEST_F(MeasuringTest, WhatWasCountedIsDrawnOverTheReferenceWhereItIsMeasured) {
     Image drawn;
     const double wanted = video.time_of(editor().reference().shown_frame());
     match::MeasureOptions options = match::measure_options(editor().document.scene().reference.measure);
-    options.measured = [&](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
+    options.measured = [&](const Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
         if (amounts.time != wanted) return;
-        if (estimator != nullptr) match::draw_counted(frame, *estimator, amounts);
         drawn = frame;
+        if (estimator != nullptr) match::draw_counted(drawn, *estimator, amounts);
     };
     match::measure(video, options);
     ASSERT_EQ(drawn.pixels.size(), counted.size());

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 
 #include "commands/gallery_pages.h"
@@ -10,6 +9,7 @@
 #include "ui/core/node.h"
 #include "ui/shell/key_editor.h"
 #include "ui/shell/palette.h"
+#include "ui/value/letters.h"
 #include "ui/widgets/scroll.h"
 
 namespace lapfx::gallery {
@@ -101,12 +101,8 @@ std::span<const Page> pages() {
 }
 
 int page_named(std::string_view name) {
-    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-    for (std::size_t i = 0; i < all_pages.size(); ++i) {
-        const bool same = std::equal(name.begin(), name.end(), all_pages[i].name.begin(), all_pages[i].name.end(),
-                                     [&](char a, char b) { return lower(a) == lower(b); });
-        if (same) return static_cast<int>(i);
-    }
+    for (std::size_t i = 0; i < all_pages.size(); ++i)
+        if (ui::same_letters(name, all_pages[i].name)) return static_cast<int>(i);
     return -1;
 }
 

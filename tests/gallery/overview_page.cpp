@@ -49,7 +49,7 @@ void params(ui::Ui& ui, ParamsState& state) {
         ui::param(ui, "Speed", state.speed, {.maximum = 60, .step = 0.5, .unit = "mm/s", .standard = 8});
         ui::param(ui, "Opacity", state.ratio, ui::percent());
         ui::range_param(ui, "Luma", state.low, state.high, {.maximum = 255, .step = 1});
-        ui::param(ui, "Flow", state.flow, {.minimum = -1, .maximum = 1, .step = 0.01});
+        ui::vector_param(ui, "Flow", std::span(&state.flow[0], 2), {.minimum = -1, .maximum = 1, .step = 0.01});
     }
     if (const ui::Section section(ui, "Haze", {.changed = 0, .open = false}); section) ui::label(ui, "Nothing here");
 }

@@ -1,3 +1,5 @@
+#include <numbers>
+
 #include "gallery/gallery.h"
 #include "gallery/parts.h"
 #include "ui/widgets/param.h"
@@ -10,7 +12,8 @@ void kinds(ui::Ui& ui, ParamsState& s) {
     ui::param(ui, "Speed", s.speed,
               {.maximum = 60, .step = 0.5, .unit = "mm/s", .standard = 12, .tip = "Of the blood's edge"}, &s.actions);
     ui::param(ui, "Count", s.count, {.minimum = 1, .maximum = 200, .step = 1, .standard = 20});
-    ui::param(ui, "Tilt", s.tilt, ui::angle());
+    ui::param(ui, "Tilt", s.tilt,
+              {.minimum = -180, .maximum = 180, .step = 1, .unit = "deg", .display = 180 / std::numbers::pi});
     ui::param(ui, "Opacity", s.ratio, ui::percent());
     ui::param(ui, "Delay", s.time, ui::seconds({.maximum = 2, .step = 0.05, .standard = 0.25}));
     ui::param(ui, "Single precision", s.single, {.maximum = 1, .step = 0.05});
@@ -35,8 +38,9 @@ void states(ui::Ui& ui, ParamsState& s) {
 void several(ui::Ui& ui, ParamsState& s) {
     constexpr double luma[] = {0, 255};
     ui::range_param(ui, "Luma", s.low, s.high, {.maximum = 255, .step = 1}, luma);
-    ui::param(ui, "Position", s.place, {.minimum = -500, .maximum = 500, .step = 1, .unit = "mm"});
-    ui::param(ui, "Flow", s.flow, {.minimum = -1, .maximum = 1, .step = 0.01});
+    ui::vector_param(ui, "Position", std::span(&s.place[0], 3),
+                     {.minimum = -500, .maximum = 500, .step = 1, .unit = "mm"});
+    ui::vector_param(ui, "Flow", std::span(&s.flow[0], 2), {.minimum = -1, .maximum = 1, .step = 0.01});
 }
 
 }  // namespace

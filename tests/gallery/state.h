@@ -43,8 +43,8 @@ struct ParamsState {
     float single = 0.1F;
     int count = 24;
     double low = 32, high = 190;
-    glm::vec3 place{1.5F, -20, 340};
-    glm::vec2 flow{0.5F, -0.25F};
+    glm::dvec3 place{1.5, -20, 340};
+    glm::dvec2 flow{0.5, -0.25};
     ui::ParamActions actions;
 };
 

@@ -1,9 +1,10 @@
 #include "app/base/layouts.h"
 
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 #include <utility>
+
+#include "lapfx/authoring/letters.h"
 
 namespace lapfx::app {
 
@@ -27,11 +28,6 @@ DockLayout stack_of(const DockLayout& layout) {
         tabs.insert(tabs.end(), node.tabs.begin(), node.tabs.end());
     }
     return stack;
-}
-
-bool same_name(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
 }
 
 }  // namespace
@@ -100,7 +96,7 @@ std::vector<std::string> Layouts::names() const {
 
 bool Layouts::standard(std::string_view name) const {
     return std::any_of(standard_.begin(), standard_.end(),
-                       [&](const StandardLayout& s) { return same_name(s.name, name); });
+                       [&](const StandardLayout& s) { return same_letters(s.name, name); });
 }
 
 bool Layouts::seen(std::string_view panel) const {
@@ -112,7 +108,7 @@ bool Layouts::seen(std::string_view panel) const {
 
 bool Layouts::choose(std::string_view name) {
     for (const StandardLayout& standard : standard_) {
-        if (!same_name(standard.name, name)) continue;
+        if (!same_letters(standard.name, name)) continue;
         DockLayout layout = standard.make();
         layout.fit(panels_);  // a panel that it does not name comes into its first group
         show(std::move(layout));
@@ -120,7 +116,7 @@ bool Layouts::choose(std::string_view name) {
         return true;
     }
     for (const ui::NamedLayout& own : own_) {
-        if (!same_name(own.name, name)) continue;
+        if (!same_letters(own.name, name)) continue;
         show(own.layout);
         name_ = own.name;
         return true;
@@ -139,7 +135,7 @@ bool Layouts::keep(const std::string& name) {
 
 bool Layouts::remove(const std::string& name) {
     ++version_;
-    return std::erase_if(own_, [&](const ui::NamedLayout& own) { return same_name(own.name, name); }) > 0;
+    return std::erase_if(own_, [&](const ui::NamedLayout& own) { return same_letters(own.name, name); }) > 0;
 }
 
 }  // namespace lapfx::app

@@ -9,6 +9,7 @@
 #include "app/base/settings.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/formats.h"
+#include "lapfx/authoring/letters.h"
 #include "ui/value/id.h"
 #include "ui/widgets/combo.h"
 
@@ -22,12 +23,6 @@ constexpr std::size_t most_files = 2000;  // read from one folder; more are left
 constexpr std::size_t longest = std::size_t{4} << 20;
 constexpr double thumbnail_at = 0.6;  // of the scene's duration: blood and smoke are both there
 
-std::string lower(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
-}
-
 /// "slow, venous" as two.
 std::vector<std::string> split_tags(std::string_view text) {
     std::vector<std::string> tags;
@@ -37,7 +32,7 @@ std::vector<std::string> split_tags(std::string_view text) {
         text.remove_prefix(std::min(comma + 1, text.size()));
         while (tag.starts_with(' ')) tag.remove_prefix(1);
         while (tag.ends_with(' ')) tag.remove_suffix(1);
-        std::string one = lower(std::string(tag));
+        std::string one = lower(tag);
         if (!one.empty() && std::find(tags.begin(), tags.end(), one) == tags.end()) tags.push_back(std::move(one));
     }
     return tags;

@@ -22,6 +22,7 @@
 #include "app/reference/reference.h"
 #include "lapfx/authoring/file_guard.h"
 #include "lapfx/authoring/formats.h"
+#include "lapfx/authoring/letters.h"
 #include "lapfx/authoring/prepared_scene.h"
 #include "output/files.h"
 
@@ -41,7 +42,7 @@ constexpr const char* opened_here = "is a file that was opened here; choose anot
 std::string wanted_name(OutputKind kind) {
     const output::OutputRow& row = output::row_of(kind);
     std::string title(row.title);
-    title[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(title[0])));
+    title[0] = lower(title[0]);
     if (kind == OutputKind::sequence) return "a " + title + " is named like " + std::string(row.example);
     const std::string names = listed(*row.content, " or ", true);
     return "a " + title + " is a" + (names.starts_with(".m") ? "n " : " ") + names;
@@ -55,9 +56,8 @@ Fault fault(std::string place, std::string reason) {
 std::string file_name(const std::string& text) {
     std::string name;
     for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (std::isalnum(byte) != 0)
-            name += static_cast<char>(std::tolower(byte));
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+            name += lower(c);
         else if (!name.empty() && name.back() != '_')
             name += '_';
     }

@@ -14,6 +14,7 @@
 #include "app/tuning/snapshots.h"
 #include "document/words.h"
 #include "lapfx/authoring/formats.h"
+#include "lapfx/authoring/letters.h"
 #include "ui/shell/commands.h"
 
 namespace lapfx::app {
@@ -26,11 +27,9 @@ namespace {
 std::string file_name_of(const std::string& name, const char* otherwise) {
     std::string file;
     for (const char c : name) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
-        if (c >= 'A' && c <= 'Z')
-            file += static_cast<char>(c - 'A' + 'a');
-        else if (plain)
-            file += c;
+        const char small = lower(c);
+        if ((small >= 'a' && small <= 'z') || (c >= '0' && c <= '9') || c == '-')
+            file += small;
         else if (!file.empty() && file.back() != '_')
             file += '_';
     }

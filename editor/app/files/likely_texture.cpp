@@ -1,10 +1,10 @@
 #include "app/files/likely_texture.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 
 #include "lapfx/authoring/formats.h"
+#include "lapfx/authoring/letters.h"
 
 namespace lapfx::app {
 
@@ -16,9 +16,7 @@ constexpr std::size_t most_looked_at = 2000;  // files and folders, together
 constexpr std::size_t same_word = 4;          // letters of a beginning that are no accident
 
 std::string plain(const fs::path& file) {
-    std::string name = file.stem().string();
-    for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return name;
+    return lower(file.stem().string());
 }
 
 bool is_other_map(const std::string& name) {

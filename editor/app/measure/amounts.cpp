@@ -71,12 +71,6 @@ bool AmountsOverTime::stale() const {
     return followed_ != document_.version() || known_ != wanted_content_;
 }
 
-void AmountsOverTime::lay_over(AmountSeries series) {
-    ++version_;
-    std::erase_if(others_, [&](const AmountSeries& other) { return other.name == series.name; });
-    if (!series.times.empty()) others_.push_back(std::move(series));
-}
-
 void AmountsOverTime::update(double now) {
     due_ = never;
     if (job_ && job_->cancelled()) {  // by the list of jobs: it starts again when something changes
@@ -134,7 +128,6 @@ void AmountsOverTime::start() {
                        this](Job& job) -> Jobs::Apply {
         const std::lock_guard lock(model->mutex);
         auto series = std::make_shared<AmountSeries>();
-        series->name = "Scene";
         if (job.cancelled()) return {};
         AmountsModel& amounts = model->of(organ, content.scene.gravity);
         amounts.set(content.preset, content.scene.events, content.scene.curves);

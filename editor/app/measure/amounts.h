@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -39,9 +38,8 @@ inline constexpr std::array<AmountInfo, 4> amount_infos = {{
     {"Wounds bleeding", "", 0, "Wounds whose blood is still spreading."},
 }};
 
-/// Amounts over a scene's time: of the scene itself, or of what it is compared with.
+/// Amounts over a scene's time.
 struct AmountSeries {
-    std::string name;           ///< "Scene", "Reference", "A"
     std::vector<double> times;  ///< s, ascending
     std::array<std::vector<double>, amount_infos.size()> values;
 
@@ -85,11 +83,7 @@ class AmountsOverTime {
     /// Why they cannot be worked out.
     const std::vector<Fault>& faults() const { return faults_; }
 
-    /// Adds a series to compare the scene's with, such as a snapshot's. It replaces a series of the same name; without
-    /// times it only removes that one.
-    void lay_over(AmountSeries series);
-    const std::vector<AmountSeries>& others() const { return others_; }
-    /// Changes when any series does.
+    /// Changes when scene() does.
     std::uint64_t version() const { return version_; }
 
   private:
@@ -114,7 +108,6 @@ class AmountsOverTime {
     std::shared_ptr<Job> job_;
     std::shared_ptr<const AmountSeries> scene_;
     std::vector<Fault> faults_;
-    std::vector<AmountSeries> others_;
     std::uint64_t version_ = 1;
 };
 

@@ -131,7 +131,8 @@ class PreviewMeasuring::Run {
             progress_ = share;
             return !stopping_;
         };
-        calls.measured = [this](Image& frame, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
+        calls.measured = [this](const Image& frame, const match::Estimator* estimator,
+                                const match::FrameAmounts& amounts) {
             colors_->add(frame, estimator, amounts);
             {
                 const std::lock_guard lock(mutex_);

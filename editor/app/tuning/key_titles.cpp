@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/tuning/parameters.h"
+#include "lapfx/authoring/table_walk.h"
 #include "lapfx/scene.h"
 
 namespace lapfx::app {
@@ -11,14 +12,6 @@ namespace lapfx::app {
 namespace {
 
 constexpr std::string_view in_keys = "abcdefghijklmnopqrstuvwxyz0123456789_.";
-
-/// Takes what is before the first '.'.
-std::string_view next_part(std::string_view& key) {
-    const std::size_t dot = key.find('.');
-    const std::string_view part = key.substr(0, dot);
-    key = dot == std::string_view::npos ? std::string_view() : key.substr(dot + 1);
-    return part;
-}
 
 std::optional<std::size_t> number(std::string_view text) {
     std::size_t value = 0;
@@ -35,11 +28,11 @@ std::string title_in_scene(std::string_view key) {
     const Table* table = &scene_table();
     std::string owner;
     while (!key.empty()) {
-        const std::string_view part = next_part(key);
+        const std::string_view part = take_part(key);
         if (const Table* const inner = table->find(part)) {
             table = inner, owner = std::string(inner->name);
             if (inner->list == nullptr || key.empty()) continue;
-            const std::optional<std::size_t> index = number(next_part(key));
+            const std::optional<std::size_t> index = number(take_part(key));
             if (!index) return {};
             owner = singular(owner) + ' ' + std::to_string(*index + 1);  // people count from 1
         } else if (const Parameter* const row = key.empty() ? table->find_row(part) : nullptr) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/tuning/parameters.h"
+#include "lapfx/authoring/table_walk.h"
 #include "lapfx/preset.h"
 
 namespace lapfx::app {
@@ -19,11 +20,7 @@ constexpr std::size_t longest = std::size_t{4} << 20;
 
 Json::json_pointer pointer_of(std::string_view group) {
     Json::json_pointer pointer;
-    while (!group.empty()) {
-        const std::size_t dot = std::min(group.find('.'), group.size());
-        pointer /= std::string(group.substr(0, dot));
-        group.remove_prefix(std::min(dot + 1, group.size()));
-    }
+    while (!group.empty()) pointer /= std::string(take_part(group));
     return pointer;
 }
 

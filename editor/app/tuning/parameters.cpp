@@ -8,6 +8,7 @@
 
 #include "app/tuning/parameter_words.h"
 #include "document/tables.h"
+#include "lapfx/authoring/letters.h"
 #include "lapfx/preset.h"
 
 namespace lapfx::app {
@@ -39,12 +40,6 @@ std::string sentence(std::string text) {
     return text;
 }
 
-std::string lower(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
-}
-
 std::string without(std::string_view text, std::string_view end) {
     return std::string(text.ends_with(end) ? text.substr(0, text.size() - end.size()) : text);
 }
@@ -73,7 +68,7 @@ std::string search_words(std::string_view title, std::string_view key, std::stri
         end = std::min(key.find('.', end + 1), key.size());
         words += ' ' + std::string(everyday_words(key.substr(0, end)));
     }
-    return lower(std::move(words));
+    return lower(words);
 }
 
 std::string text_of(const Parameter& row, const Value& value) {

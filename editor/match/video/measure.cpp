@@ -278,7 +278,7 @@ class Frames {
             FrameAmounts amounts = amounts_of(shot, estimator, frame);
             if (cut && (amounts.flags & told::missing) == 0) amounts.flags |= told::cut, cut = false;
             found_.frames.push_back(amounts);
-            if (options_.measured) options_.measured(drawn_ = image_, estimator, amounts);
+            if (options_.measured) options_.measured(image_, estimator, amounts);
         }
         order_course(std::span(found_.frames).subspan(before));
         return frame;
@@ -304,7 +304,7 @@ class Frames {
     Measurement& found_;
     const Progress& progress_;
     Estimators estimators_;
-    Image image_, drawn_;            // a copy: what is drawn on is not read again
+    Image image_;
     std::optional<SeenFrame> last_;  // of the same shot, without an estimator
     double last_time_ = 0.0;
     double share_ = find_share;

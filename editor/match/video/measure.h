@@ -24,9 +24,9 @@
 
 namespace lapfx::match {
 
-/// Given each frame once it was measured, with the layers of the estimator, or null where no baseline serves; it may
-/// draw on the frame. What it throws ends measuring.
-using FrameMeasured = std::function<void(Image& frame, const Estimator* estimator, const FrameAmounts& amounts)>;
+/// Given each frame once it was measured, with the layers of the estimator, or null where no baseline serves.
+/// What it throws ends measuring.
+using FrameMeasured = std::function<void(const Image& frame, const Estimator* estimator, const FrameAmounts& amounts)>;
 
 struct MeasureOptions {
     EstimatorOptions estimator = {};

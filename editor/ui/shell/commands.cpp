@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ui/value/closed_list.h"
+#include "ui/value/letters.h"
 #include "ui/widgets/menu.h"
 
 namespace lapfx::ui {
@@ -71,14 +72,9 @@ constexpr struct {
 /// Keys whose name is the character on them.
 constexpr std::string_view written = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ',-./;=[]`\\";
 
-bool same_word(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char p, char q) { return lower(p) == lower(q); });
-}
-
 Key key_named(std::string_view name) {
     for (const auto& each : keys) {
-        if (same_word(name, each.name)) return each.key;
+        if (same_letters(name, each.name)) return each.key;
     }
     const bool known = name.size() == 1 && written.find(static_cast<char>(key_of(name[0]))) != std::string_view::npos;
     return known ? key_of(name[0]) : Key::none;
@@ -105,7 +101,7 @@ std::optional<Chord> chord_from(std::string_view text) {
     for (std::size_t plus = text.find('+'); plus != std::string_view::npos; plus = text.find('+')) {
         const std::string_view word = text.substr(0, plus);
         const auto* one = std::find_if(std::begin(mod_names), std::end(mod_names),
-                                       [&](const auto& each) { return same_word(word, each.name); });
+                                       [&](const auto& each) { return same_letters(word, each.name); });
         if (one == std::end(mod_names)) return std::nullopt;
         chord.mods = chord.mods | one->mod;
         text.remove_prefix(plus + 1);

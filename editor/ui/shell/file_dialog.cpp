@@ -5,6 +5,7 @@
 
 #include "ui/core/node.h"
 #include "ui/shell/dialog.h"
+#include "ui/value/letters.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/literal.h"
 #include "ui/widgets/text_field.h"
@@ -22,11 +23,6 @@ constexpr std::size_t most_crumbs = 5;  // of the path bar; the folders above ar
 constexpr TableColumn columns[] = {{.title = "Name", .width = 23},
                                    {.title = "Size", .width = 6, .align = Align::end},
                                    {.title = "Changed", .width = 11}};
-
-bool same_letters(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char p, char q) { return lower(p) == lower(q); });
-}
 
 bool has_extension(std::string_view name, std::string_view extension) {
     return name.size() > extension.size() && same_letters(name.substr(name.size() - extension.size()), extension);

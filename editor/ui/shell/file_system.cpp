@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "ui/value/letters.h"
+
 namespace lapfx::ui {
 
 namespace {
@@ -51,9 +53,6 @@ class SystemFiles : public FileSystem {
 
 bool digit(char c) {
     return c >= '0' && c <= '9';
-}
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 std::string_view cut_number(std::string_view& text) {
     std::size_t end = 0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/value/letters.h"
+
 namespace lapfx::ui {
 
 namespace {
@@ -10,9 +12,6 @@ constexpr std::size_t most_letters = 32;  // of one word of a pattern
 constexpr float letter = 1, word_start = 8, side_by_side = 9, gap = -2, per_byte = -0.02F;
 constexpr float impossible = -1e9F;
 
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 bool lower_case(char c) {
     return c >= 'a' && c <= 'z';
 }

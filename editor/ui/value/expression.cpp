@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t most_bytes = 256;
 constexpr int deepest = 64;
 
-enum class Kind { length, time, speed, area, volume, angle, frequency, power, temperature, pixels, share };
+enum class Kind { length, time, speed, angle, frequency, temperature, pixels, share };
 
 constexpr struct {
     Kind value;
@@ -25,28 +25,22 @@ constexpr struct {
 } kinds[] = {{Kind::length, "a length"},
              {Kind::time, "a time"},
              {Kind::speed, "a speed"},
-             {Kind::area, "an area"},
-             {Kind::volume, "a volume"},
              {Kind::angle, "an angle"},
              {Kind::frequency, "a frequency"},
-             {Kind::power, "a power"},
              {Kind::temperature, "a temperature"},
              {Kind::pixels, "a number of pixels"},
              {Kind::share, "a share"}};
 static_assert(is_whole(kinds));
 
-/// Units of one kind can be converted: value * factor + offset is in the smallest unit of the kind, so that factors are
-/// whole.
+/// Units of one kind can be converted: value * factor is in the smallest unit of the kind, so that factors are whole.
 struct Unit {
     Kind kind;
     std::string_view name;
     double factor;
     bool listed = true;  ///< false: another spelling, which messages leave out
-    double offset = 0;
 };
 
-constexpr double degrees_of_radian = 180 / std::numbers::pi;
-
+/// Of what parameters and fields are measured in, with what a person may have instead.
 constexpr Unit units[] = {
     {Kind::length, "um", 1},
     {Kind::length, "\u00B5m", 1, false},  // micro sign
@@ -65,27 +59,10 @@ constexpr Unit units[] = {
     {Kind::speed, "mm/s", 1},
     {Kind::speed, "cm/s", 10},
     {Kind::speed, "m/s", 1000},
-    {Kind::area, "mm2", 1},
-    {Kind::area, "mm\u00B2", 1, false},
-    {Kind::area, "mm^2", 1, false},
-    {Kind::area, "cm2", 100},
-    {Kind::area, "cm\u00B2", 100, false},
-    {Kind::area, "cm^2", 100, false},
-    {Kind::volume, "mm3", 1},
-    {Kind::volume, "mm\u00B3", 1, false},
-    {Kind::volume, "mm^3", 1, false},
-    {Kind::volume, "cm3", 1000},
-    {Kind::volume, "cm\u00B3", 1000, false},
-    {Kind::volume, "cm^3", 1000, false},
-    {Kind::volume, "ml", 1000},
-    {Kind::volume, "mL", 1000, false},
-    {Kind::volume, "l", 1e6},
-    {Kind::volume, "L", 1e6, false},
     {Kind::angle, "deg", 1},
     {Kind::angle, "degrees", 1, false},
     {Kind::angle, "\u00B0", 1, false},
-    {Kind::angle, "rad", degrees_of_radian},
-    {Kind::angle, "turn", 360},
+    {Kind::angle, "rad", 180 / std::numbers::pi},
     {Kind::frequency, "Hz", 60},
     {Kind::frequency, "hz", 60, false},
     {Kind::frequency, "kHz", 60000},
@@ -96,13 +73,8 @@ constexpr Unit units[] = {
     {Kind::frequency, "/min", 1, false},
     {Kind::frequency, "bpm", 1},
     {Kind::frequency, "BPM", 1, false},
-    {Kind::power, "mW", 1},
-    {Kind::power, "W", 1000},
-    {Kind::temperature, "K", 1},
-    {Kind::temperature, "degC", 1, true, 273.15},
-    {Kind::temperature, "\u00B0C", 1, false, 273.15},
-    {Kind::temperature, "F", 5.0 / 9, true, 273.15 - 160.0 / 9},
-    {Kind::temperature, "\u00B0F", 5.0 / 9, false, 273.15 - 160.0 / 9},
+    {Kind::temperature, "\u00B0C", 1},
+    {Kind::temperature, "degC", 1, false},
     {Kind::pixels, "px", 1},
     {Kind::pixels, "pixels", 1, false},
     {Kind::share, "%", 1},
@@ -114,27 +86,18 @@ const Unit* unit_named(std::string_view name) {
 }
 
 struct Function {
-    enum Takes { any, angle, list };  ///< a value; one in radians; several
-
     std::string_view name;
     double (*of)(double);
-    Takes takes = any;
-    bool keeps_unit = false;
+    bool takes_list = false;
+    bool keeps_unit = true;
 };
 
 constexpr Function functions[] = {
-    {"sqrt", [](double a) { return std::sqrt(a); }},
-    {"sin", [](double a) { return std::sin(a); }, Function::angle},
-    {"cos", [](double a) { return std::cos(a); }, Function::angle},
-    {"tan", [](double a) { return std::tan(a); }, Function::angle},
-    {"abs", [](double a) { return std::abs(a); }, Function::any, true},
-    {"min", [](double a) { return a; }, Function::list, true},  // of each and what was before: call()
-    {"max", [](double a) { return a; }, Function::list, true},
-    {"round", [](double a) { return std::round(a); }, Function::any, true},
-    {"floor", [](double a) { return std::floor(a); }, Function::any, true},
-    {"ceil", [](double a) { return std::ceil(a); }, Function::any, true},
-    {"log", [](double a) { return std::log(a); }},
-    {"exp", [](double a) { return std::exp(a); }},
+    {"sqrt", [](double a) { return std::sqrt(a); }, false, false},
+    {"abs", [](double a) { return std::abs(a); }},
+    {"min", [](double a) { return a; }, true},  // of each and what was before: call()
+    {"max", [](double a) { return a; }, true},
+    {"round", [](double a) { return std::round(a); }},
 };
 
 bool is_digit(char c) {
@@ -170,7 +133,7 @@ class Parser {
   private:
     struct Value {
         double number = 0;
-        const Unit* unit = nullptr;  ///< as typed, not converted yet: a sign in front is to count in it (-40 degC)
+        const Unit* unit = nullptr;  ///< as typed, not converted yet
         bool measured = false;       ///< had a unit
     };
     struct Field {
@@ -190,7 +153,7 @@ class Parser {
 
     Value added(const Value& a, const Value& b, char op, std::size_t at);
     Value multiplied(const Value& a, const Value& b, char op, std::size_t at);
-    double in_field(const Value& value, bool difference = false) const;
+    double in_field(const Value& value) const;
     Value checked(Value value, std::size_t at, std::string_view fault = {});
 
     std::string_view rest() const { return text_.substr(at_); }
@@ -205,7 +168,7 @@ class Parser {
 
     std::string_view text_;
     const ExpressionContext& context_;
-    Field field_;
+    const Field field_;
     std::size_t at_ = 0;
     int depth_ = 0;
     bool in_list_ = false;  ///< a comma parts values here
@@ -338,9 +301,8 @@ Parser::Value Parser::name() {
     at_ += name.size();
     skip_spaces();
     if (name == "pi" || name == "\u03C0") return {.number = std::numbers::pi};
-    if (name == "e") return {.number = std::numbers::e};
     if (name == "x") return {.number = context_.current};
-    std::string known = "pi, e, x";
+    std::string known = "pi, x";
     for (const Function& function : functions) {
         if (function.name == name) return call(function, at);
         known.append(", ").append(function.name);
@@ -350,14 +312,12 @@ Parser::Value Parser::name() {
 
 /// What stands in the brackets of a function, which began at `at`.
 Parser::Value Parser::call(const Function& function, std::size_t at) {
-    const bool list = function.takes == Function::list;
+    const bool list = function.takes_list;
     const std::string name(function.name);
     const std::size_t bracket = at_;
     if (!take('(')) return fail(bracket, "expected ( after " + name);
     if (++depth_ > deepest) return fail(bracket, "more than 64 brackets deep");
     const bool list_outside = std::exchange(in_list_, list);
-    const Field field_outside = field_;
-    if (function.takes == Function::angle) field_ = {"rad", unit_named("rad")};
 
     const Value first = sum();
     double number = in_field(first);
@@ -367,7 +327,7 @@ Parser::Value Parser::call(const Function& function, std::size_t at) {
         number = name == "min" ? std::min(number, in_field(next)) : std::max(number, in_field(next));
         measured |= next.measured;
     }
-    in_list_ = list_outside, field_ = field_outside, --depth_;
+    in_list_ = list_outside, --depth_;
     if (!failed_ && !take(')')) {
         const bool more = !list && (peek() == ',' || peek() == ';');
         return fail(at_, more ? name + " takes one value" : "expected )");
@@ -376,9 +336,8 @@ Parser::Value Parser::call(const Function& function, std::size_t at) {
                    name + " has no value there");
 }
 
-/// A temperature behind a sign is a difference: 20 degC + 5 degC is 25 degC.
 Parser::Value Parser::added(const Value& a, const Value& b, char op, std::size_t at) {
-    const double left = in_field(a), right = in_field(b, true);
+    const double left = in_field(a), right = in_field(b);
     return checked({.number = op == '+' ? left + right : left - right, .measured = a.measured || b.measured}, at);
 }
 
@@ -395,11 +354,10 @@ Parser::Value Parser::multiplied(const Value& a, const Value& b, char op, std::s
 }
 
 /// The number in the unit of the field.
-double Parser::in_field(const Value& value, bool difference) const {
+double Parser::in_field(const Value& value) const {
     if (value.unit == nullptr || value.unit == field_.unit) return value.number;
     if (value.unit->kind == Kind::share) return value.number * context_.hundred_percent / 100;
-    const double offset = difference ? 0 : value.unit->offset - field_.unit->offset;
-    return (value.number * value.unit->factor + offset) / field_.unit->factor;
+    return value.number * value.unit->factor / field_.unit->factor;
 }
 
 Parser::Value Parser::checked(Value value, std::size_t at, std::string_view fault) {

@@ -11,7 +11,7 @@
 namespace lapfx::ui {
 
 struct ExpressionContext {
-    /// Unit of the field: "mm", "s", "mm/s", "%", "deg", "Hz", "px", "K"... A typed unit that measures the same thing
+    /// Unit of the field: "mm", "s", "mm/s", "%", "deg", "Hz", "px"... A typed unit that measures the same thing
     /// is converted (250 ms in a field of s is 0.25; 1.2 cm in mm is 12); another one is an error. "%" typed into a
     /// field of another unit is that share of `hundred_percent`.
     std::string_view unit = {};
@@ -24,8 +24,8 @@ struct ExpressionError {
     std::string reason;  ///< "expected a number", "mm is not a time: allowed are s, ms, min"
 };
 
-/// + - * / ^ ( ), functions sqrt sin cos tan abs min max round floor ceil log exp, pi, e; decimal comma is taken as a
-/// point where no list can be meant. At most 256 bytes, 64 brackets deep. Never NaN or infinity: that is an error.
+/// + - * / ^ ( ), functions sqrt abs min max round, pi; decimal comma is taken as a point where no list can be meant.
+/// At most 256 bytes, 64 brackets deep. Never NaN or infinity: that is an error.
 std::variant<double, ExpressionError> evaluate(std::string_view text, const ExpressionContext& context = {});
 
 }  // namespace lapfx::ui

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ui/core/node.h"
+#include "ui/value/letters.h"
 #include "ui/widgets/field.h"
 #include "ui/widgets/text_field.h"
 #include "ui/widgets/type_ahead.h"
@@ -67,9 +68,6 @@ void draw_bar(Painter& painter, const Node& node, ScrollState* const& scroll) { 
     painter.fill(thumb, painter.theme().control_hover, thumb.w / 2);
 }
 
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 /// The next after `from` that begins with what has been typed; `from` when there is none.
 int find_typed(const Choosing& c, std::span<const std::string_view> choices, int from) {
     const std::size_t count = choices.size();

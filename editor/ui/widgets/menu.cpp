@@ -3,6 +3,7 @@
 #include <array>
 
 #include "ui/core/node.h"
+#include "ui/value/letters.h"
 #include "ui/value/utf8.h"
 
 namespace lapfx::ui {
@@ -49,10 +50,6 @@ struct MenuState {
 
 MenuState& state_of(Ui& ui) {
     return ui.memory<MenuState>(state_id);
-}
-
-char32_t lower(char32_t c) {
-    return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c;
 }
 
 void draw_menu(Painter& painter, const Node& node, const Color& ground) {
@@ -125,7 +122,7 @@ void draw_bar_item(Painter& painter, const Node& node, const BarItemLook& look) 
 /// The byte of the first letter of the title that opens no menu before it in the bar; the size of the title: none.
 std::size_t letter_of(std::string_view title, std::uint32_t taken) {
     for (std::size_t i = 0; i < title.size(); ++i) {
-        const char32_t c = lower(static_cast<unsigned char>(title[i]));
+        const char32_t c = lower<char32_t>(static_cast<unsigned char>(title[i]));
         if (c >= 'a' && c <= 'z' && (taken >> (c - 'a') & 1U) == 0) return i;
     }
     return title.size();
@@ -405,7 +402,8 @@ BarMenu::BarMenu(Ui& ui, std::string_view label) : ui_(ui) {
     bool opens = r.pressed || r.clicked, down = false;
     ui.events_of(id, [&](const Event& e) { down |= e.kind == EventKind::key && e.key == Key::down; });
     const std::size_t letter = letter_of(node.shown, state.bar_letters);
-    const char32_t with_alt = letter < node.shown.size() ? lower(static_cast<unsigned char>(node.shown[letter])) : 0;
+    const char32_t with_alt =
+        letter < node.shown.size() ? lower<char32_t>(static_cast<unsigned char>(node.shown[letter])) : 0;
     if (with_alt != 0) state.bar_letters |= 1U << (with_alt - 'a');
     const bool by_letter = state.bar_letter != 0 && with_alt == static_cast<unsigned char>(state.bar_letter);
     if (opens) state.bar_by_key = false;

@@ -1,7 +1,6 @@
 // Numbers that are dragged, stepped and typed: what a tuning tool is made of.
 //
 //     param(u, "Speed", speed, {.maximum = 60, .step = 0.5, .unit = "mm/s", .standard = 12});
-//     param(u, "Tilt", radians, angle());
 //     range_param(u, "Luma", low, high, {.maximum = 255, .step = 1});
 //
 // A press alone changes nothing. A drag of the field changes the value relative to where it was; it begins after 3 px
@@ -12,7 +11,7 @@
 // and a double click on the label go back to the standard, Shift+Backspace to the default. Arrows step, Shift by
 // tenths, Page keys by ten; Ctrl+Home and Ctrl+End go to the ends. The wheel steps with Ctrl; without it only when the
 // field has the focus and nothing was scrolled for half a second. Ctrl+C and Ctrl+V copy and paste. An entry that is
-// not a number is refused. Angles and shares: see angle() and percent().
+// not a number is refused. Shares: see percent().
 #pragma once
 
 #include "ui/core/ui.h"
@@ -48,9 +47,5 @@ Edit range_param(Ui& ui, std::string_view label, double& low, double& high, cons
 /// names.
 Edit vector_param(Ui& ui, std::string_view label, std::span<double> values, const ParamOptions& options = {},
                   std::span<const double> standards = {}, std::string_view letters = "XYZW");
-Edit param(Ui& ui, std::string_view label, glm::vec2& value, const ParamOptions& options = {},
-           std::span<const double> standards = {});
-Edit param(Ui& ui, std::string_view label, glm::vec3& value, const ParamOptions& options = {},
-           std::span<const double> standards = {});
 
 }  // namespace lapfx::ui

@@ -129,16 +129,6 @@ float widest_value(Ui& ui, std::span<const double> values, const ParamOptions& o
     return width;
 }
 
-template <typename Vector>
-Edit put_vector(Ui& ui, std::string_view label, Vector& value, ParamOptions o, std::span<const double> standards) {
-    double values[Vector::length()];
-    for (int i = 0; i < Vector::length(); ++i) values[i] = static_cast<double>(value[i]);
-    o.single = true;
-    const Edit edit = vector_param(ui, label, values, o, standards);
-    for (int i = 0; edit && i < Vector::length(); ++i) value[i] = static_cast<float>(values[i]);
-    return edit;
-}
-
 }  // namespace
 
 Edit range_param(Ui& ui, std::string_view label, double& low, double& high, const ParamOptions& options,
@@ -206,16 +196,6 @@ Edit vector_param(Ui& ui, std::string_view label, std::span<double> values, cons
     ui.draw_with<draw_row_label>(node, look);
     ui.close();
     return edit;
-}
-
-Edit param(Ui& ui, std::string_view label, glm::vec2& value, const ParamOptions& options,
-           std::span<const double> standards) {
-    return put_vector(ui, label, value, options, standards);
-}
-
-Edit param(Ui& ui, std::string_view label, glm::vec3& value, const ParamOptions& options,
-           std::span<const double> standards) {
-    return put_vector(ui, label, value, options, standards);
 }
 
 }  // namespace lapfx::ui

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace lapfx::ui {
 
@@ -25,12 +24,6 @@ double power_below(double magnitude) {
 }
 
 }  // namespace
-
-ParamOptions angle(ParamOptions degrees) {
-    degrees.display = 180 / std::numbers::pi;
-    degrees.unit = "deg";
-    return degrees;
-}
 
 ParamOptions percent(ParamOptions percents) {
     percents.display = 100;

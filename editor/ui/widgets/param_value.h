@@ -35,8 +35,6 @@ struct ParamOptions {
     Size width = grow();
 };
 
-/// An angle kept in rad, shown and limited in degrees.
-ParamOptions angle(ParamOptions degrees = {.minimum = -180, .maximum = 180, .step = 1});
 /// A share kept as 0 to 1, shown and limited in per cent.
 ParamOptions percent(ParamOptions percents = {.minimum = 0, .maximum = 100, .step = 1});
 /// s. Typed in ms or min just as well.

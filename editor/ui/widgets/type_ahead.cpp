@@ -2,21 +2,13 @@
 
 #include <algorithm>
 
+#include "ui/value/letters.h"
 #include "ui/value/utf8.h"
 
 namespace lapfx::ui {
 
-namespace {
-
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-}  // namespace
-
 bool begins_with(std::string_view text, std::string_view start) {
-    return text.size() >= start.size() &&
-           std::equal(start.begin(), start.end(), text.begin(), [](char a, char b) { return lower(a) == lower(b); });
+    return same_letters(text.substr(0, start.size()), start);
 }
 
 void TypeAhead::add(char32_t letter, double now) {

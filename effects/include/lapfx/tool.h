@@ -7,6 +7,8 @@
 #include <iterator>
 #include <string_view>
 
+#include "lapfx/rows.h"
+
 namespace lapfx {
 
 enum class ToolAction { cauterise, cut, coagulate, tear, suction, irrigation, clip };
@@ -87,13 +89,7 @@ inline constexpr ToolActionRow tool_actions[] = {
 };
 
 inline constexpr std::size_t tool_action_count = std::size(tool_actions);
-static_assert(
-    [] {
-        for (std::size_t i = 0; i < tool_action_count; ++i)
-            if (tool_actions[i].action != static_cast<ToolAction>(i)) return false;
-        return true;
-    }(),
-    "rows follow the enumerators");
+static_assert(rows_follow<&ToolActionRow::action>(tool_actions));
 
 constexpr const ToolActionRow& row_of(ToolAction action) noexcept {
     return tool_actions[static_cast<std::size_t>(action)];

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <iterator>
 #include <string_view>
+
+#include "lapfx/rows.h"
 
 namespace lapfx {
 
@@ -55,13 +56,7 @@ inline constexpr OverlayRow overlays[] = {
      .shortcut = 'G'},
 };
 
-static_assert(
-    [] {
-        for (std::size_t i = 0; i < std::size(overlays); ++i)
-            if (overlays[i].overlay != static_cast<Overlay>(i)) return false;
-        return true;
-    }(),
-    "rows follow the enumerators");
+static_assert(rows_follow<&OverlayRow::overlay>(overlays));
 
 constexpr const OverlayRow& row_of(Overlay overlay) noexcept {
     return overlays[static_cast<std::size_t>(overlay)];

@@ -71,14 +71,9 @@ TEST(Expression, ACommaPartsValuesOnlyWhereAListIsMeant) {
 }
 
 TEST(Expression, KnowsFunctionsAndConstants) {
-    EXPECT_DOUBLE_EQ(value("sin(pi/6)"), 0.5);
-    EXPECT_DOUBLE_EQ(value("cos(0) + tan(0)"), 1);
-    EXPECT_EQ(value("abs(-3) + round(2.5) + floor(1.9) + ceil(1.1)"), 3 + 3 + 1 + 2);
-    EXPECT_DOUBLE_EQ(value("log(e)"), 1);
-    EXPECT_DOUBLE_EQ(value("exp(2)"), std::exp(2.0));
+    EXPECT_EQ(value("abs(-3) + round(2.5) + sqrt(16)"), 3 + 3 + 4);
     EXPECT_DOUBLE_EQ(value("2*\u03C0"), 2 * std::numbers::pi);
-    EXPECT_DOUBLE_EQ(value("sin(90 deg)"), 1);
-    EXPECT_DOUBLE_EQ(value("5 * sin(0.25 turn)", {.unit = "mm"}), 5) << "an angle in a field of length";
+    EXPECT_DOUBLE_EQ(value("2*pi"), 2 * std::numbers::pi);
 }
 
 TEST(Expression, RefersToTheCurrentValue) {
@@ -101,19 +96,32 @@ TEST(Expression, ConvertsUnitsOfTheSameKind) {
         double expected;
     };
     const Case cases[] = {
-        {"250 ms", "s", 0.25},        {"1.2cm", "mm", 12},        {"1 in", "mm", 25.4},
-        {"500 um", "mm", 0.5},        {"500 \u00B5m", "mm", 0.5}, {"500 \u03BCs", "ms", 0.5},
-        {"2 min", "s", 120},          {"1.5 h", "min", 90},       {"0.5 m", "cm", 50},
-        {"5 cm/s", "mm/s", 50},       {"0.06 m/s", "mm/s", 60},   {"2 cm2", "mm2", 200},
-        {"3 cm\u00B2", "mm2", 300},   {"2 mm^2", "mm2", 2},       {"1 ml", "mm3", 1000},
-        {"1 L", "ml", 1000},          {"2 cm3", "ml", 2},         {"3.141592653589793 rad", "deg", 180},
-        {"0.5 turn", "degrees", 180}, {"90\u00B0", "turn", 0.25}, {"72 bpm", "Hz", 1.2},
-        {"0.3 kHz", "Hz", 300},       {"30 1/min", "1/s", 0.5},   {"6/s", "1/s", 6},
-        {"120/min", "1/s", 2},        {"2 Hz", "bpm", 120},       {"1.5 W", "mW", 1500},
-        {"3 pixels", "px", 3},        {"20 degC", "K", 293.15},   {"-40 \u00B0C", "\u00B0F", -40},
-        {"98.6 F", "degC", 37},       {"0 K", "degC", -273.15},   {"40%", "%", 40},
-        {"0.3 s + 200 ms", "s", 0.5}, {"(1+2) cm", "mm", 30},     {"-(2 cm)", "mm", -20},
+        {"250 ms", "s", 0.25},
+        {"1.2cm", "mm", 12},
+        {"1 in", "mm", 25.4},
+        {"500 um", "mm", 0.5},
+        {"500 \u00B5m", "mm", 0.5},
+        {"500 \u03BCs", "ms", 0.5},
+        {"2 min", "s", 120},
+        {"1.5 h", "min", 90},
+        {"0.5 m", "cm", 50},
+        {"5 cm/s", "mm/s", 50},
+        {"0.06 m/s", "mm/s", 60},
+        {"3.141592653589793 rad", "deg", 180},
+        {"72 bpm", "Hz", 1.2},
+        {"0.3 kHz", "Hz", 300},
+        {"30 1/min", "1/s", 0.5},
+        {"6/s", "1/s", 6},
+        {"120/min", "1/s", 2},
+        {"2 Hz", "bpm", 120},
+        {"3 pixels", "px", 3},
+        {"40%", "%", 40},
+        {"0.3 s + 200 ms", "s", 0.5},
+        {"(1+2) cm", "mm", 30},
+        {"-(2 cm)", "mm", -20},
         {"5 mm\u00A0+ 1", "mm", 6},
+        {"90\u00B0", "rad", 1.5707963267948966},
+        {"120 degC", "\u00B0C", 120},
     };
     for (const Case& c : cases)
         EXPECT_NEAR(value(c.text, {.unit = c.unit}), c.expected, 1e-12 * std::abs(c.expected)) << c.text;
@@ -121,7 +129,7 @@ TEST(Expression, ConvertsUnitsOfTheSameKind) {
 
 TEST(Expression, TheFieldsOwnUnitChangesNothing) {
     for (const char* unit :
-         {"mm", "s", "F", "rad", "1/s", "/min", "%", "levels", "clip heights/s", "x", "pixels", "\u00B0"}) {
+         {"mm", "s", "mm\u00B2/s", "rad", "1/s", "/min", "%", "levels", "clip heights/s", "x", "pixels", "\u00B0"}) {
         EXPECT_EQ(value("0.1 " + std::string(unit), {.unit = unit}), 0.1) << unit;
         EXPECT_EQ(value("0.1", {.unit = unit}), 0.1) << unit;
     }
@@ -160,19 +168,12 @@ TEST(Expression, PercentIsAShareOrAFactor) {
     EXPECT_EQ(value("50% * 50%", {.unit = "%"}), 25);
 }
 
-TEST(Expression, ATemperatureBehindASignIsADifference) {
-    EXPECT_NEAR(value("20 degC + 5 degC", {.unit = "K"}), 298.15, 1e-9);
-    EXPECT_NEAR(value("+= 9 F", {.unit = "degC", .current = 20}), 25, 1e-9);
-    EXPECT_NEAR(value("(-40 degC)", {.unit = "K"}), 233.15, 1e-9);
-}
-
 TEST(Expression, UnitsAreNotMultipliedIntoOtherKinds) {
     EXPECT_EQ(value("2 * 3 mm", {.unit = "mm"}), 6);
     EXPECT_EQ(value("1 cm / 2 mm * 1 mm", {.unit = "mm"}), 5) << "a ratio is a plain number";
     EXPECT_EQ(value("abs(-2) * 3 mm", {.unit = "mm"}), 6);
     EXPECT_EQ(value("sqrt(4 mm) * 3 mm", {.unit = "mm"}), 6) << "a root has no unit any more";
     EXPECT_EQ(value("6/min(2; 3) + 1"), 4) << "not 6 a minute";
-    EXPECT_DOUBLE_EQ(value("cos(180 deg) + 2 cm", {.unit = "mm"}), 19) << "degrees only in the brackets";
     EXPECT_EQ(fault("2 mm * 3 mm", {.unit = "mm"}), "5: only one side of * can have a unit");
     EXPECT_EQ(fault("abs(2 mm) * 3 mm", {.unit = "mm"}), "10: only one side of * can have a unit");
     EXPECT_EQ(fault("(2 mm)^2", {.unit = "mm"}), "6: a value with a unit cannot be used with ^");
@@ -196,9 +197,9 @@ TEST(Expression, FaultsNameTheirByteAndWhatIsAllowed) {
     EXPECT_EQ(fault("sqrt 4"), "5: expected ( after sqrt");
     EXPECT_EQ(fault("sqrt(4; 5)"), "6: sqrt takes one value");
     EXPECT_EQ(fault("max()"), "4: expected a number");
-    EXPECT_EQ(
-        fault("foo+1"),
-        "0: foo is not known: allowed are pi, e, x, sqrt, sin, cos, tan, abs, min, max, round, floor, ceil, log, exp");
+    EXPECT_EQ(fault("foo+1"), "0: foo is not known: allowed are pi, x, sqrt, abs, min, max, round");
+    EXPECT_EQ(fault("sin(1)"), "0: sin is not known: allowed are pi, x, sqrt, abs, min, max, round");
+    EXPECT_EQ(fault("2 ml", {.unit = "mm"}), "2: ml is not a unit: allowed are um, mm, cm, m, in, %");
     EXPECT_EQ(fault("\xFF"),
               std::string("0: \xFF is not known") + fault("foo").substr(std::string("0: foo is not known").size()));
     EXPECT_EQ(fault(std::string_view("1\0", 2)), "1: expected an operator: + - * / ^");
@@ -207,7 +208,6 @@ TEST(Expression, FaultsNameTheirByteAndWhatIsAllowed) {
 TEST(Expression, NeverGivesWhatIsNoNumber) {
     EXPECT_EQ(fault("1/0"), "1: division by 0");
     EXPECT_EQ(fault("5 + sqrt(-1)"), "4: sqrt has no value there");
-    EXPECT_EQ(fault("log(0)"), "0: log has no value there");
     EXPECT_EQ(fault("(-8)^0.5"), "4: this has no value");
     EXPECT_EQ(fault("10^999"), "2: the result is too large");
     EXPECT_EQ(fault("1e999"), "0: too large or too small a number");
@@ -241,11 +241,11 @@ TEST(Expression, IsBoundedInLengthAndDepth) {
 
 TEST(Expression, AnyTextGivesANumberOrAFaultWithinIt) {
     const std::vector<std::string> pieces = {
-        "1",    "2.5",  "9e99", ".",      ",",  ";",      "+",      "-",    "*",     "/",    "^",
-        "(",    ")",    "(",    ")",      " ",  "e",      "pi",     "x",    "sqrt(", "sin(", "min(",
-        "max(", "log(", "exp(", "tan",    "mm", "cm",     "s",      "ms",   "mm/s",  "1/s",  "/min",
-        "%",    "degC", "deg",  "levels", "+=", "\u00D7", "\u00B0", "\xFF", "\xC2",  "0",    "1e308"};
-    const char* fields[] = {"", "mm", "s", "mm/s", "1/s", "%", "K", "levels", "x", "deg"};
+        "1",    "2.5",  "9e99",   ".",      ",",  ";",      "+",      "-",    "*",     "/",    "^",
+        "(",    ")",    "(",      ")",      " ",  "e",      "pi",     "x",    "sqrt(", "sin(", "min(",
+        "max(", "abs(", "round(", "e2",     "mm", "cm",     "s",      "ms",   "mm/s",  "1/s",  "/min",
+        "%",    "degC", "deg",    "levels", "+=", "\u00D7", "\u00B0", "\xFF", "\xC2",  "0",    "1e308"};
+    const char* fields[] = {"", "mm", "s", "mm/s", "1/s", "%", "\u00B0C", "levels", "x", "deg"};
     std::mt19937 random(1);
     int numbers = 0;
     for (int i = 0; i < 100000; ++i) {

@@ -142,7 +142,7 @@ TEST_F(Param, CopyAndPasteKeepEveryDigit) {
 }
 
 TEST_F(Param, PastingWhatIsNoNumberIsNoEdit) {
-    options = angle({.minimum = -180, .maximum = 180, .step = 1});
+    options = {.minimum = -180, .maximum = 180, .step = 1, .unit = "deg", .display = 180 / std::numbers::pi};
     for (speed = 0.1; speed < 3; speed += 0.01) {  // 180/pi and back is not always the same number
         const double before = speed;
         ui.clipboard().text = "hello";
@@ -298,7 +298,13 @@ TEST(ParamKinds, FloatsIntegersAnglesAndSharesAreWhatTheyAre) {
         Column column(u, {.width = px(400)});
         changes += param(u, "Float", single, {.step = 0.1, .standard = 0.1}).changed ? 1 : 0;
         param(u, "Int", whole, {.maximum = 10});
-        param(u, "Tilt", tilt, angle({.minimum = -180, .maximum = 180, .step = 1, .standard = 45.0}));
+        param(u, "Tilt", tilt,
+              {.minimum = -180,
+               .maximum = 180,
+               .step = 1,
+               .unit = "deg",
+               .standard = 45.0,
+               .display = 180 / std::numbers::pi});
         param(u, "Share", share, percent());
         param(u, "Delay", delay, seconds({.maximum = 5, .step = 0.01}));
     });

@@ -159,7 +159,7 @@ TEST(ParamValue, DecimalsComeFromTheStepAndGoOnWhereTheValueDoes) {
 
 TEST(ParamValue, AnglesAndFloatsAreWrittenWithoutNoise) {
     char buffer[32];
-    const ParamOptions degrees = angle();
+    const ParamOptions degrees{.unit = "deg", .display = 180 / std::numbers::pi};
     EXPECT_EQ(format_whole(buffer, degrees, std::numbers::pi / 4 * degrees.display), "45");
     EXPECT_EQ(format_whole(buffer, {.single = true}, static_cast<double>(0.1F)), "0.1");
     EXPECT_EQ(format_whole(buffer, {}, 0.1 + 0.2), "0.30000000000000004") << "a double is what it is";
@@ -171,7 +171,7 @@ TEST(ParamValue, TheStandardIsMetWithinWhatTheKindOfNumberCanHold) {
     EXPECT_FALSE(is_standard({.standard = 0.1, .single = true}, 0.1001));
     EXPECT_FALSE(is_standard({.standard = 0.0}, 1e-6));
     EXPECT_TRUE(is_standard({}, 5)) << "there is none";
-    const ParamOptions degrees = angle({.minimum = -180, .maximum = 180, .standard = 45.0});
+    const ParamOptions degrees{.standard = 45.0, .display = 180 / std::numbers::pi};
     EXPECT_TRUE(is_standard(degrees, std::numbers::pi / 4 * degrees.display));
 }
 

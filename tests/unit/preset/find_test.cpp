@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "lapfx/authoring/table_walk.h"
 #include "lapfx/parameter.h"
 #include "unit/preset/full_documents.h"
 #include "unit/preset/support.h"
@@ -25,6 +26,27 @@ TEST(FindParameter, FollowsDotsAndSlashes) {
     const FoundParameter clip = find_parameter(preset_table(), &preset, "smoke.clips.1.weight");
     EXPECT_EQ(clip.pointer, "/smoke/clips/1/weight");
     EXPECT_EQ(clip.owner, &preset.smoke.clips[1]);
+}
+
+TEST(FindParameter, GivesTheValueAtAKeyOfAnyDepth) {
+    Preset preset = full_preset();
+    preset.bleeding.speed = 4.5;
+    preset.smoke.clips[1].weight = 0.25;
+    EXPECT_EQ(value_at(preset_table(), &preset, "name"), Value(preset.name));
+    EXPECT_EQ(value_at(preset_table(), &preset, "bleeding.speed"), Value(4.5));
+    EXPECT_EQ(value_at(preset_table(), &preset, "smoke.clips.1.weight"), Value(0.25));
+    EXPECT_THAT(faults_of([&] { (void)value_at(preset_table(), &preset, "speed"); }),
+                ElementsAre("speed: no such parameter; nearest is bleeding.speed"));
+}
+
+TEST(FindParameter, AKeyIsTakenApartFromItsFront) {
+    std::string_view key = "smoke.clips.1";
+    EXPECT_EQ(take_part(key), "smoke");
+    EXPECT_EQ(take_part(key), "clips");
+    EXPECT_EQ(key, "1");
+    EXPECT_EQ(take_part(key), "1");
+    EXPECT_EQ(key, "");
+    EXPECT_EQ(take_part(key), "");
 }
 
 TEST(SetParameter, SetsEveryKindFromText) {

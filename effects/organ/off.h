@@ -1,13 +1,10 @@
-// STL and OFF, through OpenMesh.
+// OFF, through OpenMesh, which reads its many kinds of columns well.
 #pragma once
 
 #include "organ/file.h"
 #include "organ/raw.h"
 
 namespace lapfx::organ {
-
-/// Binary or text. Throws Error: truncated, or neither.
-RawOrgan read_stl(const std::string& file, const Bytes& bytes);
 
 /// Text. Throws Error: truncated, malformed.
 RawOrgan read_off(const std::string& file, const Bytes& bytes);
