@@ -40,7 +40,7 @@ SmokeAmounts AmountsModel::smoke_at(double time) const noexcept {
 }
 
 std::span<const WoundStatus> AmountsModel::wounds() const noexcept {
-    return state_->simulation.bleed().wounds();
+    return state_->simulation.blood().wounds();
 }
 
 }  // namespace lapfx

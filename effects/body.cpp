@@ -4,13 +4,14 @@
 
 namespace lapfx {
 
-Body::Body(const Organ& organ, std::shared_ptr<const Foundation> foundation, glm::dvec3 down, std::uint32_t seed,
-           std::shared_ptr<render::OrganPrograms> programs, render::OrganTextures textures)
+Body::Body(const Organ& organ, std::shared_ptr<const Foundation> foundation, const Simulation& simulation,
+           std::uint32_t seed, std::shared_ptr<render::OrganPrograms> programs, render::OrganTextures textures)
     : foundation_(std::move(foundation)),
       moved_(surface()),
       vertices_(organ.positions.size()),
-      bleed_gpu_(organ.positions.size(), seed, down),
-      organ_gpu_(organ, &bleed_gpu_.values(), std::move(programs), std::move(textures), foundation_->unsplit),
+      seed_(seed),
+      blood_(bleeding::make_bleeding_gpu(simulation.blood().model(), vertices_)),
+      organ_gpu_(organ, blood_.get(), std::move(programs), std::move(textures), foundation_->unsplit),
       touched_(organ.triangle_count()),
       is_touched_(vertices_, 0) {}
 
@@ -18,13 +19,18 @@ MemoryUse Body::memory_use(const Simulation& simulation) const {
     return {.surface = foundation_->surface_memory(),
             .pixels = foundation_->pixel_memory(),
             .densities = foundation_->tissue.shared_memory() + simulation.density().own_memory(),
-            .geometry = organ_gpu_.geometry_memory() + bleed_gpu_.values().size() + clips_gpu_.memory(),
+            .geometry = organ_gpu_.geometry_memory() + blood_->memory() + clips_gpu_.memory(),
             .textures = organ_gpu_.texture_memory()};
 }
 
 void Body::take(const Simulation& simulation) {
     foundation_->let_go_pixels();  // densities may need them as they were loaded, and exist now
-    bleed_gpu_.set(simulation.preset().bleeding);
+    if (const bleeding::Model model = simulation.blood().model(); model != blood_->model()) {
+        auto other = bleeding::make_bleeding_gpu(model, vertices_);
+        organ_gpu_.set_blood(*other);
+        blood_ = std::move(other);
+    }
+    blood_->set(simulation.preset().bleeding, simulation.down(), seed_);
     send_density(simulation.density());
 }
 
@@ -83,14 +89,14 @@ void Body::send_density(const bleeding::TissueDensity& density) {
 }
 
 std::size_t Body::send(Simulation& simulation) noexcept {
-    bleeding::BleedField& bleed = simulation.bleed();
+    bleeding::Bleeding& blood = simulation.blood();
     cautery::Cautery& cautery = simulation.cautery();
-    const std::span<const VertexRun> bled = bleed.changed().take(), marked = cautery.changed().take();
-    touch(bled, [&](std::uint32_t v) { return bleed.values()[v].x > bleed.dry(); });
+    const std::span<const VertexRun> bled = blood.changed().take(), marked = cautery.changed().take();
+    touch(bled, [&](std::uint32_t v) { return blood.at(v).any; });
     touch(marked, [&](std::uint32_t v) { return cautery.marks()[v] != glm::vec2(0.0f); });
     const auto clips = cautery.clips();
     const auto there = std::ranges::upper_bound(clips, simulation.time(), {}, &cautery::Clip::time);
-    const std::size_t sent = bleed_gpu_.send(bleed.values(), bled) + organ_gpu_.send_marks(cautery.marks(), marked);
+    const std::size_t sent = blood_->send(blood, bled) + organ_gpu_.send_marks(cautery.marks(), marked);
     const auto count = static_cast<std::size_t>(there - clips.begin());
     const double length = simulation.preset().cautery.clip_length;
     if (clips_version_ == cautery.clips_version() && count == clips_.size() && length == clip_length_) return sent;
@@ -119,7 +125,7 @@ void Body::touch(std::span<const VertexRun> changed, const Touched& is_touched) 
 }
 
 void Body::draw() const noexcept {
-    bleed_gpu_.bind();
+    blood_->bind();
     organ_gpu_.draw(glm::mat4(1.0f), &touched_);
     draw_metal_clips();
 }

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "bleeding/bleed_gpu.h"
+#include "bleeding/bleeding_gpu.h"
 #include "foundation.h"
 #include "lapfx/memory.h"
 #include "lapfx/view.h"
@@ -19,14 +19,14 @@ namespace lapfx {
 
 class Body {
   public:
-    /// `down`: unit. `programs`: for tissue. `textures`: those of the organ.
-    Body(const Organ& organ, std::shared_ptr<const Foundation> foundation, glm::dvec3 down, std::uint32_t seed,
-         std::shared_ptr<render::OrganPrograms> programs, render::OrganTextures textures);
+    /// For what happens in `simulation`. `programs`: for tissue. `textures`: those of the organ.
+    Body(const Organ& organ, std::shared_ptr<const Foundation> foundation, const Simulation& simulation,
+         std::uint32_t seed, std::shared_ptr<render::OrganPrograms> programs, render::OrganTextures textures);
 
-    /// Parameters and densities of the simulation have changed.
+    /// Parameters, gravity and densities of the simulation have changed. Throws Error (runtime) when its bleeding model
+    /// is another one and the shader of that does not compile; a caller that has prepared the programs needs no care.
     void take(const Simulation& simulation);
-    void set_down(glm::dvec3 down) { bleed_gpu_.set_down(down); }
-    void set_seed(std::uint32_t seed) { bleed_gpu_.set_seed(seed); }
+    void set_seed(std::uint32_t seed) { seed_ = seed; }  ///< with the next take()
     /// As Effects::set_shape.
     void set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
     void set_overlay(Overlay overlay, const Simulation& simulation);
@@ -43,7 +43,7 @@ class Body {
     /// GPU memory, and what it shares with other bodies of the organ.
     MemoryUse memory_use(const Simulation& simulation) const;
     const MovedSurface& moved() const { return moved_; }
-    const bleeding::BleedGpu& bleed_gpu() const { return bleed_gpu_; }
+    const bleeding::BleedingGpu& blood() const { return *blood_; }
     const organ::PixelList& pixels() const { return foundation_->pixels; }
 
   private:
@@ -62,7 +62,8 @@ class Body {
     MovedSurface moved_;
     std::size_t vertices_;
     std::vector<glm::vec3> positions_, normals_;  // the moved shape, if the host does not give all of it
-    bleeding::BleedGpu bleed_gpu_;
+    std::uint32_t seed_;
+    std::unique_ptr<bleeding::BleedingGpu> blood_;
     render::OrganGpu organ_gpu_;
     render::ClipsGpu clips_gpu_;
     std::vector<cautery::Clip> clips_;  // the clips that exist now

@@ -79,7 +79,7 @@ struct Effects::State {
 
     void bind(const View& view) const noexcept { view_block.bind(view, projector.has_value()); }
     std::unique_ptr<Body> make_body(const Organ& organ, const std::shared_ptr<const Foundation>& foundation) const {
-        return std::make_unique<Body>(organ, foundation, simulation->down(), options.seed, programs,
+        return std::make_unique<Body>(organ, foundation, *simulation, options.seed, programs,
                                       render::OrganTextures(organ, foundation->pixels));
     }
     void show_plate(const glm::mat4& thrown) {
@@ -130,7 +130,6 @@ void Effects::State::show_incoming() {
     projector = incoming->projector();
     gone.incoming = std::move(incoming);
     leaving.push_back(std::move(gone));
-    body->set_down(simulation->down());
     body->set_seed(options.seed);
     body->set_color(organ_color);
     take(taken);
@@ -163,12 +162,14 @@ Effects::~Effects() = default;
 
 void Effects::set_preset(const Preset& preset) {
     require_valid(preset);
+    state_->programs->prepare(bleeding::model_of(preset.bleeding));
     state_->smoke.set_preset(preset, state_->options.clip_folders);
     state_->take(preset);
 }
 
 void Effects::set_parameters(const Preset& preset) {
     require_valid(preset);
+    state_->programs->prepare(bleeding::model_of(preset.bleeding));
     state_->smoke.set_parameters(preset.smoke);
     state_->take(preset);
 }
@@ -177,7 +178,6 @@ void Effects::set_gravity(const glm::dvec3& gravity) {
     State& s = *state_;
     s.simulation->set_down(direction_of(gravity));
     s.options.gravity = gravity;
-    s.body->set_down(s.simulation->down());
     s.body->take(*s.simulation);
 }
 
@@ -313,11 +313,11 @@ void Effects::draw_smoke(const View& view, unsigned scene_depth) noexcept {
 }
 
 unsigned Effects::bleed_buffer() const noexcept {
-    return state_->body->bleed_gpu().values().name();
+    return state_->body->blood().attributes().front().buffer->name();
 }
 
 void Effects::bind_bleeding() const noexcept {
-    state_->body->bleed_gpu().bind();
+    state_->body->blood().bind();
 }
 
 Amounts Effects::amounts() const noexcept {
@@ -327,7 +327,7 @@ Amounts Effects::amounts() const noexcept {
 }
 
 std::span<const WoundStatus> Effects::wounds() const noexcept {
-    return state_->simulation->bleed().wounds();
+    return state_->simulation->blood().wounds();
 }
 
 std::span<const ClipStatus> Effects::clips() const {
@@ -368,7 +368,7 @@ std::optional<OrganHit> Effects::pick(glm::dvec3 origin, glm::dvec3 direction) c
 
 std::string bleeding_shader() {
     // Without the #line marks: their file numbers mean nothing to a host.
-    std::istringstream lines(gl::shader_source("bleeding.glsl").text);
+    std::istringstream lines(gl::shader_source(bleeding::shaders_of(bleeding::Model::spread).for_hosts).text);
     std::string text, line;
     while (std::getline(lines, line))
         if (!line.starts_with("#line ")) text += line + "\n";

@@ -15,7 +15,7 @@ constexpr std::size_t bytes_per_frame = std::size_t{6} << 20;
 
 IncomingOrgan::IncomingOrgan(std::shared_ptr<const PreparedOrgan> organ, OrganHistory history,
                              std::shared_ptr<render::OrganPrograms> programs, std::unique_ptr<IncomingOrgan> before)
-    : organ_(std::move(organ)), down_(history.down), seed_(history.seed), programs_(std::move(programs)) {
+    : organ_(std::move(organ)), seed_(history.seed), programs_(std::move(programs)) {
     if (before) before->stop_ = true;
     making_ =
         std::async(std::launch::async, [this, history = std::move(history), before = std::move(before)]() mutable {
@@ -47,7 +47,8 @@ IncomingOrgan::Made IncomingOrgan::make(const PreparedOrgan& organ, const OrganH
 
 void IncomingOrgan::make_body() {
     const std::shared_ptr<const Foundation>& foundation = PreparedOrganAccess::state(*organ_).foundation;
-    body_ = std::make_unique<Body>(organ_->organ(), foundation, down_, seed_, programs_, std::move(*textures_));
+    body_ =
+        std::make_unique<Body>(organ_->organ(), foundation, *made_.simulation, seed_, programs_, std::move(*textures_));
     if (const auto thrown = projector()) body_->set_projector(*thrown);
 }
 

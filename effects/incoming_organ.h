@@ -63,7 +63,6 @@ class IncomingOrgan {
     bool is_here(bool wait);
 
     std::shared_ptr<const PreparedOrgan> organ_;
-    glm::dvec3 down_;
     std::uint32_t seed_;
     std::shared_ptr<render::OrganPrograms> programs_;
     std::atomic<bool> stop_ = false;

@@ -11,13 +11,15 @@ namespace lapfx {
 
 namespace {
 
-/// For each vertex of the new organ, the vertex of the previous one that it was, or a number beyond all. `origin` has
-/// only the vertices that the host gave; a midpoint was the previous midpoint between the same two vertices, if their
-/// edge was split.
+/// For each vertex of the new organ, the vertex of the previous one that it was, or Bleeding::gone. `origin` has only
+/// the vertices that the host gave; a midpoint was the previous midpoint between the same two vertices, if their edge
+/// was split.
 std::vector<std::uint32_t> sources_of(const Foundation& former, const Foundation& now,
                                       std::span<const std::uint32_t> origin) {
-    constexpr std::uint32_t gone = 0xffffffff;
+    constexpr std::uint32_t gone = bleeding::Bleeding::gone;
     std::vector<std::uint32_t> sources(origin.begin(), origin.end());
+    for (std::uint32_t& source : sources)
+        if (source >= former.vertices()) source = gone;
     if (sources.size() == now.vertices()) return sources;
     const auto edge = [](std::uint32_t a, std::uint32_t b) {
         return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
@@ -34,16 +36,17 @@ std::vector<std::uint32_t> sources_of(const Foundation& former, const Foundation
 
 }  // namespace
 
-Simulation::Tissue::Tissue(std::shared_ptr<const Foundation> of, const glm::dvec3& down)
+Simulation::Tissue::Tissue(std::shared_ptr<const Foundation> of, bleeding::Model model, const glm::dvec3& down)
     : foundation(std::move(of)),
       density(foundation->tissue),
-      bleed(std::in_place, foundation->surface, down),
+      blood(bleeding::make_bleeding(model, foundation->surface, down)),
       cautery(foundation->surface, [this](const glm::dvec3& place) { return density.wound_strength(place); }),
       burns([this](const glm::dvec3& place) { return cautery::touches(foundation->surface, place); },
             [this](const glm::dvec3& place) { return density.fat(place); }) {}
 
 Simulation::Simulation(std::shared_ptr<const Foundation> foundation, const glm::dvec3& down)
-    : down_(down), tissue_(std::make_unique<Tissue>(std::move(foundation), down)) {}
+    : down_(down),
+      tissue_(std::make_unique<Tissue>(std::move(foundation), bleeding::model_of(preset_.bleeding), down)) {}
 
 void Simulation::put(const Preset& preset) {
     if (!(preset.vessels == preset_.vessels)) {
@@ -52,13 +55,22 @@ void Simulation::put(const Preset& preset) {
     }
     tissue_->density.set(preset.vessels);
     preset_ = preset;
+    if (bleeding::model_of(preset.bleeding) != tissue_->blood->model()) renew_blood();
 }
 
 void Simulation::put(const Curves& curves) {
     bleeding_factor_ = FactorCurve(curves.bleeding_strength);
     emission_factor_ = FactorCurve(curves.emission);
-    tissue_->bleed->set_strength(bleeding_factor_);
+    tissue_->blood->set_strength(bleeding_factor_);
     log_.set_power(curves.cautery_power);
+}
+
+/// For another gravity or model. What the tool has done is to be taken again.
+void Simulation::renew_blood() {
+    auto renewed = bleeding::make_bleeding(bleeding::model_of(preset_.bleeding), tissue_->foundation->surface, down_);
+    renewed->set_strength(bleeding_factor_);
+    renewed->replace(*tissue_->blood);
+    tissue_->blood = std::move(renewed);
 }
 
 void Simulation::update_log() {
@@ -98,13 +110,10 @@ void Simulation::set_curves(const Curves& curves) {
 
 void Simulation::set_down(const glm::dvec3& down) {
     down_ = down;
-    bleeding::KeptBlood kept = tissue_->bleed->take_kept();
-    tissue_->bleed.emplace(tissue_->foundation->surface, down);
-    tissue_->bleed->set_strength(bleeding_factor_);
+    renew_blood();
     take_pieces();
     take_wounds();
-    tissue_->bleed->keep(std::move(kept));
-    tissue_->bleed->update(time_);
+    tissue_->blood->update(time_);
 }
 
 void Simulation::set_contacts(std::span<const ToolContact> contacts) {
@@ -119,29 +128,19 @@ void Simulation::take_samples() {
 }
 
 void Simulation::set_surface(std::shared_ptr<const Foundation> foundation, std::span<const std::uint32_t> origin) {
-    auto tissue = std::make_unique<Tissue>(std::move(foundation), down_);
-    const bleeding::BleedField& former = *tissue_->bleed;
-    std::vector<glm::vec2> kept(tissue->foundation->surface.positions.size(),
-                                glm::vec2(bleeding::BleedField::none, 0.0f));
-    const std::vector<std::uint32_t> sources = sources_of(*tissue_->foundation, *tissue->foundation, origin);
-    for (std::size_t v = 0; v < sources.size(); ++v) {
-        if (sources[v] >= former.values().size()) continue;
-        const glm::vec2 value = former.values()[sources[v]];
-        glm::vec2& at = kept[tissue->foundation->surface.weld[v]];
-        if (value.x > std::max(at.x, former.dry())) at = value;
-    }
-    tissue->bleed->set_strength(bleeding_factor_);
+    auto tissue = std::make_unique<Tissue>(std::move(foundation), tissue_->blood->model(), down_);
+    tissue->blood->set_strength(bleeding_factor_);
+    tissue->blood->keep(*tissue_->blood, sources_of(*tissue_->foundation, *tissue->foundation, origin), time_);
     tissue->density.set(preset_.vessels);
     tissue_ = std::move(tissue);
     take_pieces();
     take_wounds();
-    tissue_->bleed->keep({.values = std::move(kept), .time = time_});
 }
 
 /// Brings the tissue up to date with what was written to the log since the last call.
 void Simulation::take_pieces() {
     tissue_->cautery.set(log_, preset_.cautery);
-    tissue_->bleed->set_clearing(log_, preset_.bleeding);
+    tissue_->blood->set_clearing(log_, preset_.bleeding);
     smoke::BurnList::Same same = tissue_->burns.update(log_);
     if (fat_gain_ != preset_.smoke.plume.fat_gain) same.parts = 0;
     fat_gain_ = preset_.smoke.plume.fat_gain;
@@ -154,7 +153,7 @@ void Simulation::take_pieces() {
 }
 
 void Simulation::take_wounds() {
-    tissue_->bleed->set(tissue_->cautery.wounds(), preset_.bleeding);
+    tissue_->blood->set(tissue_->cautery.wounds(), preset_.bleeding);
     tissue_->wounds_version = tissue_->cautery.wounds_version();
 }
 
@@ -162,7 +161,7 @@ void Simulation::seek(double time) noexcept {
     time_ = time;
     tissue_->cautery.update(time);
     if (tissue_->wounds_version != tissue_->cautery.wounds_version()) take_wounds();
-    tissue_->bleed->update(time);
+    tissue_->blood->update(time);
 }
 
 SmokeAmounts Simulation::smoke(double time) const noexcept {
@@ -172,12 +171,12 @@ SmokeAmounts Simulation::smoke(double time) const noexcept {
 
 Amounts Simulation::amounts() const noexcept {
     const SmokeAmounts smoke = this->smoke(time_);
-    const bleeding::BleedField& bleed = *tissue_->bleed;
-    const bleeding::BloodAmount blood = bleed.amount();
+    const bleeding::BloodAmount blood = tissue_->blood->amount();
+    const std::span<const WoundStatus> wounds = tissue_->blood->wounds();
     return {.blood_area = blood.area,
             .blood_volume = blood.volume,
-            .wounds = static_cast<int>(bleed.wounds().size()) - waiting_wounds(bleed.wounds()),
-            .bleeding_wounds = bleed.bleeding_wounds(),
+            .wounds = static_cast<int>(wounds.size()) - waiting_wounds(wounds),
+            .bleeding_wounds = bleeding::bleeding_wounds(wounds),
             .left_out_wounds = static_cast<int>(tissue_->cautery.left_out()),
             .lost_samples = recorder_.dropped(),
             .haze = smoke.haze,

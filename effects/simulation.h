@@ -5,7 +5,7 @@
 //     simulation.set_preset(preset);
 //     simulation.set_contacts(contacts);       // or add(sample) for each sample of a tool, then take_samples()
 //     simulation.seek(time);                   // any time, any order
-//     draw(simulation.bleed().values());
+//     draw(simulation.blood());
 //
 // Callers check presets and directions first (inputs.h). Lengths mm, times s. One thread at a time.
 #pragma once
@@ -15,7 +15,8 @@
 #include <span>
 #include <vector>
 
-#include "bleeding/bleed_cpu.h"
+#include "bleeding/bleeding.h"
+#include "bleeding/tissue_density.h"
 #include "cautery/cautery.h"
 #include "foundation.h"
 #include "lapfx/amounts.h"
@@ -66,19 +67,19 @@ class Simulation {
     const bleeding::TissueDensity& density() const { return tissue_->density; }
     const FactorCurve& emission_factor() const { return emission_factor_; }
     const smoke::BurnList& burns() const { return tissue_->burns; }
-    bleeding::BleedField& bleed() { return *tissue_->bleed; }
-    const bleeding::BleedField& bleed() const { return *tissue_->bleed; }
+    bleeding::Bleeding& blood() { return *tissue_->blood; }
+    const bleeding::Bleeding& blood() const { return *tissue_->blood; }
     cautery::Cautery& cautery() { return tissue_->cautery; }
 
   private:
     /// Everything that depends on the surface.
     struct Tissue {
-        Tissue(std::shared_ptr<const Foundation> of, const glm::dvec3& down);
+        Tissue(std::shared_ptr<const Foundation> of, bleeding::Model model, const glm::dvec3& down);
         Tissue(const Tissue&) = delete;
 
         std::shared_ptr<const Foundation> foundation;
         bleeding::TissueDensity density;
-        std::optional<bleeding::BleedField> bleed;
+        std::unique_ptr<bleeding::Bleeding> blood;
         cautery::Cautery cautery;
         smoke::BurnList burns;
         std::uint64_t wounds_version = 0;
@@ -86,6 +87,7 @@ class Simulation {
     std::span<const ToolContact> placed(std::span<const ToolContact> contacts);
     void put(const Preset& preset);
     void put(const Curves& curves);
+    void renew_blood();
     void update_log();
     void take_pieces();
     void take_wounds();

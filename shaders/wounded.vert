@@ -1,5 +1,5 @@
 #version 450 core
-// Tissue that bleeds, is charred or divided; other triangles are dropped.
+// Tissue that bleeds (the model `spread`), is charred or divided; other triangles are dropped.
 #include "organ.glsl"
 #include "bleeding_block.glsl"
 

@@ -46,12 +46,6 @@ BleedField::BleedField(const Surface& surface, glm::dvec3 down)
       is_touched_(surface.positions.size(), false),
       changed_(surface.weld.size()),
       amount_(surface, down) {
-    copies_of_.resize(surface.positions.size() + 1);
-    for (const std::uint32_t v : surface.weld) ++copies_of_[v + 1];
-    for (std::size_t i = 1; i < copies_of_.size(); ++i) copies_of_[i] += copies_of_[i - 1];
-    copies_.resize(surface.weld.size());
-    std::vector<std::uint32_t> next(copies_of_.begin(), copies_of_.end() - 1);
-    for (std::uint32_t i = 0; i < surface.weld.size(); ++i) copies_[next[surface.weld[i]]++] = i;
     changed_.mark_all();
 }
 
@@ -83,52 +77,53 @@ float BleedField::driest() const noexcept {
     return static_cast<float>(-(parameters_.noise_strength + 2.0 * longest_edge_ + 1.0));
 }
 
+void BleedField::add_bleeder(const Wound& wound, Front front) {
+    const auto number = static_cast<std::uint32_t>(bleeders_.size());
+    bleeders_.push_back({.number = number, .front = std::move(front)});
+    active_.push_back(number);
+    status_.push_back({.wound = wound});
+}
+
 /// In the common case, wounds are added at the end or stopped, and no front changes.
 void BleedField::replace_wounds(std::span<const Wound> wounds) {
     const auto in_place = [&] {
         for (std::size_t i = 0; i < bleeders_.size(); ++i)
-            if (bleeders_[i].wound.position != wounds[i].position) return false;
+            if (status_[i].wound.position != wounds[i].position) return false;
         return true;
     };
+    const auto new_front = [&](const Wound& wound) { return Front(room_, metric_of(parameters_), wound.position); };
     if (wounds.size() >= bleeders_.size() && in_place()) {
         for (std::uint32_t i = 0; i < bleeders_.size(); ++i) {
-            if (bleeders_[i].wound == wounds[i]) continue;
+            if (status_[i].wound == wounds[i]) continue;
             if (bleeders_[i].is_settled)
                 activate(i);
             else  // the flow since a clearing may also be smaller now
                 for_each_reached(bleeders_[i], [&](const Reached& at) { anew_.add(at.vertex); });
-            bleeders_[i].wound = status_[i].wound = wounds[i];
+            status_[i].wound = wounds[i];
         }
     } else {
         const auto key = [](const glm::dvec3& p) { return std::tuple(p.x, p.y, p.z); };
-        std::multimap<std::tuple<double, double, double>, Bleeder> known;
+        std::multimap<std::tuple<double, double, double>, Front> known;
         for (Bleeder& b : bleeders_)
-            if (is_place(b.wound.position)) known.emplace(key(b.wound.position), std::move(b));
+            if (const glm::dvec3& place = wound_of(b).position; is_place(place))
+                known.emplace(key(place), std::move(b.front));
         bleeders_.clear();
+        active_.clear();
+        status_.clear();
         for (const Wound& wound : wounds) {
             // A NaN has no order and must not be looked up.
             const auto found = is_place(wound.position) ? known.find(key(wound.position)) : known.end();
             if (found == known.end()) {
-                bleeders_.push_back({.wound = wound, .front = Front(room_, metric_of(parameters_), wound.position)});
+                add_bleeder(wound, new_front(wound));
                 continue;
             }
-            bleeders_.push_back({.wound = wound, .front = std::move(found->second.front)});
+            add_bleeder(wound, std::move(found->second));
             known.erase(found);
-        }
-        active_.clear();
-        status_.clear();
-        for (std::uint32_t i = 0; i < bleeders_.size(); ++i) {
-            active_.push_back(i);
-            status_.push_back({.wound = wounds[i]});
         }
         stale_ = true;
     }
     bleeders_.reserve(wounds.size());
-    for (std::size_t i = bleeders_.size(); i < wounds.size(); ++i) {
-        bleeders_.push_back({.wound = wounds[i], .front = Front(room_, metric_of(parameters_), wounds[i].position)});
-        active_.push_back(static_cast<std::uint32_t>(i));
-        status_.push_back({.wound = wounds[i]});
-    }
+    for (std::size_t i = bleeders_.size(); i < wounds.size(); ++i) add_bleeder(wounds[i], new_front(wounds[i]));
 }
 
 void BleedField::set_clearing(const tool::Log& log, const BleedingParameters& parameters) {
@@ -148,6 +143,21 @@ void BleedField::keep(KeptBlood kept) {
     stale_ = true;
 }
 
+void BleedField::replace(Bleeding& former) {
+    if (former.model() == model()) keep(std::move(static_cast<BleedField&>(former).kept_));
+}
+
+void BleedField::keep(const Bleeding& former, std::span<const std::uint32_t> sources, double time) {
+    KeptBlood kept{.values = std::vector(surface_.positions.size(), glm::vec2(none, 0.0f)), .time = time};
+    for (std::size_t v = 0; v < sources.size(); ++v) {
+        if (sources[v] == gone) continue;
+        const BloodAt blood = former.at(sources[v]);
+        glm::vec2& at = kept.values[surface_.weld[v]];
+        if (blood.any && blood.value > at.x) at = {blood.value, blood.clot};
+    }
+    keep(std::move(kept));
+}
+
 /// How far blood has travelled for an unbounded flow, mm; clots draw together.
 double BleedField::source_of(const Bleeder& bleeder, double flowed) const noexcept {
     return std::min(flowed, parameters_.max_extent) * (1.0 - clot_shrink * static_cast<double>(bleeder.clot));
@@ -157,23 +167,23 @@ double BleedField::source_of(const Bleeder& bleeder, double flowed) const noexce
 /// was reached.
 bool BleedField::refills(const Bleeder& b, double flowed) const noexcept {
     if (b.cleared == never_cleared || flowed == b.flowed) return false;
-    return std::min(flowed, b.flowed) - flow(b.wound, parameters_, b.cleared, strength_) < parameters_.max_extent;
+    return std::min(flowed, b.flowed) - flow(wound_of(b), parameters_, b.cleared, strength_) < parameters_.max_extent;
 }
 
 /// Whether only the tool can still change the bleeder after `time`: it has clotted, or its blood covers its extent and
 /// nothing will end the bleeding.
 bool BleedField::has_settled(const Bleeder& b, double time) const noexcept {
     constexpr double rounding = 1e-6;  // mm; rounding may make a later flow smaller by this
-    if (b.clot == 1.0f && time > b.wound.start) return true;
+    if (b.clot == 1.0f && time > wound_of(b).start) return true;
     const double full = parameters_.max_extent + rounding;
-    if (b.wound.stop != std::numeric_limits<double>::infinity() || b.flowed < full) return false;
-    return b.cleared == never_cleared || b.flowed - flow(b.wound, parameters_, b.cleared, strength_) >= full;
+    if (wound_of(b).stop != std::numeric_limits<double>::infinity() || b.flowed < full) return false;
+    return b.cleared == never_cleared || b.flowed - flow(wound_of(b), parameters_, b.cleared, strength_) >= full;
 }
 
 /// Finds the state of the bleeder at `time`, and what that changes.
 void BleedField::look(Bleeder& b, double time) noexcept {
-    const auto clot = static_cast<float>(clot_of(b.wound, parameters_, time));
-    const double flowed = flow(b.wound, parameters_, time, strength_), before = b.source;
+    const auto clot = static_cast<float>(clot_of(wound_of(b), parameters_, time));
+    const double flowed = flow(wound_of(b), parameters_, time, strength_), before = b.source;
     const bool clots = clot != b.clot;
     b.clot = clot;
     b.source = source_of(b, flowed);
@@ -295,11 +305,11 @@ void BleedField::settle(double time) noexcept {
 
 /// The state of a wound, from what has been written, because writing notes where its blood was cleared.
 void BleedField::tell(std::uint32_t number, double time) noexcept {
-    const Bleeder& b = bleeders_[number];
-    status_[number] = {.wound = b.wound,
-                       .state = state_of(b.wound, parameters_, time, strength_, b.cleared),
-                       .extent = source_value(b.wound, parameters_, time, strength_),
-                       .bleeds = bleeds(b.wound, parameters_, time, strength_, b.cleared)};
+    const double cleared = bleeders_[number].cleared;
+    WoundStatus& status = status_[number];
+    status.state = state_of(status.wound, parameters_, time, strength_, cleared);
+    status.extent = source_value(status.wound, parameters_, time, strength_);
+    status.bleeds = bleeds(status.wound, parameters_, time, strength_, cleared);
 }
 
 /// No blood is left: the places that it touched need not be examined again.
@@ -317,7 +327,7 @@ bool BleedField::age_kept(double time) noexcept {
     float clot = 1.0f;
     bool any = false;
     for (const Bleeder& b : bleeders_) {
-        if (b.wound.start >= kept_.time) continue;
+        if (wound_of(b).start >= kept_.time) continue;
         clot = std::min(clot, b.clot);
         any = true;
     }
@@ -397,7 +407,7 @@ float BleedField::value_at(Bleeder& b, const Reached& at) const noexcept {
     if (!clearing_.any()) return whole;
     float value = whole;
     clearing_.for_each(at.vertex, [&](const Clearing::Cap& cap) {
-        const double since = b.flowed - flow(b.wound, parameters_, cap.time, strength_);
+        const double since = b.flowed - flow(wound_of(b), parameters_, cap.time, strength_);
         value = std::max(std::min(value, cap.cap), value_of(source_of(b, since)));
         if (cap.cap < whole) b.cleared = std::max(b.cleared, cap.time);
     });
@@ -413,8 +423,7 @@ void BleedField::touch(std::uint32_t vertex) noexcept {
 void BleedField::publish() noexcept {
     for (const std::uint32_t v : written_) {
         bool changes = false;
-        for (std::uint32_t i = copies_of_[v]; i < copies_of_[v + 1]; ++i) {
-            const std::uint32_t copy = copies_[i];
+        for (const std::uint32_t copy : surface_.vertices_at(v)) {
             if (values_[copy] == surface_values_[v]) continue;
             values_[copy] = surface_values_[v];
             changed_.mark(copy);
@@ -427,11 +436,6 @@ void BleedField::publish() noexcept {
 
 BloodAmount BleedField::amount() const noexcept {
     return amount_.measure(surface_values_, parameters_);
-}
-
-int BleedField::bleeding_wounds() const noexcept {
-    return static_cast<int>(
-        std::count_if(status_.begin(), status_.end(), [](const WoundStatus& status) { return status.bleeds; }));
 }
 
 }  // namespace lapfx::bleeding

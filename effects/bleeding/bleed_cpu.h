@@ -1,3 +1,5 @@
+// The model `spread` of bleeding.h.
+//
 // Bleed value per vertex: b(x, t) = max over wounds of s_w(t) - d_w(x), mm; 0 and below is dry (the paper's animation
 // variable). b continues below 0, as far as noise can move the edge and one triangle more. If the vertices cut it off
 // at 0, the edge would move outwards, farther on coarser meshes, and noise could only remove blood. Each vertex also
@@ -17,16 +19,11 @@
 #include <utility>
 #include <vector>
 
-#include "bleeding/blood_amount.h"
+#include "bleeding/bleeding.h"
 #include "bleeding/clearing.h"
 #include "bleeding/front.h"
 #include "bleeding/region.h"
 #include "bleeding/wound.h"
-#include "lapfx/bleeding_parameters.h"
-#include "lapfx/tool.h"
-#include "lapfx/wound.h"
-#include "organ/changed_vertices.h"
-#include "organ/surface.h"
 
 namespace lapfx::bleeding {
 
@@ -36,45 +33,47 @@ struct KeptBlood {
     double time = 0.0;              ///< time from which it exists, s
 };
 
-class BleedField {
+class BleedField final : public Bleeding {
   public:
     static constexpr float none = -1e30f;  ///< for keep(): a vertex where nothing is kept
 
     /// Keeps a reference to `surface`. `down`: unit, organ space.
     BleedField(const Surface& surface, glm::dvec3 down);
 
+    Model model() const override { return Model::spread; }
+
     /// Values depend, to the last bit, only on what is set and on the time, not on what was set before. Fronts of
     /// wounds that stay at their place are kept; with another gravity_bias, crease_bias or bridge_gap all fronts run
     /// again.
-    void set(std::span<const Wound> wounds, const BleedingParameters& parameters);
-    /// Takes suction and irrigation from the tool's log. It must always be the same log.
-    void set_clearing(const tool::Log& log, const BleedingParameters& parameters);
-    /// The scene's factor on the flow over time (lapfx/curves.h); 1 at first.
-    void set_strength(const FactorCurve& strength);
+    void set(std::span<const Wound> wounds, const BleedingParameters& parameters) override;
+    void set_clearing(const tool::Log& log, const BleedingParameters& parameters) override;
+    void set_strength(const FactorCurve& strength) override;
+    void replace(Bleeding& former) override;
+    void keep(const Bleeding& former, std::span<const std::uint32_t> sources, double time) override;
     /// Blood that stays until it is cleared, whatever the wounds do. It clots together with the wounds that were open
     /// at its time.
     void keep(KeptBlood kept);
-    /// Gives back what keep() was given. Do not use the field afterwards.
-    KeptBlood take_kept() { return std::move(kept_); }
 
-    void update(double time) noexcept;
+    void update(double time) noexcept override;
 
     /// Value of places that blood cannot reach, mm: too low for noise to show blood, and high enough that its slope,
     /// which multisampling extends beyond a triangle, does not rise above 0. Changes with noise_strength.
     float dry() const { return dry_; }
+    BloodAt at(std::uint32_t vertex) const noexcept override {
+        return {.any = values_[vertex].x > dry_, .value = values_[vertex].x, .clot = values_[vertex].y};
+    }
     std::span<const glm::vec2> values() const { return values_; }                  ///< per organ vertex: mm; clot 0..1
     std::span<const glm::vec2> surface_values() const { return surface_values_; }  ///< the same per surface vertex
-    ChangedVertices& changed() { return changed_; }                                ///< organ vertices; at first, all
+    ChangedVertices& changed() override { return changed_; }
 
-    BloodAmount amount() const noexcept;
-    int bleeding_wounds() const noexcept;  ///< wounds that bleed (wound.h) at the last update
-    /// Every wound as it was at the last update, in the order in which they were set.
-    std::span<const WoundStatus> wounds() const { return status_; }
+    BloodAmount amount() const noexcept override;
+    std::span<const WoundStatus> wounds() const override { return status_; }
 
   private:
     using Layer = std::vector<glm::vec2>;  // per surface vertex: bleed value, clot
+    /// What is known of a wound besides its record, which is status_[number].
     struct Bleeder {
-        Wound wound;
+        std::uint32_t number;
         Front front;
         double source = 0.0;             // mm
         double flowed = 0.0;             // mm, the same without the bound
@@ -87,6 +86,8 @@ class BleedField {
         Box box{};              // around every place ever written
         std::size_t boxed = 0;  // rings
     };
+    const Wound& wound_of(const Bleeder& bleeder) const { return status_[bleeder.number].wound; }
+    void add_bleeder(const Wound& wound, Front front);
     void replace_wounds(std::span<const Wound> wounds);
     bool has_settled(const Bleeder& bleeder, double time) const noexcept;
     bool refills(const Bleeder& bleeder, double flowed) const noexcept;
@@ -123,10 +124,7 @@ class BleedField {
     std::vector<Bleeder> bleeders_;
     std::vector<std::uint32_t> active_;  // bleeders that are not settled
     double updated_ = 0.0;
-    std::vector<WoundStatus> status_;
-    std::vector<std::uint32_t>
-        copies_of_;  // organ vertices of surface vertex v: copies_[copies_of_[v] .. copies_of_[v + 1]]
-    std::vector<std::uint32_t> copies_;
+    std::vector<WoundStatus> status_;  // per bleeder
     Layer surface_values_;
     Layer settled_values_;           // values of kept blood, and of settled bleeders
     Region anew_, settled_anew_;     // where surface_values_ and settled_values_ have to be computed again

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "bleeding/bleed_cpu.h"
 #include "gl/srgb.h"
 
 namespace lapfx::bleeding {
@@ -17,22 +18,23 @@ constexpr GLuint block_binding = 1;
 
 }  // namespace
 
-BleedGpu::BleedGpu(std::size_t vertex_count, std::uint32_t seed, glm::dvec3 down)
-    : values_(std::span<const glm::vec2>(std::vector<glm::vec2>(vertex_count, glm::vec2(0.0f)))),
-      block_(sizeof(Block)),
-      seed_(seed),
-      down_(down) {}
+BleedGpu::BleedGpu(std::size_t vertices)
+    : values_(std::span<const glm::vec2>(std::vector<glm::vec2>(vertices, glm::vec2(0.0f)))), block_(sizeof(Block)) {}
 
-void BleedGpu::set(const BleedingParameters& b) const noexcept {
+void BleedGpu::set(const BleedingParameters& b, const glm::dvec3& down, std::uint32_t seed) const noexcept {
     const Block block{
         .edge = glm::vec4(glm::dvec4(b.threshold, b.noise_scale, b.noise_strength, b.noise_octaves)),
         .thin = glm::vec4(gl::to_linear(glm::vec3(b.color_thin)), static_cast<float>(b.deep_at)),
         .deep = glm::vec4(gl::to_linear(glm::vec3(b.color_deep)), static_cast<float>(b.opacity)),
         // The shader's seed is a float, which must represent it exactly.
-        .surface = glm::vec4(glm::dvec4(b.thickness, b.gloss, seed_ & 0xffffu, b.rivulets)),
-        .down = glm::vec4(glm::dvec4(down_, b.clot_darkening)),
+        .surface = glm::vec4(glm::dvec4(b.thickness, b.gloss, seed & 0xffffu, b.rivulets)),
+        .down = glm::vec4(glm::dvec4(down, b.clot_darkening)),
     };
     block_.update(0, sizeof block, &block);
+}
+
+std::size_t BleedGpu::send(const Bleeding& blood, std::span<const VertexRun> changed) const noexcept {
+    return send(static_cast<const BleedField&>(blood).values(), changed);
 }
 
 std::size_t BleedGpu::send(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept {

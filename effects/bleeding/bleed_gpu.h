@@ -1,37 +1,29 @@
-// Bleed values and blood parameters on the GPU: the vertex buffer (attribute 5 of shaders/organ.vert) and the
-// uniform block LapfxBleeding of shaders/bleeding_block.glsl. Render thread, context current.
+// Bleed values and blood parameters of the model `spread` on the GPU: the vertex buffer (attribute 5 of
+// shaders/organ.vert) and the uniform block LapfxBleeding of shaders/bleeding_block.glsl. Render thread, context
+// current.
 #pragma once
 
-#include <cstdint>
-#include <span>
-
-#include "gl/objects.h"
-#include "lapfx/bleeding_parameters.h"
-#include "organ/changed_vertices.h"
+#include "bleeding/bleeding_gpu.h"
 
 namespace lapfx::bleeding {
 
-class BleedGpu {
+class BleedGpu final : public BleedingGpu {
   public:
-    /// `down`: unit, organ space: the direction in which rivulets run.
-    BleedGpu(std::size_t vertex_count, std::uint32_t seed, glm::dvec3 down);
+    explicit BleedGpu(std::size_t vertices);
 
-    void set(const BleedingParameters& parameters) const noexcept;
-    /// They take effect with the next set().
-    void set_down(glm::dvec3 down) { down_ = down; }
-    void set_seed(std::uint32_t seed) { seed_ = seed; }
-    /// Sends the runs of `values` (per organ vertex: bleed value in mm, clot 0..1) that have changed;
-    /// bytes sent.
+    Model model() const override { return Model::spread; }
+    std::span<const Attribute> attributes() const override { return {&attribute_, 1}; }
+    void set(const BleedingParameters& parameters, const glm::dvec3& down, std::uint32_t seed) const noexcept override;
+    std::size_t send(const Bleeding& blood, std::span<const VertexRun> changed) const noexcept override;
+    /// The runs of `values`, which are per organ vertex: bleed value in mm, clot 0..1.
     std::size_t send(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept;
-    void bind() const noexcept;  ///< the uniform block, binding 1
-
-    const gl::Buffer& values() const { return values_; }
+    void bind() const noexcept override;  ///< the uniform block, binding 1
+    std::size_t memory() const override { return values_.size(); }
 
   private:
     gl::Buffer values_;
     gl::Buffer block_;
-    std::uint32_t seed_;
-    glm::dvec3 down_;
+    Attribute attribute_{5, &values_, 2};
 };
 
 }  // namespace lapfx::bleeding

@@ -49,30 +49,9 @@ class EdgeNoise {
 }  // namespace
 
 void AmountSum::mark(std::uint32_t vertex) noexcept {
-    if (parts_.empty()) parts_.resize(surface_.triangles.size());
-    for (const std::uint32_t t : surface_.triangles_at(vertex)) {
-        if (state_[t] == marked) continue;
-        if (state_[t] == untouched) {
-            touched_.push_back(t);
-            parts_[t] = {.whole = surface_.area(t), .steepness = steepness(t)};
-        }
-        state_[t] = marked;
-        marked_.push_back(t);
-    }
-}
-
-void AmountSum::mark_all() noexcept {
-    for (const std::uint32_t t : touched_) state_[t] = marked;
-    marked_ = touched_;
-}
-
-void AmountSum::clear() noexcept {
-    for (const std::uint32_t t : touched_) {
-        state_[t] = untouched;
-    }
-    touched_.clear();
-    marked_.clear();
-    area_ = volume_ = 0;
+    if (shapes_.empty()) shapes_.resize(surface_.triangles.size());
+    for (const std::uint32_t t : surface_.triangles_at(vertex))
+        if (sums_.mark(t)) shapes_[t] = {.area = surface_.area(t), .steepness = steepness(t)};
 }
 
 /// As the shader has it: none without rivulets, all on a wall.
@@ -87,9 +66,9 @@ double AmountSum::steepness(std::uint32_t triangle) const noexcept {
 BloodAmount AmountSum::measure(std::span<const glm::vec2> values, const BleedingParameters& parameters) noexcept {
     const EdgeNoise noise(parameters);
     const auto above = [&](std::uint32_t v) { return values[v].x - parameters.threshold; };
-    for (const std::uint32_t t : marked_) {
+    sums_.measure([&](std::uint32_t t) {
         const auto& c = surface_.triangles[t];
-        Part& part = parts_[t];
+        const Shape& shape = shapes_[t];
         std::array<double, 3> values_above{above(c[0]), above(c[1]), above(c[2])};
         std::sort(values_above.begin(), values_above.end());
         const auto [least, middle, most] = values_above;
@@ -103,19 +82,14 @@ BloodAmount AmountSum::measure(std::span<const glm::vec2> values, const Bleeding
             add(0.0);
         } else {
             for (const double move :
-                 noise.moves(parameters.rivulets > 0.0 ? parameters.rivulets * part.steepness : 0.0))
+                 noise.moves(parameters.rivulets > 0.0 ? parameters.rivulets * shape.steepness : 0.0))
                 add(move);
             share /= EdgeNoise::count;
             depth /= EdgeNoise::count;
         }
-        const std::int64_t area = organ::whole_units(share * part.whole, unit);
-        const std::int64_t volume = organ::whole_units(parameters.thickness * depth * part.whole, unit);
-        area_ += area - part.area, volume_ += volume - part.volume;
-        part.area = area, part.volume = volume;
-        state_[t] = measured;
-    }
-    marked_.clear();
-    return {.area = static_cast<double>(area_) * unit, .volume = static_cast<double>(volume_) * unit};
+        return std::array{share * shape.area, parameters.thickness * depth * shape.area};
+    });
+    return {.area = sums_.sum(0), .volume = sums_.sum(1)};
 }
 
 }  // namespace lapfx::bleeding

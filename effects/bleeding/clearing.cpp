@@ -44,11 +44,11 @@ Clearing::Sweep Clearing::sweep_of(const ToolContact& contact, std::size_t piece
 }
 
 bool Clearing::set(const tool::Log& log, const BleedingParameters& parameters) {
-    if (suction_radius_ != parameters.suction_radius || irrigation_radius_ != parameters.irrigation_radius) known_ = 0;
+    if (suction_radius_ != parameters.suction_radius || irrigation_radius_ != parameters.irrigation_radius)
+        reader_.forget();
     suction_radius_ = parameters.suction_radius;
     irrigation_radius_ = parameters.irrigation_radius;
-    const std::size_t first = log.first_after(known_);
-    known_ = log.revision();
+    const std::size_t first = reader_.take(log);
     bool changed = false;
     for (; !sweeps_.empty() && sweeps_.back().piece >= first; sweeps_.pop_back()) {
         all_stale_ = all_stale_ || sweeps_.back().is_over;

@@ -85,7 +85,7 @@ class Clearing {
     const Surface& surface_;
     glm::dvec3 down_;
     double suction_radius_ = 0.0, irrigation_radius_ = 0.0;
-    std::uint64_t known_ = 0;  // revision of the log
+    tool::Reader reader_;
     std::vector<Sweep> sweeps_;
     // Finished sweeps keep their caps as time advances: a frame costs only the running sweep.
     Layer over_, running_;

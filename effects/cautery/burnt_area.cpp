@@ -45,32 +45,18 @@ double share_above(const std::array<double, 3>& values, const std::array<double,
 
 /// Triangles that have the point for a corner, or a neighbour whose curvature they use.
 void BurntArea::mark(std::uint32_t point) {
-    if (parts_.empty()) {
-        parts_.resize(surface_.triangles.size());
-        is_marked_.resize(surface_.triangles.size());
-    }
-    const auto add = [&](std::uint32_t triangle) {
-        if (is_marked_[triangle]) return;
-        is_marked_[triangle] = true;
-        marked_.push_back(triangle);
-    };
     for (const std::uint32_t t : surface_.triangles_at(point)) {
-        add(t);
+        sum_.mark(t);
         const auto& c = surface_.triangles[t];
         std::uint32_t other = 0;
         for (std::size_t i = 0; i < 3; ++i)
-            if (c[i] != point && c[(i + 1) % 3] != point && surface_.across(t, c[i], c[(i + 1) % 3], other)) add(other);
+            if (c[i] != point && c[(i + 1) % 3] != point && surface_.across(t, c[i], c[(i + 1) % 3], other))
+                sum_.mark(other);
     }
 }
 
 void BurntArea::measure(std::span<const float> rises, double wanted) {
-    for (const std::uint32_t t : marked_) {
-        is_marked_[t] = false;
-        const std::int64_t now = organ::whole_units(share(t, rises, wanted) * surface_.area(t), unit);
-        sum_ += now - parts_[t];
-        parts_[t] = now;
-    }
-    marked_.clear();
+    sum_.measure([&](std::uint32_t t) { return std::array{share(t, rises, wanted) * surface_.area(t)}; });
 }
 
 double BurntArea::share(std::uint32_t triangle, std::span<const float> rises, double wanted) const {

@@ -18,8 +18,6 @@ Cautery::Cautery(const Surface& surface, StrengthAt strength_at)
       track_(surface),
       radial_(strength_at_, sealed_at()),
       clips_(surface),
-      vertex_start_(surface.positions.size() + 1, 0),
-      point_vertices_(surface.weld.size()),
       is_dirty_(surface.positions.size(), false),
       marks_(surface.weld.size(), glm::vec2(0.0f)),
       changed_(surface.weld.size()),
@@ -27,10 +25,6 @@ Cautery::Cautery(const Surface& surface, StrengthAt strength_at)
       burnt_(surface) {
     settled_.values.assign(surface.positions.size(), glm::vec2(0.0f));
     last_.values = settled_.values;
-    for (const std::uint32_t point : surface.weld) ++vertex_start_[point + 1];
-    for (std::size_t i = 1; i < vertex_start_.size(); ++i) vertex_start_[i] += vertex_start_[i - 1];
-    std::vector<std::uint32_t> next(vertex_start_.begin(), vertex_start_.end() - 1);
-    for (std::uint32_t v = 0; v < surface.weld.size(); ++v) point_vertices_[next[surface.weld[v]]++] = v;
 }
 
 void Cautery::choose_model(const CauteryParameters& parameters) {
@@ -201,9 +195,7 @@ void Cautery::publish() {
         }
         const double peak = body_temperature + std::min<double>(mark.x, highest_rise(parameters_));
         mark.x = static_cast<float>(char_of(peak, parameters_));
-        const std::uint32_t first = vertex_start_[point];
-        for (std::uint32_t i = first; i < vertex_start_[point + 1]; ++i) {
-            const std::uint32_t vertex = point_vertices_[i];
+        for (const std::uint32_t vertex : surface_.vertices_at(point)) {
             if (marks_[vertex] == mark) continue;
             marks_[vertex] = mark;
             changed_.mark(vertex);

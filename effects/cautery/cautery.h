@@ -99,9 +99,6 @@ class Cautery {
     std::uint64_t sealed_version_ = 0;  // version of the wounds that it was made from
     std::uint64_t sealed_by_ = 0;       // version of the clips
 
-    std::vector<std::uint32_t> vertex_start_;  // per point, into point_vertices_; one more at the end
-    std::vector<std::uint32_t> point_vertices_;
-
     // The last contact grows while its button is held, so its marks are a layer over those of all others.
     Layer settled_, last_;
     bool all_stale_ = true, last_stale_ = true;

@@ -22,13 +22,12 @@ double same_until(const ToolContact& a, const ToolContact& b) {
 
 std::size_t Track::set(const tool::Log& log, const CauteryParameters& parameters) {
     const auto per_wound = static_cast<std::uint32_t>(std::ceil(3.0 * wound_spacing / parameters.tip_radius));
-    if (per_wound != per_wound_ || spacing_ == 0.0) known_ = 0;
+    if (per_wound != per_wound_ || spacing_ == 0.0) reader_.forget();
     per_wound_ = per_wound;
     spacing_ = wound_spacing / per_wound;
 
     const std::span<const tool::Piece> pieces = log.pieces();
-    const std::size_t first = std::min(log.first_after(known_), stays_.size());
-    known_ = log.revision();
+    const std::size_t first = reader_.take(log);
     same_until_ = never;
     if (first < stays_.size()) same_until_ = stays_[first].contact.time;
     if (first < pieces.size()) same_until_ = std::min(same_until_, pieces[first].contact.time);

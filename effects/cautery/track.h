@@ -67,7 +67,7 @@ class Track {
     void append(const tool::Piece& piece);
 
     const Surface& surface_;
-    std::uint64_t known_ = 0;  // revision of the log
+    tool::Reader reader_;
     std::vector<Stay> stays_;
     std::vector<Place> places_;
     double spacing_ = 0.0;

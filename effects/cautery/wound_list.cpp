@@ -31,8 +31,8 @@ bool WoundList::add(const Division& division, std::int64_t key) {
             continue;
         stands_for_ = i;
         if (division.by_heat) {
-            burnings_.push_back({key, i, burns_[i]});
-            burns_[i] = {.time = wound.start, .tip = division.tip};
+            burnings_.push_back({key, i, beside_[i].burn});
+            beside_[i].burn = {.time = wound.start, .tip = division.tip};
         }
         return false;
     }
@@ -42,8 +42,7 @@ bool WoundList::add(const Division& division, std::int64_t key) {
     }
     grid_.insert(static_cast<std::uint32_t>(wounds_.size()), wound.position, wound.position);
     wounds_.push_back(wound);
-    burns_.push_back(division.by_heat ? Burn{.time = wound.start, .tip = division.tip} : Burn{});
-    added_.push_back(key);
+    beside_.push_back({.burn = division.by_heat ? Burn{.time = wound.start, .tip = division.tip} : Burn{}, .key = key});
     ++version_;
     return true;
 }
@@ -64,14 +63,13 @@ void WoundList::truncate(std::int64_t key) {
         ++version_;
     }
     while (!burnings_.empty() && burnings_.back().key >= key) {
-        burns_[burnings_.back().wound] = burnings_.back().before;
+        beside_[burnings_.back().wound].burn = burnings_.back().before;
         burnings_.pop_back();
     }
-    while (!added_.empty() && added_.back() >= key) {
+    while (!beside_.empty() && beside_.back().key >= key) {
         const glm::dvec3 place = wounds_.back().position;
         wounds_.pop_back();
-        burns_.pop_back();
-        added_.pop_back();
+        beside_.pop_back();
         grid_.remove(static_cast<std::uint32_t>(wounds_.size()), place, place);
         ++version_;
     }

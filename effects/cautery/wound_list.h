@@ -53,7 +53,7 @@ class WoundList {
     bool add(const Division& division, std::int64_t key);
     /// The wound that counts for the last one that was not added because of it; none: another reason.
     std::uint32_t stands_for() const { return stands_for_; }
-    Burn burn_of(std::uint32_t wound) const { return burns_[wound]; }
+    Burn burn_of(std::uint32_t wound) const { return beside_[wound].burn; }
     /// Closes a wound at `stop`. False if it closes earlier.
     bool close(std::uint32_t wound, double stop, std::int64_t key);
     /// Undoes everything from `key` on.
@@ -65,6 +65,11 @@ class WoundList {
     }
 
   private:
+    /// What else there is to know of a wound.
+    struct Beside {
+        Burn burn;
+        std::int64_t key;  ///< with which it was added
+    };
     struct Closing {
         std::int64_t key;
         std::uint32_t wound;
@@ -79,8 +84,7 @@ class WoundList {
 
     SealedAt sealed_at_;
     std::vector<Wound> wounds_;
-    std::vector<Burn> burns_;          // per wound
-    std::vector<std::int64_t> added_;  // key per wound
+    std::vector<Beside> beside_;  // per wound
     std::vector<Closing> closings_;
     std::vector<Burning> burnings_;
     std::vector<std::int64_t> left_out_;

@@ -28,6 +28,7 @@ Surface::Surface(const Organ& organ, const work::Stages& stages) {
     for (std::size_t t = 0; t < triangles.size(); ++t)
         for (std::size_t c = 0; c < 3; ++c) triangles[t][c] = weld[organ.indices[3 * t + c]];
     stages.reach(0.2);
+    index_vertices();
     build_adjacency();
     stages.reach(0.5);
     find_components();
@@ -43,8 +44,18 @@ double Surface::area(std::uint32_t triangle) const {
 
 std::size_t Surface::memory() const {
     const auto indices = weld.size() + triangle_start.size() + point_triangles.size() + neighbour_start.size() +
-                         point_neighbours.size() + component.size() + 3 * triangles.size();
+                         point_neighbours.size() + vertex_start.size() + point_vertices.size() + component.size() +
+                         3 * triangles.size();
     return positions.size() * sizeof(glm::dvec3) + indices * sizeof(std::uint32_t);
+}
+
+void Surface::index_vertices() {
+    std::vector<std::uint32_t> lengths(positions.size(), 0);
+    for (const std::uint32_t point : weld) ++lengths[point];
+    vertex_start = starts(lengths);
+    point_vertices.resize(weld.size());
+    std::vector<std::uint32_t> next(vertex_start.begin(), vertex_start.end() - 1);
+    for (std::uint32_t v = 0; v < weld.size(); ++v) point_vertices[next[weld[v]]++] = v;
 }
 
 void Surface::build_adjacency() {

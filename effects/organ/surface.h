@@ -29,12 +29,18 @@ class Surface {
     std::vector<std::uint32_t> point_triangles;           ///< triangles at each point, ascending
     std::vector<std::uint32_t> neighbour_start;           ///< per point, into point_neighbours; one more at the end
     std::vector<std::uint32_t> point_neighbours;          ///< points joined by an edge, ascending
+    std::vector<std::uint32_t> vertex_start;              ///< per point, into point_vertices; one more at the end
+    std::vector<std::uint32_t> point_vertices;            ///< organ vertices at each point, ascending
     std::vector<std::uint32_t> component;                 ///< per point: the lowest point of its connected component
     bool connected = true;                                ///< all triangles belong to one component
 
     std::span<const std::uint32_t> triangles_at(std::uint32_t point) const {
         return std::span(point_triangles)
             .subspan(triangle_start[point], triangle_start[point + 1] - triangle_start[point]);
+    }
+    /// Vertices of the organ.
+    std::span<const std::uint32_t> vertices_at(std::uint32_t point) const {
+        return std::span(point_vertices).subspan(vertex_start[point], vertex_start[point + 1] - vertex_start[point]);
     }
     std::span<const std::uint32_t> neighbours_of(std::uint32_t point) const {
         return std::span(point_neighbours)
@@ -72,6 +78,7 @@ class Surface {
     std::size_t memory() const;  ///< bytes, without the tree
 
   private:
+    void index_vertices();
     void build_adjacency();
     void find_components();
 

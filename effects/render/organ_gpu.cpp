@@ -26,20 +26,25 @@ void draw_triangles(std::size_t begin, std::size_t end) noexcept {
 }  // namespace
 
 OrganPrograms::OrganPrograms(bool tissue)
-    : plain("organ.vert", "organ.frag"),
-      wounded(tissue ? gl::Program("wounded.vert", "wounded.frag") : gl::Program()),
-      clips(tissue ? gl::Program("clip.vert", "clip.frag") : gl::Program()) {}
+    : plain("organ.vert", "organ.frag"), clips(tissue ? gl::Program("clip.vert", "clip.frag") : gl::Program()) {}
 
 void OrganPrograms::collect(std::vector<gl::Program*>& programs) {
-    programs.insert(programs.end(), {&plain, &wounded, &clips});
+    programs.insert(programs.end(), {&plain, &clips});
+    for (gl::Program& program : wounded_) programs.push_back(&program);
 }
 
-OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed, const organ::PixelList& pixels,
+void OrganPrograms::prepare(bleeding::Model model) {
+    gl::Program& program = wounded_[static_cast<std::size_t>(model)];
+    const bleeding::ModelShaders& shaders = bleeding::shaders_of(model);
+    if (program.name() == 0) program = gl::Program(shaders.vertex, shaders.fragment);
+}
+
+OrganGpu::OrganGpu(const Organ& organ, const bleeding::BleedingGpu* blood, const organ::PixelList& pixels,
                    const organ::Unsplit& unsplit)
-    : OrganGpu(organ, bleed, std::make_shared<OrganPrograms>(bleed != nullptr), OrganTextures(organ, pixels), unsplit) {
+    : OrganGpu(organ, blood, std::make_shared<OrganPrograms>(blood != nullptr), OrganTextures(organ, pixels), unsplit) {
 }
 
-OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed, std::shared_ptr<OrganPrograms> programs,
+OrganGpu::OrganGpu(const Organ& organ, const bleeding::BleedingGpu* blood, std::shared_ptr<OrganPrograms> programs,
                    OrganTextures textures, const organ::Unsplit& unsplit)
     : programs_(std::move(programs)),
       marks_(buffer_of(std::vector<glm::vec2>(organ.positions.size(), glm::vec2(0.0f)))),
@@ -50,7 +55,7 @@ OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed, std::shared_ptr<
       flat_(one_texel({128, 128, 255, 255})),
       parts_(organ.parts),
       unsplit_parts_(unsplit.parts),
-      tissue_(bleed != nullptr) {
+      tissue_(blood != nullptr) {
     vertices_.push_back(buffer_of(organ.positions));
     vertices_.push_back(buffer_of(organ.normals));
     vertices_.push_back(buffer_of(organ.tangents));
@@ -58,12 +63,19 @@ OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed, std::shared_ptr<
     vertices_.push_back(buffer_of(organ.colors));
     constexpr int components[] = {3, 3, 4, 2, 4};
     for (GLuint i = 0; i < vertices_.size(); ++i) vertex_array_.attribute(i, vertices_[i], components[i]);
-    vertex_array_.attribute(5, bleed != nullptr ? *bleed : marks_,
-                            2);  // marks and blood of an instrument stay 0
+    vertex_array_.attribute(5, marks_, 2);  // marks and blood of an instrument stay 0
     vertex_array_.attribute(6, marks_, 2);
     vertex_array_.attribute(7, vertices_[0], 3);
     vertex_array_.attribute(8, marks_, 2);  // until densities exist
+    if (blood != nullptr) set_blood(*blood);
     take_materials(organ);
+}
+
+void OrganGpu::set_blood(const bleeding::BleedingGpu& blood) {
+    programs_->prepare(blood.model());
+    model_ = blood.model();
+    for (const bleeding::Attribute& attribute : blood.attributes())
+        vertex_array_.attribute(attribute.index, *attribute.buffer, attribute.components);
 }
 
 void OrganGpu::take_materials(const Organ& organ) {
@@ -150,16 +162,17 @@ void OrganGpu::draw(const glm::mat4& model, const TouchedTriangles* touched) con
     // Noise is most of the cost of a pixel, and most of an organ has neither blood nor char. So the wounded program
     // draws the triangles with blood or char, and the plain program draws all: a pixel that is already drawn has the
     // same depth, or one in front (draw_plain), and is not shaded again.
-    if (programs_->wounded.name() != 0) draw_wounded(model, touched);
+    if (tissue_) draw_wounded(model, touched);
     draw_plain(model);
 }
 
 void OrganGpu::draw_wounded(const glm::mat4& model, const TouchedTriangles* touched) const noexcept {
     vertex_array_.indices(indices_);
-    use(programs_->wounded, model);
+    const gl::Program& wounded = programs_->wounded(model_);
+    use(wounded, model);
     for (const Part& part : parts_) {
         const std::size_t begin = part.first_index / 3, end = begin + part.index_count / 3;
-        use(programs_->wounded, part);
+        use(wounded, part);
         if (touched == nullptr)
             draw_triangles(begin, end);
         else

@@ -1,10 +1,12 @@
 // An organ on the GPU and its shader. Render thread, context current; the view block bound at 0, bleeding's at 1.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "bleeding/bleeding_gpu.h"
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "lapfx/organ.h"
@@ -29,21 +31,30 @@ struct OrganPrograms {
     /// `tissue`: false for an instrument, which has neither blood nor metal clips. Throws Error (runtime) when a shader
     /// does not compile.
     explicit OrganPrograms(bool tissue);
+    /// Compiles what shows tissue with the blood of this model, unless that has been done. Throws as above.
+    void prepare(bleeding::Model model);
     void collect(std::vector<gl::Program*>& programs);  ///< for gl::rebuild()
-    gl::Program plain, wounded, clips;
+    const gl::Program& wounded(bleeding::Model model) const { return wounded_[static_cast<std::size_t>(model)]; }
+    gl::Program plain, clips;
+
+  private:
+    std::array<gl::Program, bleeding::model_count> wounded_;
 };
 
 class OrganGpu {
   public:
-    /// Uploads vertices and textures. `bleed` is attribute 5 (mm and clot, per organ vertex); null for an instrument,
-    /// which neither bleeds nor chars. `pixels`: those of images that have none themselves. `unsplit`: the organ before
+    /// Uploads vertices and textures. `blood` is kept as in set_blood(); null for an instrument, which neither bleeds
+    /// nor chars. `pixels`: those of images that have none themselves. `unsplit`: the organ before
     /// splitting. Throws Error (runtime) when the shader does not compile.
-    OrganGpu(const Organ& organ, const gl::Buffer* bleed, const organ::PixelList& pixels = {},
+    OrganGpu(const Organ& organ, const bleeding::BleedingGpu* blood, const organ::PixelList& pixels = {},
              const organ::Unsplit& unsplit = {});
     /// The same with programs and textures that exist.
-    OrganGpu(const Organ& organ, const gl::Buffer* bleed, std::shared_ptr<OrganPrograms> programs,
+    OrganGpu(const Organ& organ, const bleeding::BleedingGpu* blood, std::shared_ptr<OrganPrograms> programs,
              OrganTextures textures, const organ::Unsplit& unsplit);
 
+    /// The blood that is drawn: its buffers have to live as long as this object, or until this is called again. Throws
+    /// Error (runtime) when the model's shader does not compile, and then draws what it drew.
+    void set_blood(const bleeding::BleedingGpu& blood);
     /// Sends the runs of `values` (per vertex: char and divided, 0..1) that have changed;
     /// bytes sent.
     std::size_t send_marks(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept;
@@ -95,6 +106,7 @@ class OrganGpu {
     gl::Texture white_, flat_;
     std::vector<Material> materials_;
     std::vector<Part> parts_, unsplit_parts_;
+    bleeding::Model model_{};
     bool tissue_;
     bool midway_ = true;
 };

@@ -15,13 +15,12 @@ BurnList::BurnList(Touches touches, ContactFat::Sample fat_at)
     : touches_(std::move(touches)), fat_at_(std::move(fat_at)) {}
 
 void BurnList::clear() {
-    known_ = 0;
+    reader_.forget();
     fat_.clear();
 }
 
 BurnList::Same BurnList::update(const tool::Log& log) {
-    const std::size_t first = std::min(log.first_after(known_), ends_.size());
-    known_ = log.revision();
+    const std::size_t first = reader_.take(log);
     keep(first);
     const Same same{parts_.size(), suctions_.size()};
     for (const tool::Piece& piece : log.pieces().subspan(first)) {

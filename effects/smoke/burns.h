@@ -74,8 +74,8 @@ class BurnList {
     Touches touches_;
     ContactFat::Sample fat_at_;
     ContactFat fat_;
-    std::uint64_t known_ = 0;  // revision of the log
-    std::vector<Ends> ends_;   // what each of its pieces gives
+    tool::Reader reader_;
+    std::vector<Ends> ends_;  // what each of its pieces gives
     std::vector<BurnPart> parts_;
     std::vector<Suction> suctions_;
     std::vector<Burn> burns_;

@@ -1,20 +1,22 @@
 // What the tool has done: one log of strokes in the order of their times, and of their values where times are equal, so
 // that the order in which contacts are given means nothing. Heat, wounds, blood and smoke are computed from it.
 //
-//     log.update(contacts, same);                        // the first `same` of them are as they were
+//     log.update(contacts, same);  // the first `same` of them are as they were
 //     ...
-//     for (std::size_t i = log.first_after(known_); i < log.pieces().size(); ++i) take(log.pieces()[i]);
-//     known_ = log.revision();
+//     const std::size_t first = reader_.take(log);
+//     drop what was made of pieces from `first` on;
+//     for (const Piece& piece : log.pieces().subspan(first)) take(piece);
 //
 // A stroke is what one tool does from press to release: contacts that continue each other (goes_on, lapfx/tool.h). It
 // is kept as pieces, each straight and of one power and strength; cautery power over time (lapfx/curves.h) cuts hot
 // pieces finer. Contacts that are not usable (usable_contact.h) are left out.
 //
-// A reader of the log keeps the revision that it knows and takes what was written after it. So a sample of a running
+// A reader of the log knows how far it has read and takes what was written since. So a sample of a running
 // stroke costs the end of that stroke, however much happened before, and a contact that is earlier than others costs
 // these others. One thread at a time.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -83,6 +85,25 @@ class Log {
     std::vector<Piece> pieces_, written_;  // the latter and parts_ are kept for their memory
     std::vector<ToolContact> parts_;
     std::uint64_t revision_ = 0;
+};
+
+/// What somebody who makes something of each piece of a log knows of it. It must always be the same log.
+class Reader {
+  public:
+    /// The number of the first piece that is not as it was at the last call, at most how many there were then: what was
+    /// made of it and of later ones is stale.
+    std::size_t take(const Log& log) {
+        const std::size_t first = std::min(log.first_after(known_), read_);
+        known_ = log.revision();
+        read_ = log.pieces().size();
+        return first;
+    }
+    /// The next take() gives 0: all has to be made again.
+    void forget() { known_ = 0; }
+
+  private:
+    std::uint64_t known_ = 0;  // revision
+    std::size_t read_ = 0;     // pieces
 };
 
 }  // namespace lapfx::tool

@@ -58,11 +58,11 @@ float depth_of(const BleedingParameters& b, glm::vec4 sample, glm::vec3 normal) 
 TEST_F(BleedingParity, DepthIsBleedLessThresholdAndNoise) {
     const test::GpuFunction gpu({"bleeding.glsl"},
                                 "vec4(lapfx_blood(vec2(a.w, 0.0), vec3(0.0), a.xyz, u_0.xyz).depth)");
-    const BleedGpu block(1, seed, down);
+    const BleedGpu block(1);
     const auto inputs = samples();
     for (const BleedingParameters& b : parameters())
         for (const glm::vec3 normal : normals) {
-            block.set(b);
+            block.set(b, down, seed);
             block.bind();
             std::vector<glm::vec4> cpu;
             for (const glm::vec4& sample : inputs) cpu.emplace_back(depth_of(b, sample, normal));
@@ -96,10 +96,10 @@ TEST_F(BleedingParity, ColourRunsFromThinToDeepAndFilmHidesByBeerAndLambert) {
         "LapfxBlood blood(vec4 a) { return lapfx_blood(vec2(a.w, 0.0), vec3(0.0), a.xyz, u_0.xyz); }";
     const test::GpuFunction color({"bleeding.glsl"}, "vec4(blood(a).color, blood(a).gloss)", call);
     const test::GpuFunction opacity({"bleeding.glsl"}, "vec4(blood(a).opacity, blood(a).clot)", call);
-    const BleedGpu block(1, seed, down);
+    const BleedGpu block(1);
     const auto inputs = samples();
     for (const BleedingParameters& b : parameters()) {
-        block.set(b);
+        block.set(b, down, seed);
         block.bind();
         std::vector<glm::vec4> colors, opacities;
         for (const glm::vec4& sample : inputs) {
@@ -150,10 +150,10 @@ TEST_F(BleedingParity, ClotsAreBrownBlackAndDull) {
         {"bleeding.glsl"}, "vec4(blood(a).color.rg, blood(a).gloss, blood(a).opacity.r)",
         "LapfxBlood blood(vec4 a) { return lapfx_blood(vec2(a.w, u_1.x), vec3(0.0), a.xyz, u_0.xyz); }");
     BleedingParameters b;
-    const BleedGpu block(1, seed, down);
+    const BleedGpu block(1);
     const auto inputs = samples();
     const auto mean = [&](double clot) {
-        block.set(b);
+        block.set(b, down, seed);
         block.bind();
         return mean_of(gpu(inputs, {glm::vec4(normals[1], 0.0f), glm::vec4(glm::dvec4(clot)), glm::vec4(0.0f)}), inputs,
                        b);

@@ -2,7 +2,7 @@
 // above all, of smoke in the one with the most veil, and of the tissue of the baseline.
 //
 //     match::PeakColors colors(2.0, 8.0);
-//     options.measured = [&colors](Image& frame, const Estimator* estimator, const FrameAmounts& amounts) {
+//     options.measured = [&colors](const Image& frame, const Estimator* estimator, const FrameAmounts& amounts) {
 //         colors.add(frame, estimator, amounts);
 //     };
 //     match::measure(video, options);

@@ -26,10 +26,10 @@ class WoundedTest : public test::GpuTest {
     /// Linear light per pixel, rows from below.
     std::vector<glm::vec3> picture() const {
         const VertexRun all{0, static_cast<std::uint32_t>(blood.size())};
-        const bleeding::BleedGpu bleed(blood.size(), 3, {0.0, -1.0, 0.0});
-        bleed.set({});
+        const bleeding::BleedGpu bleed(blood.size());
+        bleed.set({}, {0.0, -1.0, 0.0}, 3);
         bleed.send(blood, {&all, 1});
-        const render::OrganGpu gpu(organ, &bleed.values());
+        const render::OrganGpu gpu(organ, &bleed);
         gpu.send_marks(marks, {&all, 1});
         const gl::Texture color({.size = size, .format = GL_RGBA32F}),
             depth({.size = size, .format = GL_DEPTH_COMPONENT32F});

@@ -158,9 +158,9 @@ TEST(Bleed, ASettledFieldReportsNothing) {
     EXPECT_TRUE(changes(field, 5.0));
     EXPECT_FALSE(changes(field, 6.0)) << "at its largest extent";
     EXPECT_FALSE(changes(field, 600.0));
-    EXPECT_EQ(field.bleeding_wounds(), 0);
+    EXPECT_EQ(bleeding_wounds(field.wounds()), 0);
     field.update(3.0);
-    EXPECT_EQ(field.bleeding_wounds(), 1);
+    EXPECT_EQ(bleeding_wounds(field.wounds()), 1);
 }
 
 TEST(Bleed, TheRunsHoldEveryValueThatChangedAndLittleElse) {

@@ -118,5 +118,21 @@ TEST(PointsWithin, FindsAllPointsOfAllPartsOnce) {
     EXPECT_TRUE(found.empty());
 }
 
+TEST(Surface, KnowsTheVerticesAtEachPoint) {
+    const Organ organ = test::joined(test::plane(10.0, 3), test::plane(10.0, 3), {10.0f, 0.0f, 0.0f});
+    const Surface surface(organ);
+    ASSERT_LT(surface.positions.size(), organ.positions.size()) << "both sheets share an edge";
+    std::size_t vertices = 0;
+    for (std::uint32_t point = 0; point < surface.positions.size(); ++point) {
+        std::vector<std::uint32_t> expected;
+        for (std::uint32_t v = 0; v < surface.weld.size(); ++v)
+            if (surface.weld[v] == point) expected.push_back(v);
+        const auto found = surface.vertices_at(point);
+        EXPECT_EQ(std::vector(found.begin(), found.end()), expected) << point;
+        vertices += found.size();
+    }
+    EXPECT_EQ(vertices, organ.positions.size());
+}
+
 }  // namespace
 }  // namespace lapfx::test

@@ -94,6 +94,27 @@ TEST(Log, WhoKnowsARevisionTakesWhatWasWrittenAfterIt) {
     EXPECT_EQ(contacts_of(log), (std::vector{stroke(-3, 1), stroke(0, 1)}));
 }
 
+TEST(Log, AReaderIsToldWhereWhatItReadEnds) {
+    Log log;
+    Reader reader;
+    std::vector<ToolContact> contacts{stroke(0, 1), stroke(2, 1), stroke(4, 1)};
+    log.update(contacts);
+    EXPECT_EQ(reader.take(log), 0u);
+    EXPECT_EQ(reader.take(log), 3u) << "nothing is new";
+    contacts[2].duration = 1.5;
+    log.update(contacts, 2);
+    contacts.push_back(stroke(6, 1));
+    log.update(contacts, 3);
+    EXPECT_EQ(reader.take(log), 2u);
+    contacts.resize(1);
+    log.update(contacts);
+    EXPECT_EQ(reader.take(log), 1u) << "those behind are gone";
+    EXPECT_EQ(reader.take(log), 1u);
+    reader.forget();
+    EXPECT_EQ(reader.take(log), 0u);
+    EXPECT_EQ(reader.take(log), 1u);
+}
+
 TEST(Log, AStrokeBeforeOthersCostsThoseThatComeAfterIt) {
     Log log;
     std::vector<ToolContact> contacts{stroke(0, 1), stroke(2, 1, 7), stroke(20, 1), stroke(21, 1, 1), stroke(10, 1)};
