@@ -14,6 +14,7 @@ struct AmountsModel::State {
         : simulation(std::move(foundation), direction_of(options.gravity)) {}
 
     Simulation simulation;
+    bool smokes = false;  // the preset has clips
 };
 
 AmountsModel::AmountsModel(const Organ& organ, const AmountsOptions& options)
@@ -28,15 +29,16 @@ AmountsModel::~AmountsModel() = default;
 void AmountsModel::set(const Preset& preset, std::span<const ToolContact> contacts, const Curves& curves) {
     require_valid(preset);
     state_->simulation.set(preset, contacts, curves);
+    state_->smokes = !preset.smoke.clips.empty();
 }
 
 Amounts AmountsModel::at(double time) noexcept {
     state_->simulation.seek(std::isfinite(time) ? time : 0.0);
-    return state_->simulation.amounts();
+    return state_->simulation.amounts(state_->smokes);
 }
 
 SmokeAmounts AmountsModel::smoke_at(double time) const noexcept {
-    return state_->simulation.smoke(std::isfinite(time) ? time : 0.0);
+    return state_->simulation.smoke(std::isfinite(time) ? time : 0.0, state_->smokes);
 }
 
 std::span<const WoundStatus> AmountsModel::wounds() const noexcept {

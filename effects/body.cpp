@@ -30,7 +30,7 @@ void Body::take(const Simulation& simulation) {
         organ_gpu_.set_blood(*other);
         blood_ = std::move(other);
     }
-    blood_->set(simulation.preset().bleeding, simulation.down(), seed_);
+    blood_->set(simulation.parameters().bleeding, simulation.down(), seed_);
     send_density(simulation.density());
 }
 
@@ -98,7 +98,7 @@ std::size_t Body::send(Simulation& simulation) noexcept {
     const auto there = std::ranges::upper_bound(clips, simulation.time(), {}, &cautery::Clip::time);
     const std::size_t sent = blood_->send(blood, bled) + organ_gpu_.send_marks(cautery.marks(), marked);
     const auto count = static_cast<std::size_t>(there - clips.begin());
-    const double length = simulation.preset().cautery.clip_length;
+    const double length = simulation.parameters().cautery.clip_length;
     if (clips_version_ == cautery.clips_version() && count == clips_.size() && length == clip_length_) return sent;
     clips_version_ = cautery.clips_version();
     clips_.assign(clips.begin(), there);

@@ -65,7 +65,6 @@ struct Effects::State {
     std::size_t uploaded = 0;
     std::uint64_t lost_before = 0;  // samples, of organs that are gone
     Overlay overlay = Overlay::none;
-    Preset taken;                        ///< kept from call to call: values that are dragged allocate nothing for it
     glm::vec3 organ_color{1.0f};         // linear
     std::optional<glm::mat4> projector;  // the organ is a plate
 
@@ -86,13 +85,12 @@ struct Effects::State {
         projector = thrown;
         body->set_projector(thrown);
     }
-    /// With the clips that play.
-    void take(const Preset& preset) {
-        if (&preset != &taken) taken = preset;
-        taken.smoke = smoke.parameters();
-        simulation->set_preset(taken);
+    /// `changed`: redo bits; none: it is not known.
+    void take(const SimulationParameters& parameters, std::optional<unsigned> changed = std::nullopt) {
+        changed ? simulation->set_parameters(parameters, *changed) : simulation->set_parameters(parameters);
         body->take(*simulation);
     }
+    bool smokes() const { return !smoke.parameters().clips.empty(); }
     void show_incoming();
     void free_leaving();
     /// What has no names of OpenGL.
@@ -132,7 +130,7 @@ void Effects::State::show_incoming() {
     leaving.push_back(std::move(gone));
     body->set_seed(options.seed);
     body->set_color(organ_color);
-    take(taken);
+    take(leaving.back().simulation->parameters());
     body->set_overlay(overlay, *simulation);
 }
 
@@ -174,6 +172,25 @@ void Effects::set_parameters(const Preset& preset) {
     state_->take(preset);
 }
 
+void Effects::set_parameters(const Preset& preset, unsigned changed) {
+    require_valid(preset);
+    state_->programs->prepare(bleeding::model_of(preset.bleeding));
+    if (changed & redo::smoke) state_->smoke.set_parameters(preset.smoke);
+    state_->take(preset, changed);
+}
+
+Preset Effects::preset() const {
+    const SimulationParameters& shown = state_->simulation->parameters();
+    return {.name = {},
+            .description = {},
+            .tags = {},
+            .bleeding = shown.bleeding,
+            .vessels = shown.vessels,
+            .cautery = shown.cautery,
+            .smoke = state_->smoke.parameters(),
+            .folder = {}};
+}
+
 void Effects::set_gravity(const glm::dvec3& gravity) {
     State& s = *state_;
     s.simulation->set_down(direction_of(gravity));
@@ -191,7 +208,7 @@ void Effects::set_seed(std::uint32_t seed) {
 void Effects::set_organ(std::shared_ptr<const PreparedOrgan> organ, std::span<const ToolContact> contacts) {
     State& s = *state_;
     assert(organ != nullptr);
-    OrganHistory history{.preset = s.taken,
+    OrganHistory history{.parameters = s.simulation->parameters(),
                          .contacts = {contacts.begin(), contacts.end()},
                          .curves = s.curves,
                          .down = s.simulation->down(),
@@ -243,7 +260,7 @@ void Effects::set_topology(const Organ& organ, std::span<const std::uint32_t> or
     std::vector<std::shared_ptr<const Image>> needed;  // kept until the end, so that they are decoded once
     for (const auto& one : pixels)
         if (one) needed.push_back(one->get());
-    const auto foundation = foundation_of(fine, s.simulation->preset().vessels, std::move(pixels));
+    const auto foundation = foundation_of(fine, s.simulation->parameters().vessels, std::move(pixels));
     auto body = s.make_body(fine.organ(), foundation);
     body->set_color(s.organ_color);
     if (s.projector) body->set_projector(*s.projector);
@@ -303,7 +320,7 @@ void Effects::draw_smoke(const View& view, unsigned scene_depth) noexcept {
     state_->smoke.draw(view,
                        {.burns = simulation.burns(),
                         .factor = simulation.emission_factor(),
-                        .haze = view.haze ? simulation.smoke(simulation.time()).haze : 0.0,
+                        .haze = view.haze ? simulation.smoke(simulation.time(), state_->smokes()).haze : 0.0,
                         .up = -simulation.down(),
                         .time = simulation.time()},
                        scene_depth,
@@ -321,7 +338,7 @@ void Effects::bind_bleeding() const noexcept {
 }
 
 Amounts Effects::amounts() const noexcept {
-    Amounts amounts = state_->simulation->amounts();
+    Amounts amounts = state_->simulation->amounts(state_->smokes());
     amounts.lost_samples += state_->queue.missed() + state_->lost_before;
     return amounts;
 }

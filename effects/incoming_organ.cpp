@@ -39,7 +39,7 @@ IncomingOrgan::Made IncomingOrgan::make(const PreparedOrgan& organ, const OrganH
     }
     if (stop) return made;
     made.simulation = std::make_unique<Simulation>(foundation, history.down);
-    made.simulation->set(history.preset, history.contacts, history.curves);
+    made.simulation->set(history.parameters, history.contacts, history.curves);
     if (stop) return made;
     made.simulation->seek(history.time);
     return made;

@@ -16,7 +16,7 @@ namespace lapfx {
 
 /// What the new organ has gone through, and with what.
 struct OrganHistory {
-    Preset preset;
+    SimulationParameters parameters;
     std::vector<ToolContact> contacts;
     Curves curves;
     glm::dvec3 down{0.0, -1.0, 0.0};  ///< unit

@@ -41,7 +41,6 @@ struct Preview::State {
     State(const Scene& wanted, const Preset& wanted_preset, std::shared_ptr<const PreparedOrgan> made,
           const PreviewOptions& options)
         : scene(wanted),
-          preset(wanted_preset),
           prepared(require_same(wanted, std::move(made))),
           effects(prepared, wanted_preset, effects_options(wanted, options)) {
         const PreparedOrganAccess::State& known = PreparedOrganAccess::state(*prepared);
@@ -63,7 +62,6 @@ struct Preview::State {
     }
 
     Scene scene;
-    Preset preset;
     bool haze_shown = true;
     std::shared_ptr<const PreparedOrgan> prepared;
     Effects effects;
@@ -243,7 +241,7 @@ Layers Preview::layers(double time, glm::ivec2 size) {
     const std::vector<float> black = over(0.0F), white = over(1.0F);
     s.draw_tissue(view, time);
     const std::vector<float> bloody = read_linear(size);
-    const Preset whole = s.preset;
+    const Preset whole = s.effects.preset();
     Preset dry = whole;
     dry.bleeding.max_extent = 0.0;
     dry.bleeding.threshold = 10.0;
@@ -282,12 +280,13 @@ ShownAmounts amounts_of(const Layers& layers) {
 }
 
 void Preview::set_preset(const Preset& preset) {
-    state_->preset = preset;
     state_->effects.set_preset(preset);
 }
 void Preview::set_parameters(const Preset& preset) {
-    state_->preset = preset;
     state_->effects.set_parameters(preset);
+}
+void Preview::set_parameters(const Preset& preset, unsigned changed) {
+    state_->effects.set_parameters(preset, changed);
 }
 
 bool Preview::takes(const Scene& scene) const {

@@ -5,11 +5,14 @@
 #include <unordered_map>
 
 #include "inputs.h"
+#include "lapfx/authoring/compare.h"
 #include "smoke/plume.h"
 
 namespace lapfx {
 
 namespace {
+
+constexpr unsigned all_bits = ~0U;
 
 /// For each vertex of the new organ, the vertex of the previous one that it was, or Bleeding::gone. `origin` has only
 /// the vertices that the host gave; a midpoint was the previous midpoint between the same two vertices, if their edge
@@ -46,28 +49,46 @@ Simulation::Tissue::Tissue(std::shared_ptr<const Foundation> of, bleeding::Model
 
 Simulation::Simulation(std::shared_ptr<const Foundation> foundation, const glm::dvec3& down)
     : down_(down),
-      tissue_(std::make_unique<Tissue>(std::move(foundation), bleeding::model_of(preset_.bleeding), down)) {}
+      tissue_(std::make_unique<Tissue>(std::move(foundation), bleeding::model_of(parameters_.bleeding), down)) {}
 
-void Simulation::put(const Preset& preset) {
-    if (!(preset.vessels == preset_.vessels)) {
-        tissue_->cautery.strengths_changed();
+unsigned difference(const SimulationParameters& a, const SimulationParameters& b) {
+    static const Table &smoke = *preset_table().find("smoke"), &bleeding = *preset_table().find("bleeding"),
+                       &vessels = *preset_table().find("vessels"), &cautery = *preset_table().find("cautery"),
+                       &plume = *smoke.find("plume"), &haze = *smoke.find("haze");
+    return difference(bleeding, &a.bleeding, &b.bleeding) | difference(vessels, &a.vessels, &b.vessels) |
+           difference(cautery, &a.cautery, &b.cautery) | difference(plume, &a.plume, &b.plume) |
+           difference(haze, &a.haze, &b.haze);
+}
+
+void Simulation::put(const SimulationParameters& parameters, unsigned changed) {
+    if (changed & redo::densities) {
+        tissue_->density.set(parameters.vessels);  // may throw
         tissue_->burns.clear();
+        changed |= redo::heat;  // wounds are as strong as vessels are dense
     }
-    tissue_->density.set(preset.vessels);
-    preset_ = preset;
-    if (bleeding::model_of(preset.bleeding) != tissue_->blood->model()) renew_blood();
+    parameters_ = parameters;
+    any_set_ = true;
+    tissue_->cautery.set_parameters(parameters_.cautery, changed);
+    if (bleeding::model_of(parameters_.bleeding) == tissue_->blood->model())
+        tissue_->blood->set_parameters(parameters_.bleeding, changed);
+    else
+        renew_blood();
+    if (changed & redo::haze) haze_.set_parameters(parameters_.haze);
 }
 
 void Simulation::put(const Curves& curves) {
     bleeding_factor_ = FactorCurve(curves.bleeding_strength);
     emission_factor_ = FactorCurve(curves.emission);
     tissue_->blood->set_strength(bleeding_factor_);
+    haze_.set_factor(emission_factor_);
     log_.set_power(curves.cautery_power);
 }
 
 /// For another gravity or model. What the tool has done is to be taken again.
 void Simulation::renew_blood() {
-    auto renewed = bleeding::make_bleeding(bleeding::model_of(preset_.bleeding), tissue_->foundation->surface, down_);
+    auto renewed =
+        bleeding::make_bleeding(bleeding::model_of(parameters_.bleeding), tissue_->foundation->surface, down_);
+    renewed->set_parameters(parameters_.bleeding, all_bits);
     renewed->set_strength(bleeding_factor_);
     renewed->replace(*tissue_->blood);
     tissue_->blood = std::move(renewed);
@@ -88,19 +109,31 @@ std::span<const ToolContact> Simulation::placed(std::span<const ToolContact> con
     return placed_;
 }
 
-void Simulation::set(const Preset& preset, std::span<const ToolContact> contacts, const Curves& curves) {
-    put(preset);
+/// Bits of what differs from the parameters in use. At first nothing has been made of any.
+unsigned Simulation::changed_to(const SimulationParameters& parameters) const {
+    return any_set_ ? difference(parameters_, parameters) : all_bits;
+}
+
+void Simulation::set(const SimulationParameters& parameters, std::span<const ToolContact> contacts,
+                     const Curves& curves) {
+    const unsigned changed = changed_to(parameters);
+    put(parameters, changed);
     put(curves);
     recorder_.set(placed(contacts));
     update_log();
-    take_pieces();
+    take_pieces(changed);
     take_wounds();
 }
 
-void Simulation::set_preset(const Preset& preset) {
-    put(preset);
-    take_pieces();
+void Simulation::set_parameters(const SimulationParameters& parameters, unsigned changed) {
+    if (!any_set_) changed = all_bits;
+    put(parameters, changed);
+    take_pieces(changed);
     take_wounds();
+}
+
+void Simulation::set_parameters(const SimulationParameters& parameters) {
+    set_parameters(parameters, changed_to(parameters));
 }
 
 void Simulation::set_curves(const Curves& curves) {
@@ -129,31 +162,32 @@ void Simulation::take_samples() {
 
 void Simulation::set_surface(std::shared_ptr<const Foundation> foundation, std::span<const std::uint32_t> origin) {
     auto tissue = std::make_unique<Tissue>(std::move(foundation), tissue_->blood->model(), down_);
+    tissue->blood->set_parameters(parameters_.bleeding, all_bits);
     tissue->blood->set_strength(bleeding_factor_);
     tissue->blood->keep(*tissue_->blood, sources_of(*tissue_->foundation, *tissue->foundation, origin), time_);
-    tissue->density.set(preset_.vessels);
+    tissue->cautery.set_parameters(parameters_.cautery, all_bits);
+    tissue->density.set(parameters_.vessels);
     tissue_ = std::move(tissue);
     take_pieces();
     take_wounds();
 }
 
 /// Brings the tissue up to date with what was written to the log since the last call.
-void Simulation::take_pieces() {
-    tissue_->cautery.set(log_, preset_.cautery);
-    tissue_->blood->set_clearing(log_, preset_.bleeding);
+void Simulation::take_pieces(unsigned changed) {
+    tissue_->cautery.set(log_);
+    tissue_->blood->set_clearing(log_);
     smoke::BurnList::Same same = tissue_->burns.update(log_);
-    if (fat_gain_ != preset_.smoke.plume.fat_gain) same.parts = 0;
-    fat_gain_ = preset_.smoke.plume.fat_gain;
+    if (changed & redo::emission) same.parts = 0;
     emissions_.resize(same.parts);
     for (const smoke::BurnPart& part : tissue_->burns.parts().subspan(same.parts))
         emissions_.push_back({.start = part.contact.time,
                               .end = part.contact.end(),
-                              .power = smoke::emission(part.contact, part.fat, preset_.smoke.plume)});
-    haze_.set(emissions_, tissue_->burns.suctions(), preset_.smoke.haze, emission_factor_, same.parts, same.suctions);
+                              .power = smoke::emission(part.contact, part.fat, parameters_.plume)});
+    haze_.set(emissions_, tissue_->burns.suctions(), same.parts, same.suctions);
 }
 
 void Simulation::take_wounds() {
-    tissue_->blood->set(tissue_->cautery.wounds(), preset_.bleeding);
+    tissue_->blood->set_wounds(tissue_->cautery.wounds());
     tissue_->wounds_version = tissue_->cautery.wounds_version();
 }
 
@@ -164,13 +198,13 @@ void Simulation::seek(double time) noexcept {
     tissue_->blood->update(time);
 }
 
-SmokeAmounts Simulation::smoke(double time) const noexcept {
-    if (preset_.smoke.clips.empty()) return {};
+SmokeAmounts Simulation::smoke(double time, bool smokes) const noexcept {
+    if (!smokes) return {};
     return {.haze = haze_.density(time), .emission = haze_.emission(recorder_.acting(time))};
 }
 
-Amounts Simulation::amounts() const noexcept {
-    const SmokeAmounts smoke = this->smoke(time_);
+Amounts Simulation::amounts(bool smokes) const noexcept {
+    const SmokeAmounts smoke = this->smoke(time_, smokes);
     const bleeding::BloodAmount blood = tissue_->blood->amount();
     const std::span<const WoundStatus> wounds = tissue_->blood->wounds();
     return {.blood_area = blood.area,

@@ -2,9 +2,9 @@
 // Effects draws it and AmountsModel asks it for amounts, so both agree to the last bit.
 //
 //     Simulation simulation(foundation, down);
-//     simulation.set_preset(preset);
-//     simulation.set_contacts(contacts);       // or add(sample) for each sample of a tool, then take_samples()
-//     simulation.seek(time);                   // any time, any order
+//     simulation.set_parameters(preset, changed);  // redo bits; or without them: it compares
+//     simulation.set_contacts(contacts);           // or add(sample) for each sample of a tool, then take_samples()
+//     simulation.seek(time);                       // any time, any order
 //     draw(simulation.blood());
 //
 // Callers check presets and directions first (inputs.h). Lengths mm, times s. One thread at a time.
@@ -30,6 +30,25 @@
 
 namespace lapfx {
 
+/// Of a preset, what the simulation depends on: numbers alone. It does not know the clips.
+struct SimulationParameters {
+    SimulationParameters() = default;
+    SimulationParameters(const Preset& preset)
+        : bleeding(preset.bleeding),
+          vessels(preset.vessels),
+          cautery(preset.cautery),
+          plume(preset.smoke.plume),
+          haze(preset.smoke.haze) {}
+
+    BleedingParameters bleeding;
+    VesselParameters vessels;
+    CauteryParameters cautery;
+    PlumeParameters plume;
+    HazeParameters haze;
+};
+/// The redo bits (lapfx/parameter.h) of what differs.
+unsigned difference(const SimulationParameters& a, const SimulationParameters& b);
+
 class Simulation {
   public:
     /// `down`: unit, organ space.
@@ -39,8 +58,10 @@ class Simulation {
 
     /// Each change takes effect immediately, also on what has already happened; amounts of blood and wounds follow at
     /// the next seek().
-    void set(const Preset& preset, std::span<const ToolContact> contacts, const Curves& curves);
-    void set_preset(const Preset& preset);
+    void set(const SimulationParameters& parameters, std::span<const ToolContact> contacts, const Curves& curves);
+    /// `changed`: the redo bits of what differs from the parameters before; too many are right, too few are not.
+    void set_parameters(const SimulationParameters& parameters, unsigned changed);
+    void set_parameters(const SimulationParameters& parameters);
     void set_curves(const Curves& curves);
     void set_down(const glm::dvec3& down);
     /// Replaces all contacts. On a plate they are where the camera sees them: an organ's own are not at its depth.
@@ -54,13 +75,14 @@ class Simulation {
     void seek(double time) noexcept;
 
     double time() const { return time_; }
-    Amounts amounts() const noexcept;
-    /// Of any time, without seeking it. A preset without clips has no smoke.
-    SmokeAmounts smoke(double time) const noexcept;
+    /// Smoke is that of any preset, but one without clips makes none: their owner says `smokes`.
+    Amounts amounts(bool smokes = true) const noexcept;
+    /// Of any time, without seeking it.
+    SmokeAmounts smoke(double time, bool smokes = true) const noexcept;
     /// Whether a tip at a place of the rest shape touches tissue.
     bool touches(const glm::dvec3& place) const { return cautery::touches(tissue_->foundation->surface, place); }
 
-    const Preset& preset() const { return preset_; }
+    const SimulationParameters& parameters() const { return parameters_; }
     const glm::dvec3& down() const { return down_; }
     std::span<const ToolContact> contacts() const { return recorder_.contacts(); }
     const Foundation& foundation() const { return *tissue_->foundation; }
@@ -85,22 +107,23 @@ class Simulation {
         std::uint64_t wounds_version = 0;
     };
     std::span<const ToolContact> placed(std::span<const ToolContact> contacts);
-    void put(const Preset& preset);
+    void put(const SimulationParameters& parameters, unsigned changed);
     void put(const Curves& curves);
+    unsigned changed_to(const SimulationParameters& parameters) const;
     void renew_blood();
     void update_log();
-    void take_pieces();
+    void take_pieces(unsigned changed = 0);
     void take_wounds();
 
     glm::dvec3 down_;
-    Preset preset_;
+    SimulationParameters parameters_;
+    bool any_set_ = false;  // they have been set by somebody
     std::vector<ToolContact> placed_;
     tool::Recorder recorder_;
     tool::Log log_;
     FactorCurve bleeding_factor_, emission_factor_;
     std::unique_ptr<Tissue> tissue_;
     std::vector<smoke::Emission> emissions_;  // of each part of the burns
-    double fat_gain_ = 0.0;                   // that they are of
     smoke::HazeCurve haze_;
     double time_ = 0.0;
 };

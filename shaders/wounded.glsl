@@ -1,5 +1,6 @@
-// Tissue with what surgery does to it: divided, charred, covered with blood, in this order from below. Whatever the model
-// of bleeding: the includer includes tissue.glsl and LapfxBlood (bleeding.glsl) before, and defines blood_here() after.
+// Tissue with what surgery does to it: divided, charred, covered with blood, in this order from below; whatever the
+// model of bleeding. The includer includes tissue.glsl and LapfxBlood (bleeding.glsl) before, and defines blood_here()
+// after.
 
 // The blood of this pixel; `geometric`: normal of the tissue.
 LapfxBlood blood_here(vec3 geometric);

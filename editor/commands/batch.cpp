@@ -90,32 +90,34 @@ void collect(const std::string& results) {
               << " failed, " << entries.size() - done - failed << " unfinished\n";
 }
 
-CLI::App* add_part(CLI::App& verb, const char* name, const char* help, const char* examples) {
-    CLI::App* part = verb.add_subcommand(name, help);
-    part->group("Parts");
-    part->footer(examples);
-    return part;
-}
-
-void add_list(CLI::App& verb) {
-    auto o = std::make_shared<ListOptions>();
-    CLI::App* part = add_part(
-        verb, "list", "Print the scenes and videos of a folder, one a line",
+Verb list_part() {
+    const auto o = std::make_shared<ListOptions>();
+    Verb part{.name = "list", .help = "Print the scenes and videos of a folder, one a line", .run = [o] { list(*o); }};
+    part.argument("FOLDER", "The folder", &o->folder, {.required = true});
+    part.option("--into", "RESULTS", "The folder of the results, which is not looked through", &o->results);
+    part.footer =
         "Scenes are *.scene.json, videos have a name that `lapfx help files` lists. Folders below are looked through,\n"
         "too, but not those of results. A video that is there twice, by its content, is listed once, and one that a\n"
         "scene of the list has as its reference is not: the scene is fitted to it. What is left out is told on "
         "stderr.\n\n"
-        "Example:\n  lapfx batch list samples");
-    part->add_option("FOLDER", o->folder, "The folder")->required();
-    part->add_option("--into", o->results, "The folder of the results, which is not looked through")
-        ->option_text("RESULTS");
-    part->callback([o] { list(*o); });
+        "Example:\n  lapfx batch list samples";
+    return part;
 }
 
-void add_run(CLI::App& verb) {
-    auto o = std::make_shared<RunOptions>();
-    CLI::App* part = add_part(
-        verb, "run", "Fit or measure one item of the list",
+Verb run_part() {
+    const auto o = std::make_shared<RunOptions>();
+    Verb part{.name = "run", .help = "Fit or measure one item of the list", .run = [o] { run(*o); }};
+    part.argument("FOLDER", "The folder of the list", &o->folder, {.required = true});
+    part.argument("ITEM", "A line of the list", &o->item);
+    part.option("--number", "N",
+                "The item by its line in the list, from 1, for job arrays; the folder must not change meanwhile",
+                &o->number, {.number = Number::whole});
+    part.option("--into", "RESULTS", "The folder of the results; made where it is missing", &o->results,
+                {.required = true});
+    part.option("--scene", "FILE.scene.json", "The scene that videos are fitted with", &o->run.fit.files.scene);
+    add_fit_options(part, o->run.fit, "a scene");
+    part.flag("--again", "Also what is done", &o->run.again);
+    part.footer =
         "A scene is fitted to the reference that it names. A video is fitted with --scene, whose events move to when\n"
         "smoke and blood of the video begin, and without --scene it is measured.\n\n"
         "RESULTS/ITEM/ gets amounts.csv, of a fit also fitted.json, fitted.scene.json, curves.csv and report.html, "
@@ -126,49 +128,36 @@ void add_run(CLI::App& verb) {
         "failed\n"
         "otherwise (exit 1) or was killed is done by the next run. Two processes never do one item: the second says\n"
         "so and ends with 0.\n\n"
-        "Example:\n  lapfx batch run samples reference/operation.mp4 --window 0,2 --into results");
-    part->add_option("FOLDER", o->folder, "The folder of the list")->required();
-    part->add_option("ITEM", o->item, "A line of the list");
-    part->add_option("--number", o->number,
-                     "The item by its line in the list, from 1, for job arrays; the folder must not change meanwhile")
-        ->option_text("N")
-        ->check(whole_number());
-    part->add_option("--into", o->results, "The folder of the results; made where it is missing")
-        ->option_text("RESULTS")
-        ->required();
-    part->add_option("--scene", o->run.fit.files.scene, "The scene that videos are fitted with")
-        ->option_text("FILE.scene.json");
-    add_fit_options(*part, o->run.fit, "a scene");
-    part->add_flag("--again", o->run.again, "Also what is done");
-    part->callback([o] { run(*o); });
+        "Example:\n  lapfx batch run samples reference/operation.mp4 --window 0,2 --into results";
+    return part;
 }
 
-void add_collect(CLI::App& verb) {
-    auto results = std::make_shared<std::string>();
-    CLI::App* part = add_part(
-        verb, "collect", "Make a table and an index page of all results",
+Verb collect_part() {
+    const auto results = std::make_shared<std::string>();
+    Verb part{.name = "collect", .help = "Make a table and an index page of all results", .run = [results] {
+                  collect(*results);
+              }};
+    part.argument("RESULTS", "The folder of the results", results.get(), {.required = true});
+    part.footer =
         "RESULTS/table.csv has a row for each item: state and fault, peak and mean of blood and veil of the video, of "
         "a\n"
         "fit their root mean square differences before and after, and of each parameter its value before and after\n"
         "and its interval. RESULTS/index.html shows them with curves and pictures, and leads to the reports.\n\n"
-        "Example:\n  lapfx batch collect results");
-    part->add_option("RESULTS", *results, "The folder of the results")->required();
-    part->callback([results] { collect(*results); });
+        "Example:\n  lapfx batch collect results";
+    return part;
 }
 
 }  // namespace
 
-void add_batch(CLI::App& app) {
-    CLI::App* verb = app.add_subcommand("batch", "Fit or measure many scenes and videos, one in each process");
-    verb->require_subcommand(1);
-    add_list(*verb);
-    add_run(*verb);
-    add_collect(*verb);
-    verb->footer(
+Verb batch_verb() {
+    Verb verb{.name = "batch", .help = "Fit or measure many scenes and videos, one in each process"};
+    verb.parts = {list_part(), run_part(), collect_part()};
+    verb.footer =
         "What starts the processes is GNU parallel, the job array of a cluster, or a loop:\n\n"
         "    lapfx batch list videos | parallel lapfx batch run videos {} --scene usual.scene.json --into results\n"
         "    lapfx batch collect results\n\n"
-        "Run again, it goes on where it stopped.");
+        "Run again, it goes on where it stopped.";
+    return verb;
 }
 
 }  // namespace lapfx::commands

@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
+#include "commands/command_line.h"
 
 namespace lapfx::commands {
 
@@ -35,6 +33,6 @@ inline constexpr int fit_cases = 24;  ///< of `bench fit`
 using RunBench = std::function<void(const std::string& part, const BenchOptions& options)>;
 
 /// The verb with all of its parts, each of which calls `run`.
-void declare_bench(CLI::App& app, RunBench run);
+Verb bench_verb(RunBench run);
 
 }  // namespace lapfx::commands

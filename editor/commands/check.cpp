@@ -1,5 +1,4 @@
 // lapfx check: validates presets and scenes, with the files that they name, or prints their schema.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 
@@ -93,27 +92,29 @@ void check_files(const std::vector<std::string>& files) {
 
 void run(const Options& options) {
     if (options.schema.empty() && options.files.empty())
-        throw CLI::RequiredError("check: a FILE, or --schema preset|scene,");
+        throw Error(Failure::bad_input,
+                    Fault{.file = "",
+                          .place = "",
+                          .reason = "check: a FILE, or --schema preset|scene, is required (see lapfx help)"});
     if (!options.schema.empty()) std::cout << (options.schema == "preset" ? preset_schema() : scene_schema());
     check_files(options.files);
 }
 
 }  // namespace
 
-void add_check(CLI::App& app) {
+Verb check_verb() {
     auto options = std::make_shared<Options>();
-    CLI::App* verb = app.add_subcommand(
-        "check", "Validate presets and scenes and open the files that they name; every fault is printed");
-    verb->add_option("FILE.json", options->files, "Presets and scenes");
-    verb->add_option("--schema", options->schema, "Print the JSON Schema of presets or scenes instead")
-        ->option_text("preset|scene")
-        ->check(CLI::IsMember({"preset", "scene"}))
-        ->excludes("FILE.json");
-    verb->footer(
-        "Examples:\n"
-        "  lapfx check presets/gastric_banding.json samples/lagb.scene.json\n"
-        "  lapfx check --schema preset");
-    verb->callback([options] { run(*options); });
+    Verb verb{.name = "check",
+              .help = "Validate presets and scenes and open the files that they name; every fault is printed",
+              .footer =
+                  "Examples:\n"
+                  "  lapfx check presets/gastric_banding.json samples/lagb.scene.json\n"
+                  "  lapfx check --schema preset",
+              .run = [options] { run(*options); }};
+    verb.argument("FILE.json", "Presets and scenes", &options->files);
+    verb.option("--schema", "preset|scene", "Print the JSON Schema of presets or scenes instead", &options->schema,
+                {.words = {"preset", "scene"}, .excludes = {"FILE.json"}});
+    return verb;
 }
 
 }  // namespace lapfx::commands

@@ -1,27 +1,32 @@
-// The verbs of `lapfx`. Each has its own file here and adds itself to the command line; its callback does the work and
-// throws lapfx::Error on failure. program.cpp turns that into lines on stderr and an exit code.
+// The verbs of `lapfx`. Each has its own file here, says what it takes (command_line.h) and throws lapfx::Error on
+// failure. program.cpp turns that into lines on stderr and an exit code.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "commands/command_line.h"
 
 namespace lapfx::commands {
 
-void add_render(CLI::App& app);
-void add_sheet(CLI::App& app);
-void add_picture(CLI::App& app);
-void add_edit(CLI::App& app);
-void add_check(CLI::App& app);
-void add_measure(CLI::App& app);
-void add_fit(CLI::App& app);
-void add_batch(CLI::App& app);
-void add_compare(CLI::App& app);
-void add_inspect(CLI::App& app);
-void add_migrate(CLI::App& app);
-void add_bench(CLI::App& app);
-void add_gallery(CLI::App& app);
-/// Last: it lists the others.
-void add_help(CLI::App& app);
+Verb render_verb();
+Verb sheet_verb();
+Verb picture_verb();
+Verb edit_verb();
+Verb check_verb();
+Verb measure_verb();
+Verb fit_verb();
+Verb batch_verb();
+Verb compare_verb();
+Verb inspect_verb();
+Verb migrate_verb();
+Verb bench_verb();
+Verb gallery_verb();
+Verb help_verb();
+
+/// `lapfx` with all of them.
+Verb program();
+/// With these alone.
+Verb program_of(std::vector<Verb> verbs);
+
+/// What the help of the program says below its lists.
+std::string overview_footer();
 
 }  // namespace lapfx::commands

@@ -227,25 +227,24 @@ std::string figure_list() {
 
 }  // namespace
 
-void add_compare(CLI::App& app) {
-    auto o = std::make_shared<Options>();
-    CLI::App* verb = app.add_subcommand("compare", "Tell how close a scene's blood and smoke are to a surgery video's");
-    verb->add_option("SCENE|VIDEO", o->shown, "The scene (.scene.json), or a video of it, or numbered images")
-        ->required();
-    verb->add_option("REFERENCE", o->match.reference, "The video, or numbered images: frame_%04d.png")->required();
-    verb->add_option("--at-most", o->at_most,
-                     "Fail (exit code 1) where that figure is farther, such as veil_rms=0.05; may be repeated")
-        ->option_text("NAME=VALUE")
-        ->allow_extra_args(false);
-    verb->add_option("--preset", o->preset, "Of a scene: this preset instead of the one that it names")
-        ->option_text("FILE.json");
-    verb->add_option("--set", o->settings,
-                     "Of a scene: change one parameter, such as bleeding.speed=8; may be repeated")
-        ->option_text("KEY=VALUE")
-        ->allow_extra_args(false);
-    add_match_options(*verb, o->match, "scene or video", "compared");
-    verb->add_option("--json", o->json, "Write all that was found to this file, too")->option_text("FILE");
-    verb->footer(
+Verb compare_verb() {
+    const auto o = std::make_shared<Options>();
+    Verb verb{.name = "compare",
+              .help = "Tell how close a scene's blood and smoke are to a surgery video's",
+              .run = [o] { run(*o); }};
+    verb.argument("SCENE|VIDEO", "The scene (.scene.json), or a video of it, or numbered images", &o->shown,
+                  {.required = true});
+    verb.argument("REFERENCE", "The video, or numbered images: frame_%04d.png", &o->match.reference,
+                  {.required = true});
+    verb.option("--at-most", "NAME=VALUE",
+                "Fail (exit code 1) where that figure is farther, such as veil_rms=0.05; may be repeated", &o->at_most,
+                {.one_each = true});
+    verb.option("--preset", "FILE.json", "Of a scene: this preset instead of the one that it names", &o->preset);
+    verb.option("--set", "KEY=VALUE", "Of a scene: change one parameter, such as bleeding.speed=8; may be repeated",
+                &o->settings, {.one_each = true});
+    add_match_options(verb, o->match, "scene or video", "compared");
+    verb.option("--json", "FILE", "Write all that was found to this file, too", &o->json);
+    verb.footer =
         "Both are measured by the same estimator (see lapfx measure); a scene is drawn off-screen for it,\n"
         "every 0.2 s, or where it is long at 60 times, but at least every 0.5 s. It prints one line in words,\n"
         "then each figure. The preview is the scene or the first video. Differences are preview - reference,\n"
@@ -259,8 +258,8 @@ void add_compare(CLI::App& app) {
         "\n"
         "Examples:\n"
         "  lapfx compare samples/lagb.scene.json samples/reference/operation.mp4 --window 0,3 --json near.json\n"
-        "  lapfx compare samples/lagb.scene.json samples/reference/operation.mp4 --window 0,3 --at-most veil_rms=0.2");
-    verb->callback([o] { run(*o); });
+        "  lapfx compare samples/lagb.scene.json samples/reference/operation.mp4 --window 0,3 --at-most veil_rms=0.2";
+    return verb;
 }
 
 }  // namespace lapfx::commands

@@ -73,32 +73,25 @@ std::string set(const std::vector<std::string>& words, const std::vector<std::st
     return out + ')';
 }
 
-std::vector<std::string> names_of(const CLI::Option& option) {
-    std::vector<std::string> names;
-    for (const std::string& name : option.get_snames()) names.push_back('-' + name);
-    for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
-    return names;
-}
-
 /// The arm of a command: what it takes, and behind an option with a value what that may be.
-std::string arm(const CLI::App& app, const std::string& name) {
+std::string arm(const Verb& program, const Verb& verb, const std::string& name) {
     std::vector<std::string> words, endings;
     std::string behind;
-    for (const CLI::App* part : app.get_subcommands({})) words.push_back(part->get_name());
-    for (const CLI::Option* option : app.get_options()) {
-        const std::vector<std::string> names = names_of(*option);
-        const Values values = values_of(option->get_positional() ? option->get_name(true) : option->get_option_text());
-        if (option->get_positional()) {
+    for (const Verb& part : verb.parts) words.push_back(part.name);
+    for (const Option& option : verb.options) {
+        const Values values = values_of(option.is_argument() ? option.names : option.takes);
+        if (option.is_argument()) {
             words.insert(words.end(), values.words.begin(), values.words.end());
             endings.insert(endings.end(), values.endings.begin(), values.endings.end());
             continue;
         }
+        const std::vector<std::string> names = option.split_names();
         words.insert(words.end(), names.begin(), names.end());
-        if (!option->get_option_text().empty())
+        if (!option.takes.empty())
             behind += "                " + joined(names, " | ") + ") " + set(values.words, values.endings) + " ;;\n";
     }
-    if (app.get_name() == "help")  // WORD is a command, too
-        for (const CLI::App* verb : app.get_parent()->get_subcommands({})) words.push_back(verb->get_name());
+    if (verb.name == "help")  // WORD is a command, too
+        for (const Verb& command : program.parts) words.push_back(command.name);
     std::string out = "        \"" + name + "\")\n            " + set(words, endings) + '\n';
     if (!behind.empty()) out += "            case $before in\n" + behind + "            esac\n";
     return out + "            ;;\n";
@@ -115,18 +108,18 @@ Values values_of(std::string_view takes) {
     return values;
 }
 
-std::string bash_completion(const CLI::App& app) {
+std::string bash_completion(const Verb& program) {
     std::vector<std::string> verbs, with_parts;
     std::string arms;
-    for (const CLI::App* verb : app.get_subcommands({})) {
-        verbs.push_back(verb->get_name());
-        arms += arm(*verb, verb->get_name());
-        for (const CLI::App* part : verb->get_subcommands({}))
-            arms += arm(*part, verb->get_name() + ' ' + part->get_name());
-        if (!verb->get_subcommands({}).empty()) with_parts.push_back(verb->get_name());
+    for (const Verb& verb : program.parts) {
+        verbs.push_back(verb.name);
+        arms += arm(program, verb, verb.name);
+        for (const Verb& part : verb.parts) arms += arm(program, part, verb.name + ' ' + part.name);
+        if (!verb.parts.empty()) with_parts.push_back(verb.name);
     }
     // The first word is a command, or a file for the editor.
-    return std::string(script_begin) + "    local verbs=\"" + joined(verbs, " ") + "\"\n" +
+    std::string out(script_begin);
+    return out.append("    local verbs=\"") + joined(verbs, " ") + "\"\n" +
            "    case \" $verbs \" in\n        *\" ${COMP_WORDS[1]} \"*) command=${COMP_WORDS[1]} ;;\n    esac\n" +
            "    case $command in\n        " + joined(with_parts, " | ") +
            ") [ \"$COMP_CWORD\" -eq 2 ] || command+=\" ${COMP_WORDS[2]}\" ;;\n    esac\n" +

@@ -1,16 +1,17 @@
 // What completes the command line of lapfx in bash, made from the options of its commands.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "commands/command_line.h"
 
 namespace lapfx::commands {
 
 /// A script for bash that completes commands, their parts and options, and values: words where an option takes one of
 /// some, and files of the kinds that are taken.
-std::string bash_completion(const CLI::App& app);
+std::string bash_completion(const Verb& program);
 
 /// What a value may be.
 struct Values {

@@ -225,44 +225,39 @@ void run(const Options& o) {
 
 }  // namespace
 
-void add_edit(CLI::App& app) {
-    auto o = std::make_shared<Options>();
-    CLI::App* verb = app.add_subcommand("edit", "Open the editor; on the sample scene if no file is given");
-    verb->add_option("FILE", o->files,
-                     "A scene or preset (.json), an organ (" + listed(Content::mesh, ", ") +
-                         "), a video or image of smoke (added to the preset's clips) or of a surgery (the reference), "
-                         "numbered images (smoke_%04d.png)");
-    verb->add_option("--screenshot", o->screenshot, "Write a PNG of the editor instead of opening a window")
-        ->option_text("FILE");
-    verb->add_option("--size", o->size,
-                     "Size in pixels, of a window at scale 1; default: the size at which the window was last closed, "
-                     "for files 1440x900")
-        ->option_text("WxH");
-    verb->add_option("--layout", o->layout, "How panels are arranged; NAME is a layout of your own")
-        ->option_text("Tune|Key|Compare|Stage|NAME");
-    verb->add_option("--theme", o->theme, "Colours of the user interface")->option_text("dark|light");
-    verb->add_option("--at", o->at, "The time that is shown")
-        ->option_text("SECONDS")
-        ->check(finite_number())
-        ->check(CLI::Range(0.0, 86400.0));
-    verb->add_option("--scale", o->scale, "Scale of the user interface, 0.75 to 3")
-        ->option_text("NUMBER")
-        ->check(finite_number())
-        ->check(CLI::Range(0.75, 3.0));
-    verb->add_option("--backend", o->backend, "For --screenshot: the OpenGL that draws; auto is EGL, else OSMesa")
-        ->option_text("egl|osmesa|auto")
-        ->capture_default_str();
-    verb->add_option("--dump", o->dump,
-                     "Write all widgets with names, values and places instead of opening a window: .json, or one line "
-                     "per widget")
-        ->option_text("FILE");
-    verb->add_option("--dump-on-close", o->dump_on_close, "Like --dump, but when the window is closed")
-        ->option_text("FILE");
-    verb->add_flag("--statistics", o->statistics,
-                   "Print a line on stderr for every frame of the window and why it was drawn, and the memory that the "
-                   "window uses");
-    verb->footer("Example:\n  lapfx edit samples/lagb.scene.json --layout Key --screenshot key.png");
-    verb->callback([o] { run(*o); });
+Verb edit_verb() {
+    const auto o = std::make_shared<Options>();
+    Verb verb{.name = "edit",
+              .help = "Open the editor; on the sample scene if no file is given",
+              .footer = "Example:\n  lapfx edit samples/lagb.scene.json --layout Key --screenshot key.png",
+              .run = [o] { run(*o); }};
+    verb.argument("FILE",
+                  "A scene or preset (.json), an organ (" + listed(Content::mesh, ", ") +
+                      "), a video or image of smoke (added to the preset's clips) or of a surgery (the reference), "
+                      "numbered images (smoke_%04d.png)",
+                  &o->files);
+    verb.option("--screenshot", "FILE", "Write a PNG of the editor instead of opening a window", &o->screenshot);
+    verb.option("--size", "WxH",
+                "Size in pixels, of a window at scale 1; default: the size at which the window was last closed, "
+                "for files 1440x900",
+                &o->size);
+    verb.option("--layout", "Tune|Key|Compare|Stage|NAME", "How panels are arranged; NAME is a layout of your own",
+                &o->layout);
+    verb.option("--theme", "dark|light", "Colours of the user interface", &o->theme);
+    verb.option("--at", "SECONDS", "The time that is shown", &o->at, {.range = Range{0.0, 86400.0}});
+    verb.option("--scale", "NUMBER", "Scale of the user interface, 0.75 to 3", &o->scale, {.range = Range{0.75, 3.0}});
+    verb.option("--backend", "egl|osmesa|auto", "For --screenshot: the OpenGL that draws; auto is EGL, else OSMesa",
+                &o->backend, {.shows_default = true});
+    verb.option("--dump", "FILE",
+                "Write all widgets with names, values and places instead of opening a window: .json, or one line "
+                "per widget",
+                &o->dump);
+    verb.option("--dump-on-close", "FILE", "Like --dump, but when the window is closed", &o->dump_on_close);
+    verb.flag("--statistics",
+              "Print a line on stderr for every frame of the window and why it was drawn, and the memory that the "
+              "window uses",
+              &o->statistics);
+    return verb;
 }
 
 }  // namespace lapfx::commands

@@ -48,28 +48,27 @@ void run(const FitOptions& o) {
 
 }  // namespace
 
-void add_fit(CLI::App& app) {
-    auto o = std::make_shared<FitOptions>();
-    CLI::App* verb = app.add_subcommand("fit", "Find the preset that shows as much blood and smoke as a surgery video");
-    verb->add_option("SCENE", o->files.scene, "The scene (.scene.json), whose preset it starts from")->required();
-    verb->add_option("--reference", o->files.reference, "The video, or numbered images: frame_%04d.png")
-        ->option_text("VIDEO")
-        ->required();
-    add_fit_options(*verb, *o, "the scene");
-    verb->add_option(
-            "--fitted-scene", o->files.fitted_scene,
-            "First move the scene's events to when smoke and blood of the reference begin, with tools added "
-            "or silenced as it needs; when single contacts begin and end is fitted, too. Where the scene's own "
-            "tools bring it nearer, they stay. Write that scene, with preset and reference, to this file")
-        ->option_text("FILE.scene.json");
-    verb->add_option("--csv", o->files.csv,
-                     "Write the curves of reference, before and after to this file, by the scene's time")
-        ->option_text("FILE");
-    verb->add_option("--report", o->files.report,
-                     "Write the result with curves, intervals and pictures as one file for a browser (.html)")
-        ->option_text("FILE");
-    verb->add_option("-o,--output", o->files.output, "The fitted preset")->option_text("FILE.json")->required();
-    verb->footer(
+Verb fit_verb() {
+    const auto o = std::make_shared<FitOptions>();
+    Verb verb{.name = "fit",
+              .help = "Find the preset that shows as much blood and smoke as a surgery video",
+              .run = [o] { run(*o); }};
+    verb.argument("SCENE", "The scene (.scene.json), whose preset it starts from", &o->files.scene, {.required = true});
+    verb.option("--reference", "VIDEO", "The video, or numbered images: frame_%04d.png", &o->files.reference,
+                {.required = true});
+    add_fit_options(verb, *o, "the scene");
+    verb.option("--fitted-scene", "FILE.scene.json",
+                "First move the scene's events to when smoke and blood of the reference begin, with tools added "
+                "or silenced as it needs; when single contacts begin and end is fitted, too. Where the scene's own "
+                "tools bring it nearer, they stay. Write that scene, with preset and reference, to this file",
+                &o->files.fitted_scene);
+    verb.option("--csv", "FILE", "Write the curves of reference, before and after to this file, by the scene's time",
+                &o->files.csv);
+    verb.option("--report", "FILE",
+                "Write the result with curves, intervals and pictures as one file for a browser (.html)",
+                &o->files.report);
+    verb.option("-o,--output", "FILE.json", "The fitted preset", &o->files.output, {.required = true});
+    verb.footer =
         "The reference is measured (see lapfx measure), the scene is drawn off-screen and measured by the same\n"
         "estimator, and the parameters are changed until blood and veil over time are nearest. For each parameter it\n"
         "prints the value before and after, with an interval that is to hold the true one in nine of ten cases, or "
@@ -80,8 +79,8 @@ void add_fit(CLI::App& app) {
         "curves, parameters, and frames of the reference beside the scene before and after.\n\n"
         "Example:\n"
         "  lapfx fit samples/lagb.scene.json --reference samples/reference/operation.mp4 --window 0,6 "
-        "-o fitted.json --report fit.html");
-    verb->callback([o] { run(*o); });
+        "-o fitted.json --report fit.html";
+    return verb;
 }
 
 }  // namespace lapfx::commands

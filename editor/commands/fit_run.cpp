@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "commands/options.h"
 #include "commands/progress.h"
@@ -112,27 +113,22 @@ std::string usual_parameters() {
     return all;
 }
 
-void add_fit_options(CLI::App& verb, FitOptions& options, const std::string& of) {
-    verb.add_option("--preset", options.files.preset, "Start from this preset instead of the one that " + of + " names")
-        ->option_text("FILE.json");
-    verb.add_option("--parameters", options.parameters,
-                    "What may change, separated by commas; each may have bounds of its own, KEY=LOW..HIGH")
-        ->option_text("KEY,...")
-        ->capture_default_str();
+void add_fit_options(Verb& verb, FitOptions& options, const std::string& of) {
+    verb.option("--preset", "FILE.json", "Start from this preset instead of the one that " + of + " names",
+                &options.files.preset);
+    verb.option("--parameters", "KEY,...",
+                "What may change, separated by commas; each may have bounds of its own, KEY=LOW..HIGH",
+                &options.parameters, {.shows_default = true});
     add_match_options(verb, options.match, "scene", "fitted");
-    verb.add_flag(
-        "--colors", options.colors,
-        "Match the colours of blood and smoke, too, and with --fitted-scene exposure and colour of the organ");
-    verb.add_option("--seed", options.seed, "Of the chance in the search and in the intervals")
-        ->option_text("NUMBER")
-        ->check(whole_number())
-        ->capture_default_str();
-    verb.add_option("--budget", options.budget,
-                    "Ends after so many seconds with the best so far, or with a fault where the scene was not drawn "
-                    "once until then")
-        ->option_text("S")
-        ->check(number_above_0())
-        ->capture_default_str();
+    verb.flag("--colors",
+              "Match the colours of blood and smoke, too, and with --fitted-scene exposure and colour of the organ",
+              &options.colors);
+    verb.option("--seed", "NUMBER", "Of the chance in the search and in the intervals", &options.seed,
+                {.shows_default = true, .number = Number::whole});
+    verb.option("--budget", "S",
+                "Ends after so many seconds with the best so far, or with a fault where the scene was not drawn "
+                "once until then",
+                &options.budget, {.shows_default = true, .number = Number::above_0});
 }
 
 void check_options(const FitOptions& options) {

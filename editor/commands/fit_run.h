@@ -1,11 +1,11 @@
 // One fit from its files to its files: what lapfx fit does, and lapfx batch for each of its items.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "commands/command_line.h"
 #include "commands/fit_files.h"
 #include "commands/matched_videos.h"
 #include "match/report/report.h"
@@ -26,7 +26,7 @@ struct FitOptions {
 };
 /// --preset, --parameters, those of add_match_options(), --colors, --seed and --budget. `of`: what names the preset
 /// that is replaced, "the scene".
-void add_fit_options(CLI::App& verb, FitOptions& options, const std::string& of);
+void add_fit_options(Verb& verb, FitOptions& options, const std::string& of);
 
 struct FitRun {
     match::FitReport report;                 ///< with pictures only where a report was written

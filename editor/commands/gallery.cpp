@@ -18,45 +18,35 @@ std::string gallery_page_names(const std::string& separator) {
     return names;
 }
 
-void declare_gallery(CLI::App& app, RunGallery run) {
-    auto o = std::make_shared<GalleryOptions>();
-    CLI::App* verb = app.add_subcommand("gallery", "Show the widgets of the user interface, each in all its states");
-    verb->add_option("--page", o->page, "The page to show")
-        ->option_text(gallery_page_names("|"))
-        ->capture_default_str();
-    verb->add_option("--theme", o->theme, "Colours of the user interface")
-        ->option_text("dark|light")
-        ->capture_default_str();
-    verb->add_option("--scale", o->scale,
-                     "Scale of the user interface, 0.75 to 3; default: that of the screen, for files 1")
-        ->option_text("NUMBER")
-        ->check(finite_number())
-        ->check(CLI::Range(0.75, 3.0));
-    verb->add_option("--size", o->size, "Size in pixels; of a window, at scale 1")
-        ->option_text("WxH")
-        ->capture_default_str();
-    verb->add_flag("--bare", o->bare, "The page alone, without the list of pages and the switches");
-    verb->add_flag("--reduced-motion", o->reduced_motion, "Nothing blinks or moves by itself");
-    verb->add_option("--screenshot", o->screenshot, "Write a PNG instead of opening a window")->option_text("FILE");
-    verb->add_option("--dump", o->dump,
-                     "Write all widgets with names, values and places instead of opening a window: .json, or one line "
-                     "per widget")
-        ->option_text("FILE");
-    verb->add_option("--focus", o->focus, "In these files the widget with this path has the keyboard")
-        ->option_text("PATH");
-    verb->add_option("--backend", o->backend, "For --screenshot: the OpenGL that draws; auto is EGL, else OSMesa")
-        ->option_text("egl|osmesa|auto")
-        ->capture_default_str();
-    verb->add_option("--dump-on-close", o->dump_on_close, "Like --dump, but when the window is closed")
-        ->option_text("FILE");
-    verb->add_flag("--statistics", o->statistics,
-                   "Print a line on stderr for every frame of the window, and why it was drawn");
-    verb->footer("Example:\n  lapfx gallery --page Text --scale 2 --theme light --screenshot text.png");
-    verb->callback([o, run = std::move(run)] { run(*o); });
+Verb gallery_verb(RunGallery run) {
+    const auto o = std::make_shared<GalleryOptions>();
+    Verb verb{.name = "gallery",
+              .help = "Show the widgets of the user interface, each in all its states",
+              .footer = "Example:\n  lapfx gallery --page Text --scale 2 --theme light --screenshot text.png",
+              .run = [o, run = std::move(run)] { run(*o); }};
+    verb.option("--page", gallery_page_names("|"), "The page to show", &o->page, {.shows_default = true});
+    verb.option("--theme", "dark|light", "Colours of the user interface", &o->theme, {.shows_default = true});
+    verb.option("--scale", "NUMBER", "Scale of the user interface, 0.75 to 3; default: that of the screen, for files 1",
+                &o->scale, {.range = Range{0.75, 3.0}});
+    verb.option("--size", "WxH", "Size in pixels; of a window, at scale 1", &o->size, {.shows_default = true});
+    verb.flag("--bare", "The page alone, without the list of pages and the switches", &o->bare);
+    verb.flag("--reduced-motion", "Nothing blinks or moves by itself", &o->reduced_motion);
+    verb.option("--screenshot", "FILE", "Write a PNG instead of opening a window", &o->screenshot);
+    verb.option("--dump", "FILE",
+                "Write all widgets with names, values and places instead of opening a window: .json, or one line "
+                "per widget",
+                &o->dump);
+    verb.option("--focus", "PATH", "In these files the widget with this path has the keyboard", &o->focus);
+    verb.option("--backend", "egl|osmesa|auto", "For --screenshot: the OpenGL that draws; auto is EGL, else OSMesa",
+                &o->backend, {.shows_default = true});
+    verb.option("--dump-on-close", "FILE", "Like --dump, but when the window is closed", &o->dump_on_close);
+    verb.flag("--statistics", "Print a line on stderr for every frame of the window, and why it was drawn",
+              &o->statistics);
+    return verb;
 }
 
-void add_gallery(CLI::App& app) {
-    declare_gallery(app, [](const GalleryOptions&) { start_program_of("gallery"); });
+Verb gallery_verb() {
+    return gallery_verb([](const GalleryOptions&) { start_program_of("gallery"); });
 }
 
 }  // namespace lapfx::commands

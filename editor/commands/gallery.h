@@ -4,9 +4,7 @@
 #include <functional>
 #include <string>
 
-namespace CLI {
-class App;
-}
+#include "commands/command_line.h"
 
 namespace lapfx::commands {
 
@@ -23,6 +21,6 @@ std::string gallery_page_names(const std::string& separator);
 using RunGallery = std::function<void(const GalleryOptions& options)>;
 
 /// The verb, which calls `run`.
-void declare_gallery(CLI::App& app, RunGallery run);
+Verb gallery_verb(RunGallery run);
 
 }  // namespace lapfx::commands

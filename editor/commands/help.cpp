@@ -1,7 +1,7 @@
 // lapfx help: what the commands do, what the tables of the program say, and both as the reference page.
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 
 #include "commands/command.h"
 #include "commands/completion.h"
@@ -29,49 +29,35 @@ constexpr std::string_view about =
     "Data goes to stdout, messages to stderr, one line for each fault:\n"
     "  lapfx: FILE: /bleeding/speed: -3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)";
 
-std::string overview_footer() {
-    std::string text = "Topics of `lapfx help TOPIC`:\n";
-    CommandFormatter formatter;
-    for (const HelpTopic& topic : help_topics()) {
-        const CLI::App line{std::string(topic.help), std::string(topic.name)};
-        text += formatter.make_subcommand(&line);
-    }
-    return text + '\n' + std::string(about);
+std::vector<std::string> names_of(const std::vector<Verb>& verbs) {
+    std::vector<std::string> names;
+    for (const Verb& verb : verbs) names.push_back(verb.name);
+    return names;
 }
 
-std::vector<std::string> known_words(const CLI::App& app) {
-    std::vector<std::string> words;
-    for (const CLI::App* command : app.get_subcommands({})) words.push_back(command->get_name());
+std::vector<std::string> known_words(const Verb& program) {
+    std::vector<std::string> words = names_of(program.parts);
     for (const HelpTopic& topic : help_topics()) words.emplace_back(topic.name);
     return words;
 }
 
-/// CLI::App::help() would give the help of the parsed command, which is `help`.
-std::string help_of(const CLI::App& app, const std::string& name) {
-    return app.get_formatter()->make_help(&app, name, CLI::AppFormatMode::Normal);
-}
-
-const CLI::App* part_named(const CLI::App& app, const std::string& name) {
-    for (const CLI::App* command : app.get_subcommands({}))
-        if (command->get_name() == name) return command;
+const Verb* part_named(const Verb& verb, const std::string& name) {
+    for (const Verb& part : verb.parts)
+        if (part.name == name) return &part;
     return nullptr;
 }
 
 /// `words`: "render", or "bench" "streaming".
-std::string command_help(const CLI::App& app, const std::vector<std::string>& words) {
-    const CLI::App* command = &app;
-    std::string name = app.get_name();
+std::string command_help(const Verb& program, const std::vector<std::string>& words) {
+    const Verb* verb = &program;
+    std::string name = program.name;
     for (const std::string& word : words) {
-        const CLI::App* part = part_named(*command, word);
-        if (part == nullptr) {
-            std::vector<std::string> parts;
-            for (const CLI::App* known : command->get_subcommands({})) parts.push_back(known->get_name());
-            throw unknown_word(word, "part of " + name, parts);
-        }
-        command = part;
+        const Verb* const part = part_named(*verb, word);
+        if (part == nullptr) throw unknown_word(word, "part of " + name, names_of(verb->parts));
+        verb = part;
         name += ' ' + word;
     }
-    return help_of(*command, name);
+    return help_text(*verb, name);
 }
 
 std::string topic_text(const HelpTopic& topic) {
@@ -85,17 +71,17 @@ std::string fenced(const std::string& text) {
 }
 
 /// All of it as Markdown: presets/REFERENCE.md.
-std::string page(const CLI::App& app) {
+std::string page(const Verb& program) {
     std::string text =
         "# lapfx: reference\n\n"
         "Made by `build/lapfx help --page > presets/REFERENCE.md` from the tables of the program; a test keeps it "
         "current. The same by parts: `lapfx help COMMAND` and `lapfx help TOPIC`.\n\n"
         "## Commands\n\n" +
-        fenced(help_of(app, app.get_name()));
-    for (const CLI::App* command : app.get_subcommands({})) {
-        text += "### lapfx " + command->get_name() + "\n\n" + fenced(help_of(*command, "lapfx " + command->get_name()));
-        for (const CLI::App* part : command->get_subcommands({}))
-            text += fenced(help_of(*part, "lapfx " + command->get_name() + ' ' + part->get_name()));
+        fenced(help_text(program, program.name));
+    for (const Verb& verb : program.parts) {
+        const std::string name = program.name + ' ' + verb.name;
+        text += "### " + name + "\n\n" + fenced(help_text(verb, name));
+        for (const Verb& part : verb.parts) text += fenced(help_text(part, name + ' ' + part.name));
     }
     for (const HelpTopic& topic : help_topics()) {
         text += "## lapfx help " + std::string(topic.name) + "\n\n" + std::string(topic.help) + ".\n\n";
@@ -104,31 +90,31 @@ std::string page(const CLI::App& app) {
     return text.substr(0, text.find_last_not_of('\n') + 1) + '\n';
 }
 
-void write_man_pages(const CLI::App& app, const std::filesystem::path& folder) {
+void write_man_pages(const Verb& program, const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
         throw Error(
             Failure::runtime,
             Fault{.file = folder.string(), .place = "", .reason = "this folder cannot be made: " + error.message()});
-    for (const ManPage& page : man_pages(app, about)) write_file(folder / page.name, page.text);
+    for (const ManPage& page : man_pages(program, about)) write_file(folder / page.name, page.text);
 }
 
-void print(const CLI::App& app, const Options& o) {
+void print(const Verb& program, const Options& o) {
     if (!o.man.empty()) {
-        write_man_pages(app, o.man);
+        write_man_pages(program, o.man);
         return;
     }
     if (!o.completion.empty()) {
-        std::cout << bash_completion(app);
+        std::cout << bash_completion(program);
         return;
     }
     if (o.page) {
-        std::cout << page(app);
+        std::cout << page(program);
         return;
     }
     if (o.words.empty()) {
-        std::cout << help_of(app, app.get_name());
+        std::cout << help_text(program, program.name);
         return;
     }
     const std::string& first = o.words.front();
@@ -137,36 +123,38 @@ void print(const CLI::App& app, const Options& o) {
             std::cout << topic_text(topic);
             return;
         }
-    if (part_named(app, first) == nullptr) throw unknown_word(first, "command or topic of help", known_words(app));
-    std::cout << command_help(app, o.words);
+    if (part_named(program, first) == nullptr)
+        throw unknown_word(first, "command or topic of help", known_words(program));
+    std::cout << command_help(program, o.words);
 }
 
 }  // namespace
 
-void add_help(CLI::App& app) {
-    auto o = std::make_shared<Options>();
-    CLI::App* verb = app.add_subcommand("help", "Explain a command, the keys of presets and scenes, or the files");
-    verb->add_option("WORD", o->words, "A command (render, bench streaming) or a topic; none: the list of both");
-    auto* page = verb->add_flag("--page", o->page, "Print everything as one Markdown page: presets/REFERENCE.md")
-                     ->excludes("WORD");
-    auto* man = verb->add_option("--man", o->man, "Write a man page of each command and topic into this folder")
-                    ->option_text("DIR")
-                    ->excludes("WORD")
-                    ->excludes(page);
-    verb->add_option("--completion", o->completion, "Print what completes commands, options and files in this shell")
-        ->option_text("bash")
-        ->check(CLI::IsMember({"bash"}))
-        ->excludes("WORD")
-        ->excludes(page)
-        ->excludes(man);
-    verb->footer(
-        "Examples:\n"
-        "  lapfx help render\n"
-        "  lapfx help preset\n"
-        "  lapfx help --man man\n"
-        "  lapfx help --completion bash");
-    verb->callback([o, &app] { print(app, *o); });
-    app.footer(overview_footer());
+std::string overview_footer() {
+    std::string text = "Topics of `lapfx help TOPIC`:\n";
+    for (const HelpTopic& topic : help_topics()) text += listed_verb(topic.name, topic.help);
+    return text + '\n' + std::string(about);
+}
+
+Verb help_verb() {
+    const auto o = std::make_shared<Options>();
+    Verb verb{.name = "help",
+              .help = "Explain a command, the keys of presets and scenes, or the files",
+              .footer =
+                  "Examples:\n"
+                  "  lapfx help render\n"
+                  "  lapfx help preset\n"
+                  "  lapfx help --man man\n"
+                  "  lapfx help --completion bash",
+              .run = [o] { print(program(), *o); }};
+    verb.argument("WORD", "A command (render, bench streaming) or a topic; none: the list of both", &o->words);
+    verb.flag("--page", "Print everything as one Markdown page: presets/REFERENCE.md", &o->page,
+              {.excludes = {"WORD"}});
+    verb.option("--man", "DIR", "Write a man page of each command and topic into this folder", &o->man,
+                {.excludes = {"WORD", "--page"}});
+    verb.option("--completion", "bash", "Print what completes commands, options and files in this shell",
+                &o->completion, {.words = {"bash"}, .excludes = {"WORD", "--page", "--man"}});
+    return verb;
 }
 
 }  // namespace lapfx::commands

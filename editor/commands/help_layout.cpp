@@ -78,31 +78,39 @@ std::string markdown(const HelpSection& section) {
     return out + '\n';
 }
 
-std::string meaning_of(const CLI::Option& option) {
-    if (option.get_single_name() == "help") return "Print this help";
-    const std::string standard = option.get_default_str();
-    return option.get_description() + (standard.empty() ? "" : "; default: " + standard);
+std::string meaning_of(const Option& option) {
+    return option.help + (option.standard.empty() ? "" : "; default: " + option.standard);
 }
 
-std::string CommandFormatter::make_usage(const CLI::App* app, std::string name) const {
-    std::string out = "\nUsage: " + (name.empty() ? app->get_name() : name);
-    for (const CLI::Option* option : app->get_options())
-        if (option->get_positional())
-            out += ' ' + make_option_usage(option);
-        else if (option->get_required())
-            out += ' ' + option->get_name() + ' ' + option->get_option_text();
-    if (!app->get_subcommands({}).empty()) out += app->get_parent() == nullptr ? " COMMAND ..." : " PART";
-    return out + " [OPTIONS]\n";
+std::string usage_of(const Verb& verb, const std::string& name) {
+    std::string out = "Usage: " + name;
+    for (const Option& option : verb.options) {
+        const std::string argument = option.names + (option.is_list() ? "..." : "");
+        if (option.is_argument())
+            out += ' ' + (option.rules.required ? argument : '[' + argument + ']');
+        else if (option.rules.required)
+            out += ' ' + option.split_names().back() + ' ' + option.takes;
+    }
+    if (!verb.parts.empty()) out += verb.is_program ? " COMMAND ..." : " PART";
+    return out + " [OPTIONS]";
 }
 
-std::string CommandFormatter::make_option(const CLI::Option* option, bool is_positional) const {
-    std::string name = make_option_name(option, is_positional);
-    if (!is_positional && option->get_type_size() != 0) name += ' ' + option->get_option_text();
-    return listed(name, meaning_of(*option));
+std::string listed_verb(std::string_view name, std::string_view help) {
+    return listed(std::string(name), help);
 }
 
-std::string CommandFormatter::make_subcommand(const CLI::App* command) const {
-    return listed(command->get_name(), command->get_description());
+std::string help_text(const Verb& verb, const std::string& name) {
+    std::string arguments, options, parts;
+    for (const Option& option : verb.options)
+        (option.is_argument() ? arguments : options) +=
+            listed(option.names + (option.takes.empty() ? "" : ' ' + option.takes), meaning_of(option));
+    for (const Verb& part : verb.parts) parts += listed_verb(part.name, part.help);
+    std::string out = verb.help + "\n\n" + usage_of(verb, name) + '\n';
+    for (const auto& [title, list] : {std::pair{"Positionals", &arguments},
+                                      {"Options", &options},
+                                      {verb.is_program ? "Commands" : "Parts", &parts}})
+        if (!list->empty()) out += std::string("\n") + title + ":\n" + *list;
+    return out + '\n' + (verb.footer.empty() ? "" : verb.footer + '\n');
 }
 
 }  // namespace lapfx::commands

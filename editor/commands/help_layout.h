@@ -1,10 +1,11 @@
 // How help looks: on a terminal, wrapped at 100 columns, and as Markdown on the reference page.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "commands/command_line.h"
 
 namespace lapfx::commands {
 
@@ -30,16 +31,12 @@ std::string markdown(const HelpSection& section);
 std::string wrapped(std::string_view text, std::size_t indent);
 
 /// What the help of an option says: what it does, and its default.
-std::string meaning_of(const CLI::Option& option);
-
-/// Formats the help of commands. The option_text of an option ("WxH") says what it takes; its default follows its
-/// description. Where it takes one of several words or kinds of files, '|' is between them ("dark|light"), and one of
-/// files is FILE with their ending ("FILE.json"): bash is told so, too (completion.h).
-class CommandFormatter : public CLI::Formatter {
-  public:
-    std::string make_usage(const CLI::App* app, std::string name) const override;
-    std::string make_option(const CLI::Option* option, bool is_positional) const override;
-    std::string make_subcommand(const CLI::App* command) const override;
-};
+std::string meaning_of(const Option& option);
+/// "Usage: lapfx render SCENE --output FILE [OPTIONS]". `name`: of the command, with the program's.
+std::string usage_of(const Verb& verb, const std::string& name);
+/// A command, a part of it or a topic in a list of such.
+std::string listed_verb(std::string_view name, std::string_view help);
+/// All that `name --help` prints.
+std::string help_text(const Verb& verb, const std::string& name);
 
 }  // namespace lapfx::commands

@@ -1,8 +1,6 @@
 // lapfx inspect FILE...: what a mesh, clip, preset, scene or image contains.
 #include "commands/inspect.h"
 
-#include <CLI/CLI.hpp>
-
 #include "commands/command.h"
 #include "commands/file_kind.h"
 #include "lapfx/error.h"
@@ -56,21 +54,23 @@ void inspect_files(const std::vector<std::string>& files, bool keying) {
 
 }  // namespace
 
-void add_inspect(CLI::App& app) {
-    CLI::App* verb = app.add_subcommand("inspect", "Show what a mesh, clip, preset, scene or image contains");
-    auto files = std::make_shared<std::vector<std::string>>();
-    verb->add_option("FILE", *files, "Mesh, video, image, numbered images (smoke_%04d.png), preset or scene")
-        ->required();
-    auto keying = std::make_shared<bool>(false);
-    verb->add_flag(
-        "--keying", *keying,
-        "Suggest how to separate the smoke of a video from its background, as an entry for a clip in a preset");
-    verb->footer(
-        "Examples:\n"
-        "  lapfx inspect samples/lagb.glb samples/clips/plume_thick.mp4\n"
-        "  lapfx inspect --keying samples/clips/plume_thick.mp4\n\n"
-        "`lapfx help files` lists the formats.");
-    verb->callback([files, keying] { inspect_files(*files, *keying); });
+Verb inspect_verb() {
+    const auto files = std::make_shared<std::vector<std::string>>();
+    const auto keying = std::make_shared<bool>(false);
+    Verb verb{.name = "inspect",
+              .help = "Show what a mesh, clip, preset, scene or image contains",
+              .footer =
+                  "Examples:\n"
+                  "  lapfx inspect samples/lagb.glb samples/clips/plume_thick.mp4\n"
+                  "  lapfx inspect --keying samples/clips/plume_thick.mp4\n\n"
+                  "`lapfx help files` lists the formats.",
+              .run = [files, keying] { inspect_files(*files, *keying); }};
+    verb.argument("FILE", "Mesh, video, image, numbered images (smoke_%04d.png), preset or scene", files.get(),
+                  {.required = true});
+    verb.flag("--keying",
+              "Suggest how to separate the smoke of a video from its background, as an entry for a clip in a preset",
+              keying.get());
+    return verb;
 }
 
 }  // namespace lapfx::commands

@@ -1,7 +1,8 @@
 #include "commands/man_pages.h"
 
 #include <algorithm>
-#include <regex>
+#include <optional>
+#include <utility>
 
 #include "commands/help_layout.h"
 #include "commands/help_topics.h"
@@ -42,9 +43,19 @@ std::vector<std::string> split(const std::string& text, const std::string& at) {
     return parts;
 }
 
+/// Name and meaning of "  name   meaning"; nothing of other lines.
+std::optional<std::pair<std::string, std::string>> list_row(std::string_view one) {
+    const std::size_t name = one.find_first_not_of(' ');
+    if (name == 0 || name == std::string_view::npos) return std::nullopt;
+    const std::size_t end = one.find(' ', name);
+    if (end == std::string_view::npos) return std::nullopt;
+    const std::size_t meaning = one.find_first_not_of(' ', end);
+    if (meaning == std::string_view::npos || meaning < end + 2) return std::nullopt;
+    return std::pair(std::string(one.substr(name, end - name)), std::string(one.substr(meaning)));
+}
+
 /// Lines that were laid out for a terminal: text, and behind blanks a list ("  name   meaning") or what stays as it is.
 std::string block(const std::vector<std::string>& lines) {
-    static const std::regex row(R"( +(\S+) {2,}(\S.*))");
     std::string out = ".PP\n";
     bool as_it_is = false;
     const auto set = [&](bool now) {
@@ -52,11 +63,10 @@ std::string block(const std::vector<std::string>& lines) {
         as_it_is = now;
     };
     for (const std::string& one : lines) {
-        std::smatch found;
-        const bool listed = std::regex_match(one, found, row);
-        set(one.starts_with(' ') && !listed);
-        out += listed ? entry(bold(found[1].str()), found[2].str())
-                      : line(roff(std::string_view(one).substr(std::min(one.find_first_not_of(' '), one.size()))));
+        const auto row = list_row(one);
+        set(one.starts_with(' ') && !row);
+        out += row ? entry(bold(row->first), row->second)
+                   : line(roff(std::string_view(one).substr(std::min(one.find_first_not_of(' '), one.size()))));
     }
     set(false);
     return out;
@@ -89,32 +99,29 @@ std::string begin(const std::string& name, char section, std::string_view meanin
            roff(name) + " \\- " + roff(meaning.substr(0, meaning.find_last_not_of('.') + 1)) + '\n';
 }
 
-std::string usage(const CLI::App& app, const std::string& name) {
-    const std::string text = CommandFormatter().make_usage(&app, name);
-    const std::size_t at = text.find(name) + name.size();
-    return line(bold(name) + roff(text.substr(at, text.size() - 1 - at)));
+std::string usage(const Verb& verb, const std::string& name) {
+    const std::string text = usage_of(verb, name);
+    return line(bold(name) + roff(text.substr(text.find(name) + name.size())));
 }
 
-std::string options(const CLI::App& app, std::string_view macro, bool positional) {
+std::string options(const Verb& verb, std::string_view macro, bool arguments) {
     std::string out;
-    const CommandFormatter formatter;
-    for (const CLI::Option* option : app.get_options()) {
-        if (option->get_positional() != positional) continue;
+    for (const Option& option : verb.options) {
+        if (option.is_argument() != arguments) continue;
         std::string head;
-        for (const std::string& name : split(formatter.make_option_name(option, positional), ","))
-            head += (head.empty() ? "" : ", ") + bold(name);
-        if (!option->get_option_text().empty()) head += " \\fI" + roff(option->get_option_text()) + "\\fR";
-        out += entry(head, meaning_of(*option));
+        for (const std::string& name : split(option.names, ",")) head += (head.empty() ? "" : ", ") + bold(name);
+        if (!option.takes.empty()) head += " \\fI" + roff(option.takes) + "\\fR";
+        out += entry(head, meaning_of(option));
     }
-    return out.empty() ? "" : heading(macro, positional ? "ARGUMENTS" : "OPTIONS") + out;
+    return out.empty() ? "" : heading(macro, arguments ? "ARGUMENTS" : "OPTIONS") + out;
 }
 
 /// What a page says of a command, or of a part of one. `macro`: of its headings.
-std::string command(const CLI::App& app, const std::string& name, std::string_view macro) {
-    const Words words = words_of(app.get_footer());
-    std::string out = heading(macro, "SYNOPSIS") + usage(app, name) + heading(macro, "DESCRIPTION") +
-                      line(roff(app.get_description() + '.')) + words.about + options(app, macro, true) +
-                      options(app, macro, false);
+std::string command(const Verb& verb, const std::string& name, std::string_view macro) {
+    const Words words = words_of(verb.footer);
+    std::string out = heading(macro, "SYNOPSIS") + usage(verb, name) + heading(macro, "DESCRIPTION") +
+                      line(roff(verb.help + '.')) + words.about + options(verb, macro, true) +
+                      options(verb, macro, false);
     return words.examples.empty() ? out : out + heading(macro, "EXAMPLES") + words.examples;
 }
 
@@ -131,12 +138,12 @@ std::string topic_name(const HelpTopic& topic) {
     return "lapfx-" + std::string(topic.name);
 }
 
-ManPage command_page(const CLI::App& app) {
-    const std::string dashed = "lapfx-" + app.get_name(), name = "lapfx " + app.get_name();
-    std::string text = begin(dashed, '1', app.get_description()) + command(app, name, ".SH");
-    for (const CLI::App* part : app.get_subcommands({})) {
-        const std::string part_name = name + ' ' + part->get_name();
-        text += heading(".SH", part_name) + command(*part, part_name, ".SS");
+ManPage command_page(const Verb& verb) {
+    const std::string dashed = "lapfx-" + verb.name, name = "lapfx " + verb.name;
+    std::string text = begin(dashed, '1', verb.help) + command(verb, name, ".SH");
+    for (const Verb& part : verb.parts) {
+        const std::string part_name = name + ' ' + part.name;
+        text += heading(".SH", part_name) + command(part, part_name, ".SS");
     }
     text += ".SH SEE ALSO\n" + pointer("lapfx", '1');
     for (const HelpTopic& topic : help_topics()) text += ",\n" + pointer(topic_name(topic), section_of(topic));
@@ -156,17 +163,16 @@ ManPage topic_page(const HelpTopic& topic) {
     return {topic_name(topic) + '.' + section_of(topic), text + ".SH SEE ALSO\n" + pointer("lapfx", '1') + '\n'};
 }
 
-ManPage program_page(const CLI::App& app, std::string_view about) {
+ManPage program_page(const Verb& program, std::string_view about) {
     const Words words = words_of(std::string(about));
-    std::string text = begin("lapfx", '1', app.get_description()) + heading(".SH", "SYNOPSIS") + usage(app, "lapfx") +
+    std::string text = begin("lapfx", '1', program.help) + heading(".SH", "SYNOPSIS") + usage(program, "lapfx") +
                        ".br\n" + line(bold("lapfx") + " [FILE...]") + heading(".SH", "DESCRIPTION") +
-                       line(roff(app.get_description())) + words.about + heading(".SH", "COMMANDS");
-    for (const CLI::App* verb : app.get_subcommands({}))
-        text += entry(pointer("lapfx-" + verb->get_name(), '1'), verb->get_description());
+                       line(roff(program.help)) + words.about + heading(".SH", "COMMANDS");
+    for (const Verb& verb : program.parts) text += entry(pointer("lapfx-" + verb.name, '1'), verb.help);
     text += heading(".SH", "TOPICS");
     for (const HelpTopic& topic : help_topics())
         text += entry(pointer(topic_name(topic), section_of(topic)), topic.help);
-    return {"lapfx.1", text + options(app, ".SH", false) + heading(".SH", "EXIT STATUS") + words.exit_codes};
+    return {"lapfx.1", text + options(program, ".SH", false) + heading(".SH", "EXIT STATUS") + words.exit_codes};
 }
 
 }  // namespace
@@ -208,9 +214,9 @@ std::string roff(std::string_view text) {
     return code ? out + "\\fR" : out;
 }
 
-std::vector<ManPage> man_pages(const CLI::App& app, std::string_view about) {
-    std::vector<ManPage> pages{program_page(app, about)};
-    for (const CLI::App* verb : app.get_subcommands({})) pages.push_back(command_page(*verb));
+std::vector<ManPage> man_pages(const Verb& program, std::string_view about) {
+    std::vector<ManPage> pages{program_page(program, about)};
+    for (const Verb& verb : program.parts) pages.push_back(command_page(verb));
     for (const HelpTopic& topic : help_topics()) pages.push_back(topic_page(topic));
     return pages;
 }

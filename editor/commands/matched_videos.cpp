@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 #include "app/measure/measuring.h"
 #include "commands/file_kind.h"
@@ -15,23 +16,18 @@
 
 namespace lapfx::commands {
 
-void add_match_options(CLI::App& verb, MatchOptions& options, const std::string& of, const std::string& done) {
-    verb.add_option(
-            "--offset", options.offset,
-            "Reference time = " + of + " time + S, s; default: the scene's, where this is its reference, else 0")
-        ->option_text("S")
-        ->check(finite_number());
-    verb.add_option("--window", options.window,
-                    "The part of the " + of + " that is " + done + ", s; default: all of it")
-        ->option_text("FROM,TO");
-    verb.add_option("--baseline", options.baseline, "Time of a clear frame of the reference, s, as for lapfx measure")
-        ->option_text("S")
-        ->check(finite_number());
-    verb.add_option(
-            "--view", options.view,
-            "The round view of the reference, as for lapfx measure. Left out, it is looked for, and what is dark "
-            "at the rim of every frame is no part of it")
-        ->option_text("x,y,r");
+void add_match_options(Verb& verb, MatchOptions& options, const std::string& of, const std::string& done) {
+    verb.option("--offset", "S",
+                "Reference time = " + of + " time + S, s; default: the scene's, where this is its reference, else 0",
+                &options.offset, {.number = Number::finite});
+    verb.option("--window", "FROM,TO", "The part of the " + of + " that is " + done + ", s; default: all of it",
+                &options.window);
+    verb.option("--baseline", "S", "Time of a clear frame of the reference, s, as for lapfx measure", &options.baseline,
+                {.number = Number::finite});
+    verb.option("--view", "x,y,r",
+                "The round view of the reference, as for lapfx measure. Left out, it is looked for, and what is dark "
+                "at the rim of every frame is no part of it",
+                &options.view);
 }
 
 Window window_of(const std::string& text, double duration, const std::string& whole) {

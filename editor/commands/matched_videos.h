@@ -2,12 +2,12 @@
 // the scene so that it is measured alike.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "commands/command_line.h"
 #include "commands/shown_scene.h"
 #include "lapfx/authoring/video.h"
 #include "lapfx/error.h"
@@ -23,7 +23,7 @@ struct MatchOptions {
 };
 /// --offset, --window, --baseline and --view. `of`: what has the time that the offset is from, "scene"; `done`: what is
 /// done to the window, "fitted".
-void add_match_options(CLI::App& verb, MatchOptions& options, const std::string& of, const std::string& done);
+void add_match_options(Verb& verb, MatchOptions& options, const std::string& of, const std::string& done);
 
 /// s, of the scene or of the video that is held against the reference.
 struct Window {

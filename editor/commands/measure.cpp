@@ -89,7 +89,10 @@ Error at_option(const Error& error, const std::string& file) {
 class OverlayFile {
   public:
     OverlayFile(const std::string& path, const VideoInfo& info) : rate_(info.frames_per_second) {
-        if (!path.empty()) file_.emplace(path, rate_, even(info.size));
+        if (!path.empty()) {
+            const cv::Size size = even(info.size);
+            file_.emplace(path, rate_, glm::ivec2(size.width, size.height));
+        }
     }
     explicit operator bool() const { return file_.has_value(); }
     /// `estimator`: null where no baseline serves; the frame stays as it is then.
@@ -199,15 +202,12 @@ void run(const Options& o) {
 }
 
 /// A row of the scene's qualifier of blood, as an option: its limits and its help.
-void add_blood(CLI::App& verb, const char* key, double& value) {
+void add_blood(Verb& verb, const char* key, double& value) {
     const Parameter& row = *scene_table().find("reference")->find("measure")->find("blood")->find_row(key);
     std::string_view help = row.help;
     if (help.ends_with('.')) help.remove_suffix(1);  // the default follows
-    verb.add_option("--" + std::string(key), value, std::string(help))
-        ->option_text("NUMBER")
-        ->check(finite_number())
-        ->check(CLI::Range(row.minimum, row.maximum))
-        ->capture_default_str();
+    verb.option("--" + std::string(key), "NUMBER", std::string(help), &value,
+                {.shows_default = true, .range = Range{row.minimum, row.maximum}});
 }
 
 /// The words of the column `flags`.
@@ -219,42 +219,39 @@ std::string flag_words() {
 
 }  // namespace
 
-void add_measure(CLI::App& app) {
-    auto o = std::make_shared<Options>();
-    CLI::App* verb = app.add_subcommand("measure", "Measure how much blood and smoke a surgery video shows");
-    verb->add_option("VIDEO", o->video, "The video, or numbered images: frame_%04d.png")->required();
-    verb->add_option("--baseline", o->baseline,
-                     "Time of a clear frame, s; 0 is the first frame. It serves the shots that show its tissue; the "
-                     "others, and all if it is left out, get the clearest of their own frames")
-        ->option_text("S")
-        ->check(finite_number());
-    verb->add_option("--roi", o->region, "The part that is measured, in pixels, or in fractions if none is above 1")
-        ->option_text("x,y,w,h");
-    verb->add_option("--view", o->view,
-                     "The round view of the endoscope: its middle and radius, in pixels, or in fractions of width, "
-                     "height and height if x and y are not above 1. Left out, it is looked for")
-        ->option_text("x,y,r");
-    verb->add_option("--mask", o->masks,
-                     "A polygon that is left out, such as an instrument: its corners x,y,x,y,x,y..., as --roi, or a "
-                     "JSON file of polygons, [[[x,y],...],...]; may be repeated")
-        ->option_text("POLYGON|FILE.json")
-        ->allow_extra_args(false);
-    verb->add_option("--from", o->from, "First time that is measured, s")->option_text("S")->check(finite_number());
-    verb->add_option("--to", o->to, "Last time that is measured, s")->option_text("S")->check(finite_number());
-    add_blood(*verb, "redness", o->blood.redness);
-    add_blood(*verb, "rise", o->blood.rise);
-    add_blood(*verb, "brightness", o->blood.brightness);
-    verb->add_option("--json", o->json, "Write all that was found to this file, too")->option_text("FILE");
-    verb->add_option("--plot", o->plot, "Draw both amounts over time, with their intervals, into this PNG")
-        ->option_text("FILE");
-    verb->add_option("--overlay", o->overlay,
-                     "Write the measured frames as a video (.mp4) with what was counted drawn over them: blood "
-                     "yellow, veil blue, what is left out dark and hatched")
-        ->option_text("FILE");
-    verb->add_option("-o,--output", o->output, "The amounts of each frame: .csv, or .json with all that was found")
-        ->option_text("FILE")
-        ->required();
-    verb->footer(
+Verb measure_verb() {
+    const auto o = std::make_shared<Options>();
+    Verb verb{
+        .name = "measure", .help = "Measure how much blood and smoke a surgery video shows", .run = [o] { run(*o); }};
+    verb.argument("VIDEO", "The video, or numbered images: frame_%04d.png", &o->video, {.required = true});
+    verb.option("--baseline", "S",
+                "Time of a clear frame, s; 0 is the first frame. It serves the shots that show its tissue; the "
+                "others, and all if it is left out, get the clearest of their own frames",
+                &o->baseline, {.number = Number::finite});
+    verb.option("--roi", "x,y,w,h", "The part that is measured, in pixels, or in fractions if none is above 1",
+                &o->region);
+    verb.option("--view", "x,y,r",
+                "The round view of the endoscope: its middle and radius, in pixels, or in fractions of width, "
+                "height and height if x and y are not above 1. Left out, it is looked for",
+                &o->view);
+    verb.option("--mask", "POLYGON|FILE.json",
+                "A polygon that is left out, such as an instrument: its corners x,y,x,y,x,y..., as --roi, or a "
+                "JSON file of polygons, [[[x,y],...],...]; may be repeated",
+                &o->masks, {.one_each = true});
+    verb.option("--from", "S", "First time that is measured, s", &o->from, {.number = Number::finite});
+    verb.option("--to", "S", "Last time that is measured, s", &o->to, {.number = Number::finite});
+    add_blood(verb, "redness", o->blood.redness);
+    add_blood(verb, "rise", o->blood.rise);
+    add_blood(verb, "brightness", o->blood.brightness);
+    verb.option("--json", "FILE", "Write all that was found to this file, too", &o->json);
+    verb.option("--plot", "FILE", "Draw both amounts over time, with their intervals, into this PNG", &o->plot);
+    verb.option("--overlay", "FILE",
+                "Write the measured frames as a video (.mp4) with what was counted drawn over them: blood "
+                "yellow, veil blue, what is left out dark and hatched",
+                &o->overlay);
+    verb.option("-o,--output", "FILE", "The amounts of each frame: .csv, or .json with all that was found", &o->output,
+                {.required = true});
+    verb.footer =
         "Blood is the share of the view that is blood now and was not in the baseline, veil how much of the light\n"
         "smoke takes: 1 - transmission, mean over the view. Both are 0 to 1, with an interval that holds the true one\n"
         "in about nine of ten pictures whose amounts are known (lapfx bench measure); real videos can be farther off.\n"
@@ -270,8 +267,8 @@ void add_measure(CLI::App& app) {
         "ends a shot. Where every frame of a shot is hazy, its onset, rise, peak and decay are told and no level: the\n"
         "veil is empty (no_baseline), and the JSON has a course, 0 to 1 within the shot, of which only the order\n"
         "counts. A frame that the file cannot give is empty (missing).\n\n"
-        "Example:\n  lapfx measure samples/reference/operation.mp4 --to 2 -o amounts.csv --plot amounts.png");
-    verb->callback([o] { run(*o); });
+        "Example:\n  lapfx measure samples/reference/operation.mp4 --to 2 -o amounts.csv --plot amounts.png";
+    return verb;
 }
 
 }  // namespace lapfx::commands

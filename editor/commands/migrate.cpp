@@ -1,5 +1,4 @@
 // lapfx migrate: an older preset or scene becomes today's version, in today's form.
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "commands/command.h"
@@ -29,16 +28,17 @@ void migrate(const std::string& file) {
 
 }  // namespace
 
-void add_migrate(CLI::App& app) {
-    auto files = std::make_shared<std::vector<std::string>>();
-    CLI::App* verb =
-        app.add_subcommand("migrate", "Update presets and scenes to the current version, with every key written out");
-    verb->add_option("FILE.json", *files, "Presets and scenes; rewritten in place")->required();
-    verb->footer("Example:\n  lapfx migrate presets/slow_ooze.json");
-    verb->callback([files] {
-        for (const std::string& file : *files) check_document(file);  // all or none
-        for (const std::string& file : *files) migrate(file);
-    });
+Verb migrate_verb() {
+    const auto files = std::make_shared<std::vector<std::string>>();
+    Verb verb{.name = "migrate",
+              .help = "Update presets and scenes to the current version, with every key written out",
+              .footer = "Example:\n  lapfx migrate presets/slow_ooze.json",
+              .run = [files] {
+                  for (const std::string& file : *files) check_document(file);  // all or none
+                  for (const std::string& file : *files) migrate(file);
+              }};
+    verb.argument("FILE.json", "Presets and scenes; rewritten in place", files.get(), {.required = true});
+    return verb;
 }
 
 }  // namespace lapfx::commands

@@ -1,11 +1,7 @@
 #include "commands/options.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <cstdint>
 #include <iostream>
-#include <regex>
 
 #include "commands/say.h"
 #include "lapfx/authoring/file_guard.h"
@@ -24,44 +20,16 @@ Error wrong_option(const std::string& option, const std::string& reason) {
 }
 
 glm::ivec2 parse_size(const std::string& text) {
-    static const std::regex pattern(R"((\d{1,5})x(\d{1,5}))");
-    std::smatch match;
-    if (!std::regex_match(text, match, pattern))
+    const std::size_t by = std::min(text.find('x'), text.size());
+    const std::string width = text.substr(0, by), height = text.substr(std::min(by + 1, text.size()));
+    const auto is_side = [](const std::string& digits) {
+        return !digits.empty() && digits.size() <= 5 && digits.find_first_not_of("0123456789") == std::string::npos;
+    };
+    if (!is_side(width) || !is_side(height))
         throw wrong_option("--size", "\"" + text + "\" is not WIDTHxHEIGHT in pixels, such as 1280x1024");
-    const glm::ivec2 size(std::stoi(match[1]), std::stoi(match[2]));
+    const glm::ivec2 size(std::stoi(width), std::stoi(height));
     if (const std::string fault = output::size_fault(size); !fault.empty()) throw wrong_option("--size", fault);
     return size;
-}
-
-CLI::Validator number_above_0() {
-    return {[](const std::string& text) {
-                double value = 0.0;
-                return CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0.0
-                           ? ""
-                           : "\"" + text + "\" is not a number above 0";
-            },
-            "NUMBER"};
-}
-
-CLI::Validator whole_number() {
-    return {[](const std::string& text) {
-                std::uint32_t value = 0;
-                const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-                return code == std::errc() && end == text.data() + text.size()
-                           ? ""
-                           : "\"" + text + "\" is not a whole number from 0 to 4294967295";
-            },
-            "NUMBER"};
-}
-
-CLI::Validator finite_number() {
-    return {[](const std::string& text) {
-                double value = 0.0;
-                return CLI::detail::lexical_cast(text, value) && std::isfinite(value)
-                           ? ""
-                           : "\"" + text + "\" is not a number";
-            },
-            "NUMBER"};
 }
 
 void check_picture_name(const std::string& option, const std::string& file) {

@@ -1,7 +1,6 @@
 // Shared by the command lines of verbs that draw pictures.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <string>
@@ -21,12 +20,6 @@ Error wrong_option(const std::string& option, const std::string& reason);
 
 /// `text` as in 1280x1024. Throws Error (bad_input) for a size that a frame cannot have.
 glm::ivec2 parse_size(const std::string& text);
-
-/// Refuses "nan" and "inf", which CLI::Range accepts.
-CLI::Validator finite_number();
-CLI::Validator number_above_0();
-/// From 0 to 2^32 - 1.
-CLI::Validator whole_number();
 
 /// Throws Error (bad_input) where a picture cannot have that name: it is a PNG.
 void check_picture_name(const std::string& option, const std::string& file);

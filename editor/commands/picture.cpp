@@ -81,19 +81,20 @@ void run(const Options& o) {
 
 }  // namespace
 
-void add_picture(CLI::App& app) {
-    auto o = std::make_shared<Options>();
-    CLI::App* verb = app.add_subcommand("picture", "Make a small picture of any file that the editor opens");
-    verb->add_option("FILE", o->file, "A video (a frame of it), an image, an organ, a scene or a preset")->required();
-    verb->add_option("--size", o->size, "Size in pixels; a video or an image keeps its shape and fits into that")
-        ->option_text("WxH")
-        ->capture_default_str();
-    verb->add_option("--backend", o->backend, "The OpenGL that draws; auto is EGL, else OSMesa")
-        ->option_text("egl|osmesa|auto")
-        ->capture_default_str();
-    verb->add_option("-o,--output", o->output, "The picture: out.png")->option_text("FILE")->required();
-    verb->footer("Example:\n  lapfx picture samples/lagb.glb -o organ.png");
-    verb->callback([o] { run(*o); });
+Verb picture_verb() {
+    const auto o = std::make_shared<Options>();
+    Verb verb{.name = "picture",
+              .help = "Make a small picture of any file that the editor opens",
+              .footer = "Example:\n  lapfx picture samples/lagb.glb -o organ.png",
+              .run = [o] { run(*o); }};
+    verb.argument("FILE", "A video (a frame of it), an image, an organ, a scene or a preset", &o->file,
+                  {.required = true});
+    verb.option("--size", "WxH", "Size in pixels; a video or an image keeps its shape and fits into that", &o->size,
+                {.shows_default = true});
+    verb.option("--backend", "egl|osmesa|auto", "The OpenGL that draws; auto is EGL, else OSMesa", &o->backend,
+                {.shows_default = true});
+    verb.option("-o,--output", "FILE", "The picture: out.png", &o->output, {.required = true});
+    return verb;
 }
 
 }  // namespace lapfx::commands

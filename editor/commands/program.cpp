@@ -3,11 +3,13 @@
 
 #include <malloc.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <functional>
 #include <iostream>
+#include <string>
+#include <vector>
 
-#include "commands/help_layout.h"
+#include "commands/command.h"
 #include "commands/verb.h"
 #include "lapfx/authoring/command_line.h"
 #include "lapfx/authoring/file_guard.h"
@@ -23,28 +25,14 @@ int fail(int code, const std::string& line) {
     return code;
 }
 
-int run(std::span<const std::string> words, const AddVerbs& add_verbs) {
-    CLI::App app{"Bleeding and surgical smoke for laparoscopic simulators: editor and headless commands.", "lapfx"};
-    app.set_version_flag("--version", LAPFX_VERSION, "Print the version");
-    app.require_subcommand(0, 1);
-    app.formatter(std::make_shared<CommandFormatter>());
-    add_verbs(app);
+void run(const Verb& program, std::vector<std::string> words) {
     std::vector<std::string> verbs;
-    for (CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->group("Commands")->get_name());
-    std::vector<std::string> arguments(words.begin(), words.end());
-    require_values(arguments);
-    arguments = with_verb(std::move(arguments), verbs);
+    for (const Verb& verb : program.parts) verbs.push_back(verb.name);
+    require_values(words);
+    words = with_verb(std::move(words), verbs);
     // A new command is guarded like all others. The editor saves what it has opened.
-    guard_files(arguments.front() == "edit" ? FileGuard::note : FileGuard::refuse);
-    std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
-    try {
-        app.parse(std::move(arguments));
-    } catch (const CLI::Success& done) {  // --help, --version
-        return app.exit(done);
-    } catch (const CLI::ParseError& wrong) {
-        return fail(2, printable(wrong.what()) + " (see lapfx help)");
-    }
-    return 0;
+    guard_files(words.front() == "edit" ? FileGuard::note : FileGuard::refuse);
+    parse(program, std::move(words), LAPFX_VERSION)();
 }
 
 /// Pictures, textures and decoded frames come from the system and go back to it. Left alone, glibc takes the first of
@@ -56,12 +44,15 @@ void give_large_blocks_back() {
     mallopt(M_TRIM_THRESHOLD, large);
 }
 
-}  // namespace
-
-int run_program(std::span<const std::string> words, const AddVerbs& add_verbs) {
+/// `verb`: the first of the words, where the program does one alone; else empty.
+int run_with(int argc, const char* const* argv, const std::string& verb, const std::function<Verb()>& made) {
     give_large_blocks_back();
     try {
-        return run(words, add_verbs);
+        std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+        if (!verb.empty()) words.insert(words.begin(), verb);
+        const Verb program = made();
+        run(program, std::move(words));
+        return 0;
     } catch (const Error& error) {
         for (const Fault& fault : error.faults()) fail(0, fault.text());
         return exit_code(error.failure());
@@ -70,10 +61,14 @@ int run_program(std::span<const std::string> words, const AddVerbs& add_verbs) {
     }
 }
 
-int run_program(const std::string& verb, int argc, const char* const* argv, const AddVerbs& add_verb) {
-    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-    words.insert(words.begin(), verb);
-    return run_program(words, add_verb);
+}  // namespace
+
+int run_program(int argc, const char* const* argv, Verb (*made)()) {
+    return run_with(argc, argv, {}, made);
+}
+
+int run_verb(int argc, const char* const* argv, Verb (*made)()) {
+    return run_with(argc, argv, made().name, [made] { return program_of({made()}); });
 }
 
 }  // namespace lapfx::commands

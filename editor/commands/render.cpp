@@ -120,79 +120,56 @@ void run(const Options& o) {
 
 }  // namespace
 
-void add_render(CLI::App& app) {
-    auto o = std::make_shared<Options>();
-    const CLI::Validator finite = finite_number();
-    CLI::App* verb =
-        app.add_subcommand("render", "Render a scene to a PNG, a PNG sequence or a video, without a display");
-    verb->add_option("SCENE", o->scene, "The scene (.scene.json)")->required();
-    verb->add_option("--preset", o->preset, "This preset instead of the one that the scene names")
-        ->option_text("FILE.json");
-    verb->add_option("--set", o->settings, "Change one parameter, such as bleeding.speed=8; may be repeated")
-        ->option_text("KEY=VALUE")
-        ->allow_extra_args(false);
-    verb->add_option("--size", o->size, "Size in pixels")->option_text("WxH")->capture_default_str();
-    verb->add_option("--fps", o->fps, "Frames per second of a sequence or video, 0.1 to 1000")
-        ->option_text("NUMBER")
-        ->check(finite)
-        ->check(CLI::Range(0.1, 1000.0))
-        ->capture_default_str();
-    auto* from = verb->add_option("--from", o->from, "Time of the first frame; default: 0")
-                     ->option_text("SECONDS")
-                     ->check(finite)
-                     ->check(CLI::Range(0.0, 86400.0));
-    auto* to = verb->add_option("--to", o->to, "Time at which it ends; default: the end of the scene")
-                   ->option_text("SECONDS")
-                   ->check(finite)
-                   ->check(CLI::Range(0.0, 86400.0));
-    auto* at = verb->add_option("--at", o->at, "Time of a single picture, else --from; not with --from and --to")
-                   ->option_text("SECONDS")
-                   ->check(finite)
-                   ->check(CLI::Range(0.0, 86400.0));
-    at->excludes(from)->excludes(to);
-    verb->add_option("--backend", o->backend, "The OpenGL that draws; auto is EGL, else OSMesa")
-        ->option_text("egl|osmesa|auto")
-        ->capture_default_str();
-    verb->add_option("--overlay", o->overlay, help_of("False colour over the tissue", overlays))
-        ->option_text(keys_of(overlays, "|"))
-        ->capture_default_str();
-    auto* codec = verb->add_option("--codec", o->codec, help_of("How a video is compressed", output::codec_rows()))
-                      ->option_text(keys_of(output::codec_rows(), "|"))
-                      ->capture_default_str();
-    auto* quality = verb->add_option("--quality", o->quality, help_of("Quality of a video", output::quality_rows()))
-                        ->option_text(keys_of(output::quality_rows(), "|"))
-                        ->capture_default_str();
-    verb->add_option(
-            "--beside", o->beside,
-            "Put this surgery video (or frame_%04d.png) beside each picture, and below both how much blood and "
-            "veil they show over time; the scene's own reference lies as the scene has it")
-        ->option_text("VIDEO");
-    verb->add_option("--amounts", o->amounts,
-                     "Write the amounts of each frame (blood mm2 and mm3, wounds, haze, burnt mm2, emission) as CSV")
-        ->option_text("FILE.csv");
-    verb->add_option("--layers", o->layers,
-                     "Write what is in each frame, exactly, into this folder: amounts.csv with the columns of lapfx "
-                     "measure (blood and veil as shares of the view), and pictures of view, blood and veil")
-        ->option_text("DIR");
-    verb->add_option("-o,--output", o->output,
-                     "out.png, out_%04d.png, or a video: " + listed(Content::video, " or ", true))
-        ->option_text("FILE")
-        ->required();
-    verb->footer(
+Verb render_verb() {
+    const auto o = std::make_shared<Options>();
+    Verb verb{.name = "render",
+              .help = "Render a scene to a PNG, a PNG sequence or a video, without a display",
+              .run = [o] { run(*o); }};
+    verb.argument("SCENE", "The scene (.scene.json)", &o->scene, {.required = true});
+    verb.option("--preset", "FILE.json", "This preset instead of the one that the scene names", &o->preset);
+    verb.option("--set", "KEY=VALUE", "Change one parameter, such as bleeding.speed=8; may be repeated", &o->settings,
+                {.one_each = true});
+    verb.option("--size", "WxH", "Size in pixels", &o->size, {.shows_default = true});
+    verb.option("--fps", "NUMBER", "Frames per second of a sequence or video, 0.1 to 1000", &o->fps,
+                {.shows_default = true, .range = Range{0.1, 1000.0}});
+    verb.option("--from", "SECONDS", "Time of the first frame; default: 0", &o->from,
+                {.range = Range{0.0, 86400.0}, .given = &o->has_span});
+    verb.option("--to", "SECONDS", "Time at which it ends; default: the end of the scene", &o->to,
+                {.range = Range{0.0, 86400.0}, .given = &o->has_span});
+    verb.option("--at", "SECONDS", "Time of a single picture, else --from; not with --from and --to", &o->at,
+                {.range = Range{0.0, 86400.0}, .excludes = {"--from", "--to"}, .given = &o->has_at});
+    verb.option("--backend", "egl|osmesa|auto", "The OpenGL that draws; auto is EGL, else OSMesa", &o->backend,
+                {.shows_default = true});
+    verb.option("--overlay", keys_of(overlays, "|"), help_of("False colour over the tissue", overlays), &o->overlay,
+                {.shows_default = true});
+    verb.option("--codec", keys_of(output::codec_rows(), "|"),
+                help_of("How a video is compressed", output::codec_rows()), &o->codec,
+                {.shows_default = true, .given = &o->has_codec});
+    verb.option("--quality", keys_of(output::quality_rows(), "|"),
+                help_of("Quality of a video", output::quality_rows()), &o->quality,
+                {.shows_default = true, .given = &o->has_quality});
+    verb.option("--beside", "VIDEO",
+                "Put this surgery video (or frame_%04d.png) beside each picture, and below both how much blood and "
+                "veil they show over time; the scene's own reference lies as the scene has it",
+                &o->beside);
+    verb.option("--amounts", "FILE.csv",
+                "Write the amounts of each frame (blood mm2 and mm3, wounds, haze, burnt mm2, emission) as CSV",
+                &o->amounts);
+    verb.option("--layers", "DIR",
+                "Write what is in each frame, exactly, into this folder: amounts.csv with the columns of lapfx "
+                "measure (blood and veil as shares of the view), and pictures of view, blood and veil",
+                &o->layers);
+    verb.option("-o,--output", "FILE", "out.png, out_%04d.png, or a video: " + listed(Content::video, " or ", true),
+                &o->output, {.required = true});
+    verb.footer =
         "Examples:\n"
         "  lapfx render samples/lagb.scene.json --at 6 --set bleeding.speed=8 -o out.png\n"
         "  lapfx render samples/lagb.scene.json --at 0 --overlay vessels -o vessels.png\n"
         "  lapfx render samples/lagb.scene.json --to 1 --fps 10 --size 320x256 --amounts amounts.csv -o out.mp4\n"
         "  lapfx render samples/lagb.scene.json --to 1 --fps 10 --size 320x256 --codec ffv1 -o exact.mkv\n"
         "  lapfx render samples/lagb.scene.json --at 6 --size 320x256 --beside samples/reference/operation.mp4 -o "
-        "both.png");
-    verb->callback([o, from, to, at, codec, quality] {
-        o->has_codec = codec->count() > 0;
-        o->has_quality = quality->count() > 0;
-        o->has_at = at->count() > 0;
-        o->has_span = from->count() + to->count() > 0;
-        run(*o);
-    });
+        "both.png";
+    return verb;
 }
 
 }  // namespace lapfx::commands

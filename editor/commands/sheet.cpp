@@ -135,34 +135,27 @@ void run(const Options& o) {
 
 }  // namespace
 
-void add_sheet(CLI::App& app) {
-    auto o = std::make_shared<Options>();
-    CLI::App* verb = app.add_subcommand("sheet", "Render a sheet of pictures: times across, presets down, with labels");
-    verb->add_option("SCENE", o->scene, "The scene (.scene.json)")->required();
-    verb->add_option("--preset", o->presets,
-                     "A row with this preset; may be repeated. Default: the preset of the scene")
-        ->option_text("FILE.json")
-        ->allow_extra_args(false);
-    verb->add_option("--at", o->times, "Times of the columns in seconds: 1,3,6,10")
-        ->option_text("TIMES")
-        ->required()
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->check(finite_number())
-        ->check(CLI::Range(0.0, 86400.0));
-    verb->add_option("--set", o->settings, "Change one parameter in every row; may be repeated")
-        ->option_text("KEY=VALUE")
-        ->allow_extra_args(false);
-    verb->add_option("--size", o->size, "Size of each picture in pixels")->option_text("WxH")->capture_default_str();
-    verb->add_option("--backend", o->backend, "The OpenGL that draws; auto is EGL, else OSMesa")
-        ->option_text("egl|osmesa|auto")
-        ->capture_default_str();
-    verb->add_option("-o,--output", o->output, "The sheet: sheet.png")->option_text("FILE")->required();
-    verb->footer(
+Verb sheet_verb() {
+    const auto o = std::make_shared<Options>();
+    Verb verb{.name = "sheet",
+              .help = "Render a sheet of pictures: times across, presets down, with labels",
+              .run = [o] { run(*o); }};
+    verb.argument("SCENE", "The scene (.scene.json)", &o->scene, {.required = true});
+    verb.option("--preset", "FILE.json", "A row with this preset; may be repeated. Default: the preset of the scene",
+                &o->presets, {.one_each = true});
+    verb.option("--at", "TIMES", "Times of the columns in seconds: 1,3,6,10", &o->times,
+                {.required = true, .one_each = true, .separator = ',', .range = Range{0.0, 86400.0}});
+    verb.option("--set", "KEY=VALUE", "Change one parameter in every row; may be repeated", &o->settings,
+                {.one_each = true});
+    verb.option("--size", "WxH", "Size of each picture in pixels", &o->size, {.shows_default = true});
+    verb.option("--backend", "egl|osmesa|auto", "The OpenGL that draws; auto is EGL, else OSMesa", &o->backend,
+                {.shows_default = true});
+    verb.option("-o,--output", "FILE", "The sheet: sheet.png", &o->output, {.required = true});
+    verb.footer =
         "Example:\n"
         "  lapfx sheet samples/lagb.scene.json --preset presets/slow_ooze.json --preset presets/brisk_bleed.json "
-        "--at 3,6 -o sheet.png");
-    verb->callback([o] { run(*o); });
+        "--at 3,6 -o sheet.png";
+    return verb;
 }
 
 }  // namespace lapfx::commands

@@ -217,8 +217,8 @@ void KeepFolder::write(const Kept& kept) {
     std::error_code error;
     if (lock_ && !fs::exists(lock_->file(), error)) remove();  // someone has removed the folder
     for (unsigned attempt = 0; !lock_; ++attempt) {
-        own_ = all_ / (hex_of(static_cast<std::uint64_t>(kept.time)).substr(6) + '-' + std::to_string(::getpid()) + '-' +
-                       std::to_string(attempt));
+        own_ = all_ / (hex_of(static_cast<std::uint64_t>(kept.time)).substr(6) + '-' + std::to_string(::getpid()) +
+                       '-' + std::to_string(attempt));
         lock_ = Lock::take(own_ / "lock");
         if (!kept_files(own_).empty()) lock_.reset();  // they belong to another editor that used the same name
     }

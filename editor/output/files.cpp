@@ -6,6 +6,7 @@
 #include <cstring>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
 
 #include "lapfx/authoring/file_guard.h"
 #include "lapfx/authoring/formats.h"
@@ -67,19 +68,18 @@ bool is_video_name(const fs::path& path) {
     return format != nullptr && format->content == Content::video && format->written;
 }
 
-VideoFile::VideoFile(const fs::path& path, double fps, cv::Size size, Codec codec, Quality quality)
+VideoFile::VideoFile(const fs::path& path, double fps, glm::ivec2 size, Codec codec, Quality quality)
     : path_(fs::absolute(path)), size_(size) {
     require_replaceable(path_);
     if (const std::string fault = codec_fault(codec, path); !fault.empty()) throw cannot_write(path, fault);
     // Those with half the chroma need it; one rule for all is easier to know.
-    if (size.width % 2 != 0 || size.height % 2 != 0)
-        throw cannot_write(path, "a video of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
+    if (size.x % 2 != 0 || size.y % 2 != 0)
+        throw cannot_write(path, "a video of " + std::to_string(size.x) + "x" + std::to_string(size.y) +
                                      " pixels cannot be encoded here (the sides must be even)");
     // The extension stays last: the container is chosen by it.
     beside_ = std::make_unique<Beside>(path_, Beside::Kind::file, path_.extension().string());
     encoder_ = std::make_unique<VideoEncoder>(
-        beside_->path(), VideoFormat{.fps = fps, .size = {size.width, size.height}, .codec = codec, .quality = quality},
-        path);
+        beside_->path(), VideoFormat{.fps = fps, .size = size, .codec = codec, .quality = quality}, path);
 }
 
 /// The members close the file before `beside_` removes it.
@@ -96,22 +96,21 @@ bool VideoFile::check() {
     if (encoder_) {
         encoder_->finish();
         encoder_.reset();
-        written_.open(beside_->path().string(), cv::CAP_FFMPEG);
+        written_ = std::make_unique<cv::VideoCapture>(beside_->path().string(), cv::CAP_FFMPEG);
     }
-    if (written_.isOpened() && written_.grab()) {
+    if (written_->isOpened() && written_->grab()) {
         ++readable_;
         return true;
     }
-    const cv::Size size(static_cast<int>(written_.get(cv::CAP_PROP_FRAME_WIDTH)),
-                        static_cast<int>(written_.get(cv::CAP_PROP_FRAME_HEIGHT)));
+    const glm::ivec2 size(static_cast<int>(written_->get(cv::CAP_PROP_FRAME_WIDTH)),
+                          static_cast<int>(written_->get(cv::CAP_PROP_FRAME_HEIGHT)));
     if (readable_ != frames_)
         throw cannot_write(path_, "the video could not be written completely: " + std::to_string(readable_) + " of " +
                                       std::to_string(frames_) + " frames; is the disk full?");
     if (frames_ > 0 && size != size_)
-        throw cannot_write(path_, "the video has " + std::to_string(size.width) + "x" + std::to_string(size.height) +
-                                      " pixels, not " + std::to_string(size_.width) + "x" +
-                                      std::to_string(size_.height));
-    written_.release();
+        throw cannot_write(path_, "the video has " + std::to_string(size.x) + "x" + std::to_string(size.y) +
+                                      " pixels, not " + std::to_string(size_.x) + "x" + std::to_string(size_.y));
+    written_.reset();
     checked_ = true;
     return false;
 }

@@ -7,14 +7,19 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/glm.hpp>
 #include <memory>
-#include <opencv2/core.hpp>
-#include <opencv2/videoio.hpp>
+#include <string>
 
 #include "lapfx/authoring/file.h"
 #include "lapfx/error.h"
 #include "lapfx/organ.h"
 #include "output/codecs.h"
+
+namespace cv {
+class Mat;
+class VideoCapture;
+}  // namespace cv
 
 namespace lapfx::output {
 
@@ -29,7 +34,7 @@ class VideoFile {
   public:
     /// The container follows from the extension (is_video_name). Throws Error (runtime), also for a codec that it does
     /// not hold.
-    VideoFile(const std::filesystem::path& path, double fps, cv::Size size, Codec codec = Codec::h264,
+    VideoFile(const std::filesystem::path& path, double fps, glm::ivec2 size, Codec codec = Codec::h264,
               Quality quality = Quality::good);
     ~VideoFile();
     VideoFile(const VideoFile&) = delete;
@@ -48,9 +53,9 @@ class VideoFile {
   private:
     std::filesystem::path path_;
     std::unique_ptr<Beside> beside_;
-    cv::Size size_;
-    std::unique_ptr<VideoEncoder> encoder_;  ///< null once the last frame was added
-    cv::VideoCapture written_;
+    glm::ivec2 size_;
+    std::unique_ptr<VideoEncoder> encoder_;      ///< null once the last frame was added
+    std::unique_ptr<cv::VideoCapture> written_;  ///< reads it back; null while it is written
     int frames_ = 0, readable_ = 0;
     bool checked_ = false;
 };

@@ -1,7 +1,7 @@
 #include "output/frame_files.h"
 
 #include <opencv2/core.hpp>
-#include <regex>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +19,23 @@ namespace {
 
 std::size_t hash_of(const cv::Mat& bgr) {
     return std::hash<std::string_view>{}({reinterpret_cast<const char*>(bgr.data), bgr.total() * bgr.elemSize()});
+}
+
+/// Where a name has its number: "%04d".
+struct NumberPlace {
+    std::size_t begin, end;
+    bool zeros;          ///< in front, where it is shorter than `digits` say; else blanks
+    std::string digits;  ///< how long it is at least; may be empty
+};
+
+std::optional<NumberPlace> number_in(const std::string& name) {
+    const std::size_t begin = name.find('%');
+    if (begin == std::string::npos) return std::nullopt;
+    const bool zeros = name[begin + 1] == '0';
+    const std::size_t digits = begin + (zeros ? 2 : 1);
+    const std::size_t end = std::min(name.find_first_not_of("0123456789", digits), name.size());
+    if (name[end] != 'd') return std::nullopt;
+    return NumberPlace{.begin = begin, .end = end + 1, .zeros = zeros, .digits = name.substr(digits, end - digits)};
 }
 
 /// Pictures, which are in a folder of their own until all have been written.
@@ -80,8 +97,7 @@ class PngFiles : public FrameFiles {
 
 class VideoFrames : public FrameFiles {
   public:
-    VideoFrames(const fs::path& name, const FrameFormat& f)
-        : video_(name, f.fps, cv::Size(f.size.x, f.size.y), f.codec, f.quality) {}
+    VideoFrames(const fs::path& name, const FrameFormat& f) : video_(name, f.fps, f.size, f.codec, f.quality) {}
     void add(const Image& image) override { video_.add(image); }
     bool check() override { return video_.check(); }
     void publish() override { video_.publish(); }
@@ -93,8 +109,12 @@ class VideoFrames : public FrameFiles {
 }  // namespace
 
 bool is_sequence_name(const fs::path& path) {
-    static const std::regex pattern(R"([^%]*%0?\d{0,2}d[^%]*\.[pP][nN][gG])");
-    return std::regex_match(path.filename().string(), pattern);
+    const std::string name = path.filename().string();
+    const std::optional<NumberPlace> number = number_in(name);
+    if (!number || number->digits.size() > 2 || name.find('%', number->end) != std::string::npos) return false;
+    std::string ending = name.substr(std::max(number->end, name.size() - std::min<std::size_t>(name.size(), 4)));
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return ending == ".png";
 }
 
 bool is_picture_name(const fs::path& path) {
@@ -104,14 +124,12 @@ bool is_picture_name(const fs::path& path) {
 }
 
 fs::path sequence_name(const fs::path& pattern, int index) {
-    static const std::regex number(R"(%(0?)(\d*)d)");
     const std::string name = pattern.filename().string();
-    std::smatch match;
-    std::regex_search(name, match, number);
+    const NumberPlace number = number_in(name).value();
     std::string digits = std::to_string(index);
-    const std::size_t width = match[2].length() > 0 ? std::stoul(match[2]) : 0;
-    if (digits.size() < width) digits.insert(0, width - digits.size(), match[1].length() > 0 ? '0' : ' ');
-    return pattern.parent_path() / (match.prefix().str() + digits + match.suffix().str());
+    const std::size_t width = number.digits.empty() ? 0 : std::stoul(number.digits);
+    if (digits.size() < width) digits.insert(0, width - digits.size(), number.zeros ? '0' : ' ');
+    return pattern.parent_path() / (name.substr(0, number.begin) + digits + name.substr(number.end));
 }
 
 std::unique_ptr<FrameFiles> make_png_files(const fs::path& name, const FrameFormat& format) {

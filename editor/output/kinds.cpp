@@ -85,7 +85,7 @@ const std::array<std::string_view, output_kind_count>& output_titles() {
 }
 
 std::optional<OutputKind> kind_named(const std::filesystem::path& name) {
-    if (name.filename().native().size() > longest_name) return {};  // no file system allows it, and std::regex recurses
+    if (name.filename().native().size() > longest_name) return {};  // no file system allows it
     for (const OutputRow& row : rows)
         if (row.is_name != nullptr && row.is_name(name)) return row.kind;
     return {};

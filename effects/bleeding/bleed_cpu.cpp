@@ -50,17 +50,18 @@ BleedField::BleedField(const Surface& surface, glm::dvec3 down)
 }
 
 void BleedField::set(std::span<const Wound> wounds, const BleedingParameters& parameters) {
-    const unsigned differ = difference(*preset_table().find("bleeding"), &parameters_, &parameters);
-    const bool same_values = (differ & redo::bleed) == 0;
-    if (differ & redo::fronts) {
-        bleeders_.clear();
-        active_.clear();
-        status_.clear();
-    }
+    set_parameters(parameters, difference(*preset_table().find("bleeding"), &parameters_, &parameters));
+    set_wounds(wounds);
+}
+
+void BleedField::set_parameters(const BleedingParameters& parameters, unsigned changed) {
+    const bool same_values = (changed & redo::bleed) == 0;
     stale_ = stale_ || !same_values;
-    if (differ & redo::blood_sums) amount_.mark_all();
+    if (changed & redo::blood_sums) amount_.mark_all();
     parameters_ = parameters;
+    clearing_.set_parameters(parameters, changed);
     if (!same_values) strength_ = Strength(strength_.curve(), parameters_);
+    if (changed & redo::fronts) run_again();
     if (const float wanted = driest(); wanted != dry_) {
         dry_ = wanted;
         std::fill(surface_values_.begin(), surface_values_.end(), glm::vec2(dry_, 0.0f));
@@ -69,7 +70,15 @@ void BleedField::set(std::span<const Wound> wounds, const BleedingParameters& pa
         changed_.mark_all();
         amount_.mark_all();  // nothing else shows where blood was removed
     }
-    replace_wounds(wounds);
+}
+
+/// All fronts from the beginning.
+void BleedField::run_again() {
+    const std::vector<WoundStatus> former = std::exchange(status_, {});
+    bleeders_.clear();
+    active_.clear();
+    for (const WoundStatus& status : former) add_bleeder(status.wound, new_front(status.wound));
+    stale_ = true;
 }
 
 /// Gravity at most doubles a distance, so no neighbour of a place within reach of noise is drier.
@@ -85,13 +94,12 @@ void BleedField::add_bleeder(const Wound& wound, Front front) {
 }
 
 /// In the common case, wounds are added at the end or stopped, and no front changes.
-void BleedField::replace_wounds(std::span<const Wound> wounds) {
+void BleedField::set_wounds(std::span<const Wound> wounds) {
     const auto in_place = [&] {
         for (std::size_t i = 0; i < bleeders_.size(); ++i)
             if (status_[i].wound.position != wounds[i].position) return false;
         return true;
     };
-    const auto new_front = [&](const Wound& wound) { return Front(room_, metric_of(parameters_), wound.position); };
     if (wounds.size() >= bleeders_.size() && in_place()) {
         for (std::uint32_t i = 0; i < bleeders_.size(); ++i) {
             if (status_[i].wound == wounds[i]) continue;
@@ -124,10 +132,6 @@ void BleedField::replace_wounds(std::span<const Wound> wounds) {
     }
     bleeders_.reserve(wounds.size());
     for (std::size_t i = bleeders_.size(); i < wounds.size(); ++i) add_bleeder(wounds[i], new_front(wounds[i]));
-}
-
-void BleedField::set_clearing(const tool::Log& log, const BleedingParameters& parameters) {
-    clearing_.set(log, parameters);
 }
 
 void BleedField::set_strength(const FactorCurve& strength) {

@@ -42,11 +42,15 @@ class BleedField final : public Bleeding {
 
     Model model() const override { return Model::spread; }
 
-    /// Values depend, to the last bit, only on what is set and on the time, not on what was set before. Fronts of
-    /// wounds that stay at their place are kept; with another gravity_bias, crease_bias or bridge_gap all fronts run
-    /// again.
-    void set(std::span<const Wound> wounds, const BleedingParameters& parameters) override;
-    void set_clearing(const tool::Log& log, const BleedingParameters& parameters) override;
+    // Values depend, to the last bit, only on what is set and on the time, not on what was set before.
+
+    /// With another gravity_bias, crease_bias or bridge_gap all fronts run again.
+    void set_parameters(const BleedingParameters& parameters, unsigned changed) override;
+    /// Fronts of wounds that stay at their place are kept.
+    void set_wounds(std::span<const Wound> wounds) override;
+    /// Both, for callers who do not know what has changed: it is found here.
+    void set(std::span<const Wound> wounds, const BleedingParameters& parameters);
+    void set_clearing(const tool::Log& log) override { clearing_.set(log); }
     void set_strength(const FactorCurve& strength) override;
     void replace(Bleeding& former) override;
     void keep(const Bleeding& former, std::span<const std::uint32_t> sources, double time) override;
@@ -64,6 +68,7 @@ class BleedField final : public Bleeding {
     }
     std::span<const glm::vec2> values() const { return values_; }                  ///< per organ vertex: mm; clot 0..1
     std::span<const glm::vec2> surface_values() const { return surface_values_; }  ///< the same per surface vertex
+    std::span<const DrawnArray> drawn() const override { return {&drawn_, 1}; }
     ChangedVertices& changed() override { return changed_; }
 
     BloodAmount amount() const noexcept override;
@@ -87,8 +92,9 @@ class BleedField final : public Bleeding {
         std::size_t boxed = 0;  // rings
     };
     const Wound& wound_of(const Bleeder& bleeder) const { return status_[bleeder.number].wound; }
+    void run_again();
     void add_bleeder(const Wound& wound, Front front);
-    void replace_wounds(std::span<const Wound> wounds);
+    Front new_front(const Wound& wound) { return {room_, metric_of(parameters_), wound.position}; }
     bool has_settled(const Bleeder& bleeder, double time) const noexcept;
     bool refills(const Bleeder& bleeder, double flowed) const noexcept;
     double source_of(const Bleeder& bleeder, double flowed) const noexcept;
@@ -128,8 +134,9 @@ class BleedField final : public Bleeding {
     Layer surface_values_;
     Layer settled_values_;           // values of kept blood, and of settled bleeders
     Region anew_, settled_anew_;     // where surface_values_ and settled_values_ have to be computed again
-    std::vector<glm::vec2> values_;  // per organ vertex
-    KeptBlood kept_;                 // or empty
+    std::vector<glm::vec2> values_;  // per organ vertex; always as many
+    DrawnArray drawn_{.data = values_.data(), .count = values_.size(), .stride = sizeof(glm::vec2)};
+    KeptBlood kept_;  // or empty
     float kept_clot_ = 0.0f;
     bool kept_shown_ = false;
     std::vector<char> is_touched_;  // per surface vertex: blood has come near

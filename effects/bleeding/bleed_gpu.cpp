@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "bleeding/bleed_cpu.h"
 #include "gl/srgb.h"
 
 namespace lapfx::bleeding {
@@ -34,7 +33,8 @@ void BleedGpu::set(const BleedingParameters& b, const glm::dvec3& down, std::uin
 }
 
 std::size_t BleedGpu::send(const Bleeding& blood, std::span<const VertexRun> changed) const noexcept {
-    return send(static_cast<const BleedField&>(blood).values(), changed);
+    const DrawnArray& values = blood.drawn().front();
+    return send({static_cast<const glm::vec2*>(values.data), values.count}, changed);
 }
 
 std::size_t BleedGpu::send(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept {

@@ -6,6 +6,8 @@
 // write a class of each side and a row for it in models.cpp and in bleeding_gpu.cpp. One thread at a time.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -36,6 +38,13 @@ struct BloodAt {
     float clot = 0.0f;   ///< 0..1
 };
 
+/// An array that the GPU has a copy of, for each vertex of the organ or for each of what else the model consists of.
+struct DrawnArray {
+    const void* data = nullptr;
+    std::size_t count = 0;
+    std::size_t stride = 0;  ///< bytes of an element
+};
+
 class Bleeding {
   public:
     static constexpr std::uint32_t gone = 0xffffffff;  ///< for keep(): a vertex that was not there
@@ -47,9 +56,12 @@ class Bleeding {
 
     virtual Model model() const = 0;
 
-    virtual void set(std::span<const Wound> wounds, const BleedingParameters& parameters) = 0;
+    /// `changed`: the redo bits (lapfx/parameter.h) of what differs from the parameters before, at first those of
+    /// BleedingParameters{}. set_clearing() has to follow.
+    virtual void set_parameters(const BleedingParameters& parameters, unsigned changed) = 0;
+    virtual void set_wounds(std::span<const Wound> wounds) = 0;
     /// Takes suction and irrigation from the tool's log. It must always be the same log.
-    virtual void set_clearing(const tool::Log& log, const BleedingParameters& parameters) = 0;
+    virtual void set_clearing(const tool::Log& log) = 0;
     /// The scene's factor on the flow over time (lapfx/curves.h); 1 at first.
     virtual void set_strength(const FactorCurve& strength) = 0;
     /// Takes the place of `former` on the same surface, because gravity or the model has changed: what lay there when
@@ -66,6 +78,9 @@ class Bleeding {
     virtual BloodAmount amount() const noexcept = 0;
     /// Every wound, in the order in which they were set.
     virtual std::span<const WoundStatus> wounds() const = 0;
+    /// What is drawn of it, for the model's own side of the GPU, which knows what each array is. Valid while this
+    /// object lives.
+    virtual std::span<const DrawnArray> drawn() const = 0;
     /// Vertices whose blood is drawn otherwise since somebody has taken them; at first, all.
     virtual ChangedVertices& changed() = 0;
 };

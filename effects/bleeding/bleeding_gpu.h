@@ -34,7 +34,8 @@ class BleedingGpu {
     virtual ~BleedingGpu() = default;
 
     virtual Model model() const = 0;
-    /// The first one is what a host's own shader gets (Effects::bleed_buffer). Valid while this object lives.
+    /// The first one is what a host's own shader gets (Effects::bleed_buffer). Number 5 is the bleed value and clot as
+    /// in `spread`, which overlays show, whatever else the model draws. Valid while this object lives.
     virtual std::span<const Attribute> attributes() const = 0;
 
     /// `down`: unit, organ space: the direction in which rivulets run. `seed`: of the noise.

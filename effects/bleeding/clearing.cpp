@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lapfx/parameter.h"
+
 namespace lapfx::bleeding {
 
 namespace {
@@ -43,11 +45,14 @@ Clearing::Sweep Clearing::sweep_of(const ToolContact& contact, std::size_t piece
     return sweep;
 }
 
-bool Clearing::set(const tool::Log& log, const BleedingParameters& parameters) {
-    if (suction_radius_ != parameters.suction_radius || irrigation_radius_ != parameters.irrigation_radius)
-        reader_.forget();
+void Clearing::set_parameters(const BleedingParameters& parameters, unsigned changed) {
+    if ((changed & redo::clearing) == 0) return;
     suction_radius_ = parameters.suction_radius;
     irrigation_radius_ = parameters.irrigation_radius;
+    reader_.forget();
+}
+
+bool Clearing::set(const tool::Log& log) {
     const std::size_t first = reader_.take(log);
     bool changed = false;
     for (; !sweeps_.empty() && sweeps_.back().piece >= first; sweeps_.pop_back()) {

@@ -32,9 +32,12 @@ class Clearing {
     /// Keeps a reference to `surface`. `down`: unit; water runs that way.
     Clearing(const Surface& surface, glm::dvec3 down);
 
+    /// `changed`: the redo bits (lapfx/parameter.h) of what differs from the parameters before, at first those of
+    /// BleedingParameters{}. It counts with the next set().
+    void set_parameters(const BleedingParameters& parameters, unsigned changed);
     /// Takes suction and irrigation that were written to the log since the last call; it must always be the same log.
     /// True when the cleared places may have changed.
-    bool set(const tool::Log& log, const BleedingParameters& parameters);
+    bool set(const tool::Log& log);
 
     /// The caps as of `time`. True when any may have changed: at the places of changed(), or anywhere.
     bool update(double time) noexcept;
@@ -84,7 +87,8 @@ class Clearing {
 
     const Surface& surface_;
     glm::dvec3 down_;
-    double suction_radius_ = 0.0, irrigation_radius_ = 0.0;
+    double suction_radius_ = BleedingParameters{}.suction_radius,
+           irrigation_radius_ = BleedingParameters{}.irrigation_radius;  // mm
     tool::Reader reader_;
     std::vector<Sweep> sweeps_;
     // Finished sweeps keep their caps as time advances: a frame costs only the running sweep.

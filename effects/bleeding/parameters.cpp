@@ -98,9 +98,10 @@ constexpr Parameter rows[] = {
                               "coagulation_time", "Coagulation time", {0, 30, 0.1, "s"},
                               "How long a wound has to be cauterised until it stops bleeding. The paper stops the "
                               "spread within a short period.")),
-    again(redo::amounts, number<&B::suction_radius>("suction_radius", "Suction radius", {0, 50, 0.5, "mm"},
-                                                    "How far around its tip suction removes blood.")),
-    again(redo::amounts,
+    again(redo::amounts | redo::clearing,
+          number<&B::suction_radius>("suction_radius", "Suction radius", {0, 50, 0.5, "mm"},
+                                     "How far around its tip suction removes blood.")),
+    again(redo::amounts | redo::clearing,
           number<&B::irrigation_radius>(
               "irrigation_radius", "Irrigation radius", {0, 100, 0.5, "mm"},
               "How far around its tip irrigation rinses blood away; downhill it reaches half as far again.")),

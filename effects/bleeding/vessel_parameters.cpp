@@ -132,10 +132,11 @@ constexpr Rule rules[] = {
 }  // namespace
 
 Table vessels_table() {
-    return again(redo::amounts, table<&Preset::vessels>(
-                                    "vessels", "Vessels",
-                                    "Where the organ's colours show vessels and fat, and how that changes a wound.",
-                                    {.rows = rows, .rules = rules}));
+    return again(
+        redo::amounts | redo::densities,
+        table<&Preset::vessels>("vessels", "Vessels",
+                                "Where the organ's colours show vessels and fat, and how that changes a wound.",
+                                {.rows = rows, .rules = rules}));
 }
 
 }  // namespace lapfx::preset

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "lapfx/parameter.h"
 
 namespace lapfx::cautery {
 
@@ -27,30 +30,35 @@ Cautery::Cautery(const Surface& surface, StrengthAt strength_at)
     last_.values = settled_.values;
 }
 
-void Cautery::choose_model(const CauteryParameters& parameters) {
-    radial_.reset(parameters);
+void Cautery::set_parameters(const CauteryParameters& parameters, unsigned changed) {
+    parameters_ = parameters;
+    due_ |= changed;
+}
+
+void Cautery::choose_model() {
+    radial_.reset(parameters_);
     if (bioheat_)
         for (const std::uint32_t point : bioheat_->touched()) touch(point);
     const std::uint64_t before = heat_version();
-    if (parameters.model != HeatModel::bioheat)
+    if (parameters_.model != HeatModel::bioheat)
         bioheat_.reset();
     else if (!bioheat_)
         bioheat_ = std::make_unique<Bioheat>(surface_, strength_at_, sealed_at());
-    if (bioheat_) bioheat_->reset(parameters);
+    if (bioheat_) bioheat_->reset(parameters_);
     versions_ = before + 1 - list().version();
-    parameters_ = parameters;
     all_stale_ = remeasure_ = true;
 }
 
-void Cautery::set(const tool::Log& log, const CauteryParameters& parameters) {
+void Cautery::set(const tool::Log& log) {
+    const unsigned due = std::exchange(due_, 0U);
+    if (due & redo::tip_places) track_.set_parameters(parameters_);
     const std::size_t before = track_.stays().size();
-    std::size_t first = track_.set(log, parameters);
+    std::size_t first = track_.set(log);
     const std::size_t count = track_.stays().size();
-    const double clips_from = clips_.set(track_, first, parameters);
+    const double clips_from = clips_.set(track_, first, parameters_, due);
     double from = track_.same_until();
-    if (!(parameters == parameters_) || !chosen_) {
-        choose_model(parameters);
-        chosen_ = true;
+    if (due & redo::heat) {
+        choose_model();
         first = 0;
         from = -never;
     } else if (first == before && first == count) {

@@ -28,12 +28,13 @@ class Cautery {
     Cautery(const Cautery&) = delete;
     Cautery& operator=(const Cautery&) = delete;
 
+    /// `changed`: the redo bits (lapfx/parameter.h) of what differs from the parameters before, at first those of
+    /// CauteryParameters{}; and redo::heat where strength_at gives other answers than before. The next set() computes
+    /// everything again that they say.
+    void set_parameters(const CauteryParameters& parameters, unsigned changed);
     /// Takes what the tool has done and will do. The cost depends on what was written to the log since the last call. A
-    /// change before its last piece computes the marks again, a change of parameters computes everything again. It must
-    /// always be the same log.
-    void set(const tool::Log& log, const CauteryParameters& parameters);
-    /// Call this when strength_at gives other answers than before: the next set() computes everything again.
-    void strengths_changed() { chosen_ = false; }
+    /// change before its last piece computes the marks again. It must always be the same log.
+    void set(const tool::Log& log);
     /// Heat, wounds and marks at `time`. Times that are not finite are ignored.
     void update(double time) noexcept;
 
@@ -76,7 +77,7 @@ class Cautery {
 
     const WoundList& list() const { return bioheat_ ? bioheat_->wounds() : radial_.wounds(); }
     std::uint64_t heat_version() const { return list().version() + versions_; }
-    void choose_model(const CauteryParameters& parameters);
+    void choose_model();
     SealedAt sealed_at();
     void seal();
     void clear(Layer& layer);
@@ -89,7 +90,7 @@ class Cautery {
     const Surface& surface_;
     StrengthAt strength_at_;
     CauteryParameters parameters_;
-    bool chosen_ = false;  // parameters_ have been set by set()
+    unsigned due_ = ~0U;  // redo bits: what the next set() has to do again
     Track track_;
     Radial radial_;
     std::unique_ptr<Bioheat> bioheat_;  // while the model is bioheat

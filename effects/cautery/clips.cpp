@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lapfx/parameter.h"
 #include "organ/path.h"
 
 namespace lapfx::cautery {
@@ -78,16 +79,16 @@ void ClipList::turn(std::uint32_t clip, const glm::dvec3& direction) {
     enter(clip);
 }
 
-double ClipList::set(const Track& track, std::size_t first, const CauteryParameters& parameters) {
+double ClipList::set(const Track& track, std::size_t first, const CauteryParameters& parameters, unsigned changed) {
     const auto stays = track.stays();
-    if (length_ != parameters.clip_length || reach_ != parameters.clip_reach) first = 0;
+    const bool same = (changed & redo::metal_clips) == 0;
+    if (!same) first = 0;
     double from = never;
     before_.clear();
     for (; !clips_.empty() && clips_.back().stay >= first; clips_.pop_back()) {
         leave(static_cast<std::uint32_t>(clips_.size() - 1));
         before_.push_back(clips_.back());
     }
-    const bool same = length_ == parameters.clip_length && reach_ == parameters.clip_reach;
     length_ = parameters.clip_length;
     reach_ = parameters.clip_reach;
     const std::size_t kept = clips_.size();

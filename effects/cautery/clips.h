@@ -41,9 +41,10 @@ class ClipList {
     /// Keeps a reference.
     explicit ClipList(const Surface& surface) : surface_(surface) {}
 
-    /// The track's stays from `first` on have changed. Returns the time, s, from which sealed_at() may answer
-    /// differently; never: nothing has changed.
-    double set(const Track& track, std::size_t first, const CauteryParameters& parameters);
+    /// The track's stays from `first` on have changed. `changed`: redo bits; with redo::metal_clips the parameters are
+    /// taken, and all clips are new. Returns the time, s, from which sealed_at() may answer differently; never: nothing
+    /// has changed.
+    double set(const Track& track, std::size_t first, const CauteryParameters& parameters, unsigned changed);
 
     /// In the order of their times.
     std::span<const Clip> clips() const { return clips_; }
@@ -60,7 +61,7 @@ class ClipList {
     void turn(std::uint32_t clip, const glm::dvec3& direction);
 
     const Surface& surface_;
-    double length_ = 0.0, reach_ = 0.0;
+    double length_ = CauteryParameters{}.clip_length, reach_ = CauteryParameters{}.clip_reach;  // mm
     std::vector<Clip> clips_, before_;
     Grid grid_{8.0};  // of what each clip reaches
     std::vector<std::uint32_t> near_;

@@ -65,8 +65,8 @@ constexpr Parameter rows[] = {
     number<&C::heat_rate>("heat_rate", "Heat rate", {0, 2000, 5, "°C/s"},
                           "How fast tissue heats under a tool at full power. In the paper: heat is proportional to how "
                           "long cautery lasts."),
-    number<&C::tip_radius>("tip_radius", "Tip radius", {0.3, 10, 0.1, "mm"},
-                           "How far around its tip the tool touches the tissue."),
+    again(redo::tip_places, number<&C::tip_radius>("tip_radius", "Tip radius", {0.3, 10, 0.1, "mm"},
+                                                   "How far around its tip the tool touches the tissue.")),
     number<&C::cut_temperature>(
         "cut_temperature", "Cut temperature", temperature,
         "Above it the tissue divides and may bleed. In the paper: the predetermined temperature threshold."),
@@ -91,12 +91,13 @@ constexpr Parameter rows[] = {
     number<&C::perfusion>(
         "perfusion", "Perfusion", {0, 2, 0.005, "1/s"},
         "How fast blood flow carries heat away. Used by the model bioheat only. In the paper: the bio-heat equation."),
-    number<&C::clip_length>("clip_length", "Clip length", {4, 20, 0.5, "mm"},
-                            "Length of the metal clips that a clip applier sets."),
-    number<&C::clip_reach>(
-        "clip_reach", "Clip reach", {0.5, 10, 0.1, "mm"},
-        "How far from its middle line a clip holds the tissue shut: wounds there stop at once, and what "
-        "is cut there later does not bleed."),
+    again(redo::metal_clips, number<&C::clip_length>("clip_length", "Clip length", {4, 20, 0.5, "mm"},
+                                                     "Length of the metal clips that a clip applier sets.")),
+    again(redo::metal_clips,
+          number<&C::clip_reach>(
+              "clip_reach", "Clip reach", {0.5, 10, 0.1, "mm"},
+              "How far from its middle line a clip holds the tissue shut: wounds there stop at once, and what "
+              "is cut there later does not bleed.")),
 };
 
 constexpr Rule rules[] = {
@@ -117,7 +118,7 @@ constexpr Rule rules[] = {
 }  // namespace
 
 Table cautery_table() {
-    return again(redo::amounts,
+    return again(redo::amounts | redo::heat,
                  table<&Preset::cautery>("cautery", "Cautery", "Heat under the tool: what it cuts, closes and chars.",
                                          {rows, {}, rules}));
 }

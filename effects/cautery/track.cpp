@@ -20,12 +20,13 @@ double same_until(const ToolContact& a, const ToolContact& b) {
 
 }  // namespace
 
-std::size_t Track::set(const tool::Log& log, const CauteryParameters& parameters) {
-    const auto per_wound = static_cast<std::uint32_t>(std::ceil(3.0 * wound_spacing / parameters.tip_radius));
-    if (per_wound != per_wound_ || spacing_ == 0.0) reader_.forget();
-    per_wound_ = per_wound;
-    spacing_ = wound_spacing / per_wound;
+void Track::set_parameters(const CauteryParameters& parameters) {
+    per_wound_ = static_cast<std::uint32_t>(std::ceil(3.0 * wound_spacing / parameters.tip_radius));
+    spacing_ = wound_spacing / per_wound_;
+    reader_.forget();
+}
 
+std::size_t Track::set(const tool::Log& log) {
     const std::span<const tool::Piece> pieces = log.pieces();
     const std::size_t first = reader_.take(log);
     same_until_ = never;

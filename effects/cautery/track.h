@@ -38,11 +38,13 @@ struct Stay {
 class Track {
   public:
     /// Keeps a reference.
-    explicit Track(const Surface& surface) : surface_(surface) {}
+    explicit Track(const Surface& surface) : surface_(surface) { set_parameters({}); }
 
+    /// After a change of what a track depends on (redo::tip_places). All stays are new with the next set().
+    void set_parameters(const CauteryParameters& parameters);
     /// Makes a stay for each piece. Takes what has been written since the last call and gives the number of the first
-    /// new stay. All are new when a parameter that a track depends on has changed.
-    std::size_t set(const tool::Log& log, const CauteryParameters& parameters);
+    /// new stay.
+    std::size_t set(const tool::Log& log);
 
     std::span<const Stay> stays() const { return stays_; }
     std::span<const Place> places() const { return places_; }

@@ -74,8 +74,12 @@ OrganGpu::OrganGpu(const Organ& organ, const bleeding::BleedingGpu* blood, std::
 void OrganGpu::set_blood(const bleeding::BleedingGpu& blood) {
     programs_->prepare(blood.model());
     model_ = blood.model();
-    for (const bleeding::Attribute& attribute : blood.attributes())
+    for (const GLuint index : blood_attributes_) vertex_array_.attribute(index, marks_, 2);  // their buffers may go
+    blood_attributes_.clear();
+    for (const bleeding::Attribute& attribute : blood.attributes()) {
         vertex_array_.attribute(attribute.index, *attribute.buffer, attribute.components);
+        blood_attributes_.push_back(attribute.index);
+    }
 }
 
 void OrganGpu::take_materials(const Organ& organ) {

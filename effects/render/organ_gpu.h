@@ -107,6 +107,7 @@ class OrganGpu {
     std::vector<Material> materials_;
     std::vector<Part> parts_, unsplit_parts_;
     bleeding::Model model_{};
+    std::vector<GLuint> blood_attributes_;  // that the model has set
     bool tissue_;
     bool midway_ = true;
 };

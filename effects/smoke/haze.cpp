@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace lapfx::smoke {
 
@@ -69,14 +70,21 @@ std::span<const Span> HazeCurve::List<Span>::after(double time) const {
     return std::span<const Span>(spans).subspan(static_cast<std::size_t>(first));
 }
 
-void HazeCurve::set(std::span<const Emission> emissions, std::span<const Suction> suctions, const HazeParameters& haze,
-                    const FactorCurve& factor, std::size_t same_emissions, std::size_t same_suctions) {
-    double from = std::min(emissions_.replace(emissions, same_emissions), suctions_.replace(suctions, same_suctions));
-    if (accumulation_ != haze.accumulation || ventilation_ != haze.ventilation || suction_ != haze.suction ||
-        !(factor_ == factor))
-        from = -never;
+void HazeCurve::set_parameters(const HazeParameters& haze) {
     accumulation_ = haze.accumulation, ventilation_ = haze.ventilation, suction_ = haze.suction;
+    anew_ = true;
+}
+
+void HazeCurve::set_factor(const FactorCurve& factor) {
+    if (factor == factor_) return;
     factor_ = factor;
+    anew_ = true;
+}
+
+void HazeCurve::set(std::span<const Emission> emissions, std::span<const Suction> suctions, std::size_t same_emissions,
+                    std::size_t same_suctions) {
+    double from = std::min(emissions_.replace(emissions, same_emissions), suctions_.replace(suctions, same_suctions));
+    if (std::exchange(anew_, false)) from = -never;
 
     while (!pieces_.empty() && pieces_.back().start >= from) pieces_.pop_back();
     events_.clear();

@@ -37,11 +37,14 @@ struct Suction {
 
 class HazeCurve {
   public:
+    /// After a change (redo::haze), and of the scene's factor, which is 1 at first. They count with the next set().
+    void set_parameters(const HazeParameters& haze);
+    void set_factor(const FactorCurve& factor);
     /// Both lists may be in any order. Spans that end before they start, or are not finite, are ignored. It computes
     /// only what follows the first change since the last call: the given numbers of first elements of both lists have
     /// not changed and cost nothing.
-    void set(std::span<const Emission> emissions, std::span<const Suction> suctions, const HazeParameters& haze,
-             const FactorCurve& factor = {}, std::size_t same_emissions = 0, std::size_t same_suctions = 0);
+    void set(std::span<const Emission> emissions, std::span<const Suction> suctions, std::size_t same_emissions = 0,
+             std::size_t same_suctions = 0);
 
     /// E(t), optical thickness at the focus distance. O(log contacts).
     double density(double time) const noexcept;
@@ -81,6 +84,7 @@ class HazeCurve {
     List<Suction> suctions_;
     FactorCurve factor_;
     double accumulation_ = 0.0, ventilation_ = 0.0, suction_ = 0.0;
+    bool anew_ = false;  // the next set() computes everything
     std::vector<Piece> pieces_;
     std::vector<Event> events_;  // kept for its memory
 };

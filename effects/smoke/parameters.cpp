@@ -239,7 +239,7 @@ constexpr Parameter plume_rows[] = {
                      "the closer it comes to the lens: smoke moves away from a wall."),
     number<&P::softness>("softness", "Softness", {0.1, 50, 0.1, "mm", Scale::logarithmic},
                          "The distance over which the plume fades out where it meets tissue or instruments."),
-    again(redo::amounts,
+    again(redo::amounts | redo::emission,
           number<&P::fat_gain>(
               "fat_gain", "Fat gain", {0, 4, 0.05},
               "How much more smoke burning fat makes, plume and haze: 1 is twice as much where all is fat. "
@@ -253,16 +253,16 @@ constexpr Parameter plume_rows[] = {
 using H = HazeParameters;
 constexpr Parameter haze_rows[] = {
     again(
-        redo::amounts,
+        redo::amounts | redo::haze,
         number<&H::accumulation>(
             "accumulation", "Accumulation", {0, 5, 0.01, "1/s"},
             "How fast cautery at full emission fills the view with haze. Without a clip for haze it is an even veil; a "
             "preset without clips makes no smoke at all. In the paper: environmental smoke.")),
-    again(redo::amounts,
+    again(redo::amounts | redo::haze,
           number<&H::ventilation>(
               "ventilation", "Ventilation", {0, 5, 0.01, "1/s"},
               "Part of the haze that leaves per second; 0 keeps all of it. In the paper: the ventilation capacity.")),
-    again(redo::amounts,
+    again(redo::amounts | redo::haze,
           number<&H::suction>(
               "suction", "Suction", {0, 10, 0.05, "1/s"},
               "Part of the haze that a suction tool removes per second while it runs, in addition to ventilation.")),
@@ -302,7 +302,8 @@ Table smoke_table() {
         table<&A::haze>("haze", "Haze", "Smoke over the whole view. In the paper: environmental smoke.", {haze_rows}),
         table<&A::particles>("particles", "Fat particles", "Specks that fly off while fat burns.", {particle_rows}),
     };
-    return table<&Preset::smoke>("smoke", "Smoke", "Smoke at the tool tip and over the view.", {{}, tables});
+    return again(redo::smoke,
+                 table<&Preset::smoke>("smoke", "Smoke", "Smoke at the tool tip and over the view.", {{}, tables}));
 }
 
 }  // namespace lapfx::preset

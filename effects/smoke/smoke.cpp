@@ -75,7 +75,10 @@ void Smoke::set_preset(const Preset& preset, std::span<const std::filesystem::pa
 }
 
 void Smoke::set_parameters(const SmokeParameters& parameters) {
-    wanted_ = parameters;
+    wanted_.keying = parameters.keying;
+    wanted_.plume = parameters.plume;
+    wanted_.haze = parameters.haze;
+    wanted_.particles = parameters.particles;
     wanted_.clips = parameters_.clips;
     used_.assign(parameters.clips.size(), false);
     for (SmokeClip& clip : wanted_.clips) {

@@ -42,6 +42,5 @@ void run(const std::string& part, const BenchOptions& options) {
 }  // namespace lapfx::bench
 
 int main(int argc, char** argv) {
-    return lapfx::commands::run_program("bench", argc, argv,
-                                        [](CLI::App& app) { lapfx::commands::declare_bench(app, lapfx::bench::run); });
+    return lapfx::commands::run_verb(argc, argv, [] { return lapfx::commands::bench_verb(lapfx::bench::run); });
 }

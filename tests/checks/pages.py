@@ -8,7 +8,7 @@ import sys
 
 import source_files
 
-MAX_LINES = {"effects/README.md": 90, "editor/README.md": 130}  # a hop is a line, and no walk leaves one out
+MAX_LINES = {"effects/README.md": 100, "editor/README.md": 140}  # a hop is a line, and no walk leaves one out
 WALKS = {"effects/README.md": 1, "editor/README.md": 3}
 HOP = re.compile(r"^\| (\d+) \|(?:.*`[\w./]+`: `([\w:]+)` \|$)?", re.MULTILINE)
 NAMED = re.compile(r"`([\w./]+/[\w.]+)`(?:: `([\w:]+)`)?")

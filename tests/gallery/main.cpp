@@ -129,6 +129,5 @@ void run(const GalleryOptions& o) {
 }  // namespace lapfx::gallery
 
 int main(int argc, char** argv) {
-    return lapfx::commands::run_program(
-        "gallery", argc, argv, [](CLI::App& app) { lapfx::commands::declare_gallery(app, lapfx::gallery::run); });
+    return lapfx::commands::run_verb(argc, argv, [] { return lapfx::commands::gallery_verb(lapfx::gallery::run); });
 }

@@ -169,6 +169,30 @@ TEST_F(EffectsTest, SmokeAllocatesNothingOnceItHasBeenDrawn) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
+TEST_F(EffectsTest, AValueThatIsDraggedAllocatesNothing) {
+    Effects effects(test::plane(80.0, 40), preset, {.clip_folders = {}, .wait_for_clips = true});
+    effects.set_contacts(scene.events);
+    effects.seek(3.0);
+    for (const char* key : {"bleeding.thickness", "bleeding.gloss", "smoke.plume.density", "smoke.haze.accumulation",
+                            "smoke.keying.luma_low"}) {
+        const FoundParameter found = find_parameter(preset_table(), &preset, key);
+        double& value = *static_cast<double*>(found.row->member(found.owner));
+        for (const bool told : {false, true}) {
+            std::size_t last = 1;
+            for (int move = 0; move < 5; ++move) {
+                value += found.row->step;
+                allocations = 0;
+                if (told)
+                    effects.set_parameters(preset, found.row->redo | redo::smoke);
+                else
+                    effects.set_parameters(preset);
+                last = allocations;
+            }
+            EXPECT_EQ(last, 0U) << key << (told ? ", told" : "");
+        }
+    }
+}
+
 TEST_F(EffectsTest, GravityWithoutADirectionIsRefused) {
     for (const glm::dvec3 gravity :
          {glm::dvec3(0.0), glm::dvec3(1e-200, 0.0, 0.0), glm::dvec3(0.0, std::nan(""), 0.0)}) {

@@ -10,11 +10,7 @@ namespace {
 
 class LiveTool : public testing::Test {
   protected:
-    LiveTool() {
-        Preset preset;
-        preset.smoke.clips = {{.file = "not_opened_for_amounts.mp4"}};
-        simulation.set_preset(preset);
-    }
+    LiveTool() { simulation.set_parameters(Preset{}); }
     /// Samples up to now, as a host has them when it draws its frame.
     double emission_at(double now, double last_sample, bool touching = true) {
         for (; next <= last_sample + 1e-9; next += 0.001)

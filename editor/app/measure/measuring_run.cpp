@@ -14,8 +14,7 @@ namespace lapfx::app {
 struct MeasuringRun::Shared {
     Shared(std::filesystem::path of, match::MeasureOptions how, Jobs& all)
         : file(std::move(of)), options(std::move(how)), jobs(all) {
-        options.measured = [this](const Image& frame, const match::Estimator* estimator,
-                                  const match::FrameAmounts& amounts) {
+        options.measured = [this](const Image&, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
             CountedFrames::Frame packed = CountedFrames::pack(estimator, amounts);
             const std::lock_guard lock(mutex);
             frames.push_back(amounts);

@@ -17,7 +17,7 @@ std::optional<ComparedScene> compare_scene(const SceneToCompare& what, PreviewCu
     if (!frames) return {};
     Compared compared{.amounts = likeness_of(*frames, what.reference, what.offset), .colors = {}};
     if (what.colors != nullptr) compared.colors = likeness_of(colors.found(), *what.colors);
-    return ComparedScene{.frames = std::move(*frames), .compared = compared};
+    return ComparedScene{.frames = std::move(*frames), .compared = std::move(compared)};
 }
 
 }  // namespace lapfx::match

@@ -25,10 +25,10 @@ FittedScene begun(const SceneFit& fit) {
             .target = target_of(fit)};
 }
 
-FitInput input_of(const SceneFit& fit, const FittedScene& begun) {
+FitInput input_of(const SceneFit& fit, const FittedScene& found) {
     return {.start = fit.start,
-            .parameters = begun.parameters,
-            .target = begun.target,
+            .parameters = found.parameters,
+            .target = found.target,
             .organ = fit.organ,
             .aspect = fit.aspect,
             .weights = fit.weights,

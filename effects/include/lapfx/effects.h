@@ -95,6 +95,12 @@ class LAPFX_API Effects {
     /// The same, but the clips that play continue: none is opened or closed, and clips of the preset with another file
     /// are ignored. This is for a preset whose clips do not exist, or have not been read yet (clip_cache.h).
     void set_parameters(const Preset& preset);
+    /// The same for a caller that knows what has changed since the last call of this or of set_preset(): the redo bits
+    /// of the rows whose values differ (parameter.h). Nothing is compared, and only that is done again. Too many bits
+    /// cost time; too few show something else.
+    void set_parameters(const Preset& preset, unsigned changed);
+    /// What is shown: the parameters in use, with the clips that play. Name, description and folder are empty.
+    Preset preset() const;
     /// These replace the values of EffectsOptions, also for what has already happened: blood runs again from its
     /// wounds. Blood that set_topology() carried over is lost. set_gravity throws Error (bad_input) for a vector
     /// without direction.

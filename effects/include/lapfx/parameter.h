@@ -42,14 +42,22 @@ using Value = std::variant<double, int, bool, glm::dvec3, std::string>;
 /// Code that keeps results computed from values asks which bits differ.
 namespace redo {
 enum : unsigned {
-    picture = 1U << 0,      ///< drawing; every row has it
-    organ = 1U << 1,        ///< loading organ and tool
-    clips = 1U << 2,        ///< opening clips, and planning what is played of each
-    amounts = 1U << 3,      ///< computing amounts over time
-    fronts = 1U << 4,       ///< computing the ways of blood over the organ
-    bleed = 1U << 5,        ///< computing bleed values
-    blood_sums = 1U << 6,   ///< summing area and volume of blood
-    keyed_frame = 1U << 7,  ///< keying a frame of a clip
+    picture = 1U << 0,       ///< drawing; every row has it
+    organ = 1U << 1,         ///< loading organ and tool
+    clips = 1U << 2,         ///< opening clips, and planning what is played of each
+    amounts = 1U << 3,       ///< computing amounts over time
+    fronts = 1U << 4,        ///< computing the ways of blood over the organ
+    bleed = 1U << 5,         ///< computing bleed values
+    blood_sums = 1U << 6,    ///< summing area and volume of blood
+    keyed_frame = 1U << 7,   ///< keying a frame of a clip
+    clearing = 1U << 8,      ///< finding what suction and irrigation reach
+    heat = 1U << 9,          ///< heat under the tool, and what it cuts and closes
+    tip_places = 1U << 10,   ///< dividing the ways of the tool's tip into places
+    metal_clips = 1U << 11,  ///< placing metal clips, and finding what they hold
+    densities = 1U << 12,    ///< finding vessels and fat
+    emission = 1U << 13,     ///< finding how much smoke each burn makes
+    haze = 1U << 14,         ///< computing haze over time
+    smoke = 1U << 15,        ///< preparing how smoke is drawn
 };
 }
 

@@ -413,8 +413,8 @@ BenchReport bench_fit(const BenchOptions& options) {
     PreparedViews prepared;
     const Drawing drawing;
     const auto seed = static_cast<std::uint32_t>(options.seed);
-    const int first = options.short_form ? 0 : std::min(options.first, fit_cases) - 1;
-    const int end = options.short_form ? 1 : std::min(options.last, fit_cases);
+    const int first = options.short_form ? 0 : std::min(options.first, commands::fit_cases) - 1;
+    const int end = options.short_form ? 1 : std::min(options.last, commands::fit_cases);
     const Effort effort = options.short_form ? Effort{.seed = seed, .step = 1.0, .rounds = 1} : Effort{.seed = seed};
     std::vector<Outcome> outcomes;
     commands::Progress progress("fitting", 2 * (end - first));

@@ -47,7 +47,7 @@ class OneCore {
 /// Its first frames at 720x480.
 void write_speed_clip(const std::filesystem::path& file, int frames) {
     VideoReader reader(commands::data_folder() / "samples/reference/operation.mp4");
-    output::VideoFile video(file, reader.info().frames_per_second, speed_size);
+    output::VideoFile video(file, reader.info().frames_per_second, {speed_size.width, speed_size.height});
     Image image;
     cv::Mat scaled;
     for (int i = 0; i < std::min(frames, reader.info().frames); ++i) {

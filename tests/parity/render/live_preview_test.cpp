@@ -4,6 +4,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "gl/shader_source.h"
+#include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/prepared_scene.h"
 #include "lapfx/clip_cache.h"
 #include "parity/render/scene_fixture.h"
@@ -146,6 +147,37 @@ TEST_F(LivePreview, WithoutItsClipsAllElseIsLive) {
     preset.smoke.clips.clear();
     live.set_parameters(preset);
     EXPECT_TRUE(live.image(2.5, size).pixels == expected.pixels) << "clips that play go on";
+}
+
+/// A row of each kind of work that a change may cause, one after the other.
+TEST_F(LivePreview, WhoSaysWhatHasChangedSeesTheSame) {
+    Preview told = preview(), asked = preview();
+    Image last = told.image(2.5, size);
+    int seen = 0;
+    for (const auto& [key, value] : std::initializer_list<std::pair<const char*, const char*>>{
+             {"bleeding.speed", "9"},          {"bleeding.gravity_bias", "0.1"},   {"bleeding.threshold", "0.9"},
+             {"bleeding.deep_at", "2"},        {"bleeding.color_thin", "#20ff20"}, {"bleeding.suction_radius", "3"},
+             {"bleeding.noise_strength", "1"}, {"vessels.vessel_strength", "0.2"}, {"cautery.heat_rate", "600"},
+             {"cautery.tip_radius", "2.5"},    {"cautery.clip_length", "5"},       {"cautery.clip_reach", "1"},
+             {"cautery.model", "bioheat"},     {"smoke.plume.fat_gain", "2"},      {"smoke.plume.density", "0.9"},
+             {"smoke.haze.accumulation", "1"}, {"smoke.haze.color", "#4040ff"},    {"smoke.keying.luma_low", "90"},
+             {"smoke.particles.rate", "40"},   {"smoke.clips.0.weight", "0.4"}}) {
+        const Preset before = preset;
+        set_parameter(preset_table(), &preset, key, value);
+        const unsigned changed = difference(preset_table(), &before, &preset);
+        ASSERT_NE(changed, 0U) << key;
+        told.set_parameters(preset, changed);
+        asked.set_parameters(preset);
+        const Image picture = told.image(2.5, size);
+        EXPECT_TRUE(picture.pixels == asked.image(2.5, size).pixels) << key;
+        EXPECT_EQ(told.amounts().blood_area, asked.amounts().blood_area) << key;
+        EXPECT_EQ(told.amounts().burnt_area, asked.amounts().burnt_area) << key;
+        EXPECT_EQ(told.amounts().haze, asked.amounts().haze) << key;
+        seen += picture.pixels != last.pixels;
+        last = picture;
+    }
+    EXPECT_GT(seen, 5) << "or the test would not see what is left out";
+    EXPECT_TRUE(preview().image(2.5, size).pixels == last.pixels) << "as if it had been so from the start";
 }
 
 TEST_F(LivePreview, TheCacheLooksThroughFilesOnceAndKnowsBrokenOnes) {

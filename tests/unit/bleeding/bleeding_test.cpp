@@ -17,8 +17,9 @@ class Told final : public Bleeding {
     explicit Told(std::vector<BloodAt> blood) : blood_(std::move(blood)), changed_(blood_.size()) {}
 
     Model model() const override { return static_cast<Model>(model_count); }
-    void set(std::span<const Wound>, const BleedingParameters&) override {}
-    void set_clearing(const tool::Log&, const BleedingParameters&) override {}
+    void set_parameters(const BleedingParameters&, unsigned) override {}
+    void set_wounds(std::span<const Wound>) override {}
+    void set_clearing(const tool::Log&) override {}
     void set_strength(const FactorCurve&) override {}
     void replace(Bleeding&) override {}
     void keep(const Bleeding&, std::span<const std::uint32_t>, double) override {}
@@ -26,6 +27,7 @@ class Told final : public Bleeding {
     BloodAt at(std::uint32_t vertex) const noexcept override { return blood_[vertex]; }
     BloodAmount amount() const noexcept override { return {}; }
     std::span<const WoundStatus> wounds() const override { return {}; }
+    std::span<const DrawnArray> drawn() const override { return {}; }
     ChangedVertices& changed() override { return changed_; }
 
   private:
@@ -46,6 +48,10 @@ TEST(Bleeding, AtAVertexIsWhatIsDrawnThere) {
     BleedField field(surface, down);
     field.set(std::vector<Wound>{{.position = {0, 0, 0}, .stop = 0.5}}, {});
     field.update(1.5);
+    ASSERT_EQ(field.drawn().size(), 1U);
+    const DrawnArray& drawn = field.drawn().front();
+    EXPECT_EQ(drawn.data, field.values().data());
+    EXPECT_EQ(drawn.count * drawn.stride, field.values().size_bytes());
     int bloody = 0;
     for (std::uint32_t v = 0; v < field.values().size(); ++v) {
         const BloodAt blood = field.at(v);

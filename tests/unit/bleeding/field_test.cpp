@@ -154,11 +154,11 @@ TEST(Field, SeekEqualsSteppingAtAnyFrameRateWithEverythingOn) {
         {.action = ToolAction::suction, .time = 2.2, .duration = 0.6, .position = {0, 0, 36}, .to = {8, 0, 36}}};
     BleedField direct(surface, down);
     direct.set(wounds, b);
-    direct.set_clearing(test::log_of(suction), b);
+    direct.set_clearing(test::log_of(suction));
     for (const double rate : {13.0, 60.0}) {
         BleedField stepped(surface, down);
         stepped.set(wounds, b);
-        stepped.set_clearing(test::log_of(suction), b);
+        stepped.set_clearing(test::log_of(suction));
         for (int frame = 0; frame <= static_cast<int>(6.0 * rate); ++frame) {
             stepped.update(frame / rate);
             if (frame % 11 != 0) continue;
@@ -177,8 +177,7 @@ TEST(Field, SuctionTakesBloodAwayAndAnOpenWoundFillsThePlaceAgain) {
     b.suction_radius = 10.0;
     field.set(std::vector<Wound>{{.position = {0.0, 0.0, 0.0}}}, b);
     field.set_clearing(test::log_of(std::vector<ToolContact>{
-                           {.action = ToolAction::suction, .time = 10.0, .duration = 1.0, .position = {0, 0, 0}}}),
-                       b);
+        {.action = ToolAction::suction, .time = 10.0, .duration = 1.0, .position = {0, 0, 0}}}));
     const auto disc = [](double r) { return std::numbers::pi * r * r; };
     field.update(9.0);
     EXPECT_NEAR(field.amount().area, disc(16), 0.02 * disc(16));
@@ -242,7 +241,7 @@ TEST(Field, KeptBloodStaysUntilItIsCleared) {
     EXPECT_EQ(field.values()[middle], glm::vec2(4.0f, 0.0f)) << "fresh blood over it: 8 - 4 mm";
     field.set(std::vector<Wound>{}, b);
     field.set_clearing(
-        test::log_of(std::vector<ToolContact>{{.action = ToolAction::suction, .time = 9.0, .duration = 1.0}}), b);
+        test::log_of(std::vector<ToolContact>{{.action = ToolAction::suction, .time = 9.0, .duration = 1.0}}));
     field.update(9.0);
     EXPECT_EQ(field.values()[middle].x, 3.0f);
     field.update(11.0);
@@ -328,12 +327,12 @@ TEST(Field, WhatHasSettledIsAsIfItWereWorkedOutAnew) {
         if (step == 50 || step == 70)
             suction.push_back({.action = ToolAction::suction, .time = time - 2.0, .duration = 2.0, .to = {10, 0, 0}});
         log.update(suction);
-        kept.set_clearing(log, b);
+        kept.set_clearing(log);
         time = step % 13 == 12 ? number(0, 25) : time + number(0, 1);
         kept.update(time);
         BleedField fresh(surface, down);
         fresh.set(wounds, b);
-        fresh.set_clearing(test::log_of(suction), b);
+        fresh.set_clearing(test::log_of(suction));
         fresh.update(time);
         ASSERT_TRUE(std::equal(fresh.values().begin(), fresh.values().end(), kept.values().begin())) << step;
         ASSERT_EQ(bleeding_wounds(fresh.wounds()), bleeding_wounds(kept.wounds())) << step;
@@ -393,13 +392,13 @@ TEST(Field, ALongSessionIsAtEachFrameAsIfItWereWorkedOutAnew) {
             if (step == 60) kept.keep(blood);
             kept.set(wounds, b);
             log.update(contacts, contacts.size() - (is_held ? 1 : 0));
-            kept.set_clearing(log, b);
+            kept.set_clearing(log);
             kept.update(time);
             BleedField fresh(surface, down);
             fresh.set_strength(strength);
             if (step >= 60) fresh.keep(blood);
             fresh.set(wounds, b);
-            fresh.set_clearing(log, b);
+            fresh.set_clearing(log);
             fresh.update(time);
             const auto differ = std::mismatch(fresh.values().begin(), fresh.values().end(), kept.values().begin());
             ASSERT_EQ(differ.first, fresh.values().end())

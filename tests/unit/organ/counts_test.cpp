@@ -79,7 +79,7 @@ TEST_F(Counts, Stl) {
         (Row{2, 1, 0, 0, 0, 1, 0}));
 }
 
-/* Also where that makes two corners one, which OpenMesh would not pass on.  */
+/* Also where two such corners are equal: no place is theirs.  */
 TEST_F(Counts, StlThatIsNotFinite) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
     std::string binary = std::string(80, ' ') + word(6), text = "solid s\n";

@@ -107,9 +107,9 @@ TEST(PreparedOrgan, EachByteIsCountedOnce) {
     const std::size_t edges = vertices + triangles - 1;  // Euler
     // Positions, normals, tangents, texture coordinates, colours; corners.
     const std::size_t given = vertices * (12 + 12 + 16 + 8 + 16) + triangles * 12;
-    // Each vertex is a point: where, of which vertex, in which piece, where its triangles and neighbours begin;
-    // corners, and the triangles and neighbours of each point.
-    const std::size_t joined = vertices * (24 + 4 * 4) + 2 * 4 + triangles * (12 + 12) + edges * 2 * 4;
+    // Each vertex is a point: where, of which vertex, which vertex, in which piece, where its vertices, triangles and
+    // neighbours begin; corners, and the triangles and neighbours of each point.
+    const std::size_t joined = vertices * (24 + 6 * 4) + 3 * 4 + triangles * (12 + 12) + edges * 2 * 4;
     // What has its colours from where; texture coordinates, area, redness, colour and what the overlay shows at a
     // vertex.
     const std::size_t mesh = triangles * (4 + 12) + vertices * (8 + 4 + 4 + 12 + 8);

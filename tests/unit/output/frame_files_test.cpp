@@ -41,7 +41,9 @@ TEST(FormOf, ByTheName) {
     EXPECT_EQ(kind_named("OUT.PNG"), OutputKind::picture);
     EXPECT_EQ(kind_named("Out_%04d.Png"), OutputKind::sequence);
     EXPECT_EQ(kind_named("OUT.MP4"), OutputKind::video);
-    for (const char* name : {"out.jpg", "out", "", "out_%s.png", "%d_%d.png", "out_%04D.png"})
+    EXPECT_EQ(kind_named("%012d.b.png"), OutputKind::sequence);
+    for (const char* name :
+         {"out.jpg", "out", "", "out_%s.png", "%d_%d.png", "out_%04D.png", "out_%123d.png", "out_%", "%dpng"})
         EXPECT_EQ(kind_named(name), std::nullopt) << name;
     EXPECT_EQ(kind_named(std::string(1'000'000, 'a') + "%04d.png"), std::nullopt) << "no file is called so";
 }
@@ -50,6 +52,7 @@ TEST(SequenceName, PadsItsNumber) {
     EXPECT_EQ(sequence_name("a/out_%04d.png", 37), "a/out_0037.png");
     EXPECT_EQ(sequence_name("50%/o%d.png", 12345), "50%/o12345.png");
     EXPECT_EQ(sequence_name("o%3d.png", 7), "o  7.png");
+    EXPECT_EQ(sequence_name("%0d_%.png", 7), "7_%.png");
 }
 
 TEST(FrameFilesTest, ASequenceAppearsAtItsEnd) {

@@ -2,6 +2,8 @@
 // takes another matrix from 720 rows on.
 #include <gmock/gmock.h>
 
+#include <opencv2/core.hpp>
+
 #include "lapfx/authoring/video.h"
 #include "output/files.h"
 #include "unit/preset/support.h"
@@ -47,7 +49,7 @@ TEST_P(VideoColors, ComeBack) {
     const auto& [extension, size] = GetParam();
     const test::Folder folder;
     const std::filesystem::path file = folder / ("v" + std::string(extension));
-    VideoFile video(file, 25.0, size);
+    VideoFile video(file, 25.0, {size.width, size.height});
     const Image image = patches_of(size.width, size.height);
     for (int i = 0; i < 3; ++i) video.add(image);
     video.finish();

@@ -21,9 +21,16 @@ HazeParameters haze(double accumulation, double ventilation, double suction = 0.
     return parameters;
 }
 
+void set(HazeCurve& curve, const Emissions& emissions, const Suctions& suctions, const HazeParameters& h,
+         const FactorCurve& factor = {}) {
+    curve.set_parameters(h);
+    curve.set_factor(factor);
+    curve.set(emissions, suctions);
+}
+
 double density(const Emissions& emissions, const HazeParameters& h, double time, const Suctions& suctions = {}) {
     HazeCurve curve;
-    curve.set(emissions, suctions, h);
+    set(curve, emissions, suctions, h);
     return curve.density(time);
 }
 
@@ -79,7 +86,7 @@ TEST(Haze, GoingOnFromAnyMomentGivesTheSame) {
     const Emissions emissions{{0.0, 100.0, 0.7}};
     const Suctions suctions{{20.0, 40.0}};
     HazeCurve curve;
-    curve.set(emissions, suctions, h);
+    set(curve, emissions, suctions, h);
     for (double t = 0.0; t < 60.0; t += 0.37) {
         const bool sucked = t >= 20.0 && t < 40.0;
         const double loss = sucked ? 0.9 : 0.1, dt = 0.01, balance = 0.3 * 0.7 / loss;
@@ -137,6 +144,7 @@ TEST(Haze, GrowingListsGiveTheSameToTheLastBitAsFreshOnes) {
     Emissions emissions;
     Suctions suctions;
     HazeCurve grown;
+    grown.set_parameters(h);
     double now = 0.0;
     for (int step = 0; step < 400; ++step) {
         now += 0.03;
@@ -158,13 +166,13 @@ TEST(Haze, GrowingListsGiveTheSameToTheLastBitAsFreshOnes) {
                 if (!emissions.empty()) emissions.back().end = now;
                 if (!suctions.empty()) suctions.back().end = now;
         }
-        grown.set(emissions, suctions, h);
+        grown.set(emissions, suctions);
         HazeCurve fresh;
-        fresh.set(emissions, suctions, h);
+        set(fresh, emissions, suctions, h);
         for (const double t : {now, 0.5 * now, now + 3.0, uniform() * now})
             ASSERT_EQ(grown.density(t), fresh.density(t)) << step << " at " << t;
     }
-    grown.set(emissions, suctions, haze(0.8, 0.07, 0.5));
+    set(grown, emissions, suctions, haze(0.8, 0.07, 0.5));
     EXPECT_NEAR(grown.density(now), 2.0 * density(emissions, h, now, suctions), 1e-12) << "parameters are live";
 }
 
@@ -202,7 +210,7 @@ TEST(Haze, AFactorOverTimeIsExact) {
     const FactorCurve factor(std::vector<CurvePoint>{{0.5, 0.0}, {1.5, 2.0}, {2.25, 0.25}, {8.125, 3.0}});
     for (const auto& parameters : {haze(0.12, 0.05), haze(1.5, 2.0), haze(0.7, 0.0), haze(0.7, 1e-6)}) {
         HazeCurve curve;
-        curve.set(three, {}, parameters, factor);
+        set(curve, three, {}, parameters, factor);
         for (const double time : times)
             EXPECT_NEAR(curve.density(time), integrated_with(factor, three, parameters, time), 1e-6)
                 << parameters.ventilation << " at " << time;
@@ -212,13 +220,13 @@ TEST(Haze, AFactorOverTimeIsExact) {
 TEST(Haze, AFactorMayChangeAndGo) {
     HazeCurve curve;
     const HazeParameters h = haze(0.7, 0.3);
-    curve.set(three, {}, h);
+    set(curve, three, {}, h);
     const double plain = curve.density(4.0);
-    curve.set(three, {}, h, FactorCurve(std::vector<CurvePoint>{{3.0, 1.5}}));
+    set(curve, three, {}, h, FactorCurve(std::vector<CurvePoint>{{3.0, 1.5}}));
     EXPECT_NEAR(curve.density(4.0), 1.5 * plain, 1e-12);
-    curve.set(three, {}, h, FactorCurve(std::vector<CurvePoint>{{0.0, 0.0}, {9.0, 0.0}}));
+    set(curve, three, {}, h, FactorCurve(std::vector<CurvePoint>{{0.0, 0.0}, {9.0, 0.0}}));
     EXPECT_EQ(curve.density(4.0), 0.0);
-    curve.set(three, {}, h);
+    set(curve, three, {}, h);
     EXPECT_EQ(curve.density(4.0), plain);
 }
 

@@ -65,6 +65,7 @@ class Preview {
 
     void set_preset(const Preset& preset);
     void set_parameters(const Preset& preset);  ///< as Effects::set_parameters
+    void set_parameters(const Preset& preset, unsigned changed);
     /// Changes colour of the organ, camera, light, gravity, seed, events and port of the tool. The next frame is that
     /// of a new Preview of this scene. Throws Error (bad_input), and changes nothing, when gravity has no direction or
     /// when organ or tool differ: those need a new Preview.

@@ -22,7 +22,9 @@ std::vector<HazePoint> points_of(const Known& known, double seconds = 14.0) {
     HazeParameters haze;
     haze.accumulation = known.accumulation, haze.ventilation = known.ventilation;
     smoke::HazeCurve curve;
-    curve.set(known.bursts, {}, haze, FactorCurve(known.factor));
+    curve.set_parameters(haze);
+    curve.set_factor(FactorCurve(known.factor));
+    curve.set(known.bursts, {});
     std::mt19937 random(3);
     std::normal_distribution<double> noise(0.0, 1.0);
     std::vector<HazePoint> points;

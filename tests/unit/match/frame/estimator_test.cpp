@@ -73,7 +73,7 @@ TEST(Estimator, LeavesOutRegionMasksAndInstruments) {
     const cv::Mat clear = test::tissue();
     cv::Mat bloody = clear.clone();
     test::bleed(bloody, {60, 60}, 30);
-    const Part corner{{0, 0}, {0.4, 0}, {0.4, 0.5}, {0, 0.5}};
+    const MaskPolygon corner{{0, 0}, {0.4, 0}, {0.4, 0.5}, {0, 0.5}};
     Estimator masked(test::image_of(clear), {.masks = {corner}});
     EXPECT_LT(masked.measure(test::image_of(bloody), 0).blood.value, 0.002);
     Estimator regional(test::image_of(clear), {.region = {0.5, 0, 0.5, 1}});

@@ -39,7 +39,7 @@ TEST(MeasuredView, IsAWholePictureWithoutSurroundAndNothingOfABlackOne) {
 
 TEST(MeasuredView, RegionAndPartsAreFractionsOfThePicture) {
     const cv::Mat wanted = wanted_part({100, 80}, {0.1, 0.25, 0.5, 0.5},
-                                       std::vector<Part>{{{0.1, 0.25}, {0.3, 0.25}, {0.3, 0.5}, {0.1, 0.5}}});
+                                       std::vector<MaskPolygon>{{{0.1, 0.25}, {0.3, 0.25}, {0.3, 0.5}, {0.1, 0.5}}});
     EXPECT_EQ(wanted.at<std::uint8_t>(10, 50), 0);  // above the region
     EXPECT_EQ(wanted.at<std::uint8_t>(50, 50), 255);
     EXPECT_EQ(wanted.at<std::uint8_t>(30, 20), 0);  // in the part

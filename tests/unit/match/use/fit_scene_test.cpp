@@ -87,7 +87,7 @@ TEST(FitScene, ToolsThatHaveToStayAreNoNews) {
 
 TEST(FitScene, ReportsWhatItWasOf) {
     FittedScene found{.offset = 0.5, .from = 1.0, .to = 6.0, .seed = 7, .colors = {"blood: Delta E 9.0 before"}};
-    found.target = {{.time = 1.0}, {.time = 2.0}};
+    found.target.resize(2);
     found.result.emplace().curves = 4;
     const FitReport report = report_of(found, {.scene = "a.scene.json",
                                                .reference = "b.mp4",
