@@ -65,7 +65,7 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options, std::shared_p
                                                             screen_, options_)),
       reference_(std::make_unique<Reference>(document, timeline, preview, *snapshot_previews_, jobs, *settings_, images,
                                              screen_, options_)),
-      measuring_(std::make_unique<Measuring>(document, *reference_, jobs, toasts, !options_.exact)),
+      measuring_(std::make_unique<Measuring>(document, *reference_, options_.measured, jobs, toasts, !options_.exact)),
       measure_bench_(
           std::make_unique<MeasureBench>(document, *reference_, *measuring_, jobs, images, toasts, options_.exact)),
       preview_measuring_(std::make_unique<PreviewMeasuring>(document, preview, *reference_, pace_, jobs, options_)),

@@ -17,13 +17,12 @@ namespace {
 using app::AmountKind;
 using testing::HasSubstr;
 
-class AmountsPanel : public EditorTest {
+class AmountsPanel : public SampleTest {
   protected:
+    AmountsPanel() { begins.layout = "Compare"; }
     void SetUp() override {
-        EditorTest::SetUp();
+        SampleTest::SetUp();
         if (IsSkipped()) return;
-        open_sample();
-        layout("Compare");
         ui().click("**/Amounts/On organ").frame();
         ui().settle();
     }

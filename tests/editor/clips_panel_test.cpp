@@ -24,14 +24,9 @@ fs::path write_marked_smoke(const fs::path& path) {
     });
 }
 
-class ClipsPanel : public EditorTest {
+class ClipsPanel : public SampleTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        open_sample();
-        layout("Key");
-    }
+    ClipsPanel() { begins.layout = "Key"; }
     const std::vector<SmokeClip>& clips() { return editor().document.preset().smoke.clips; }
     const document::Step& last_step() { return editor().document.steps().at(editor().document.done() - 1); }
     std::vector<std::string> names() {

@@ -25,10 +25,7 @@ using ui::Key;
 
 class CommandsTest : public EditorTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (!IsSkipped()) start({900, 640});
-    }
+    CommandsTest() { begins.window = {900, 640}; }
     ui::CommandTable& commands() { return editor().commands; }
 
     /// What a person sees or would notice: the tree of widgets, the document, what is on or off, notices.

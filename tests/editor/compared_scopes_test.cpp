@@ -9,16 +9,9 @@
 namespace lapfx::test {
 namespace {
 
-class ComparedScopes : public EditorTest {
+class ComparedScopes : public SampleTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        open_sample();
-        layout("Compare");
-        editor().timeline.seek(4);
-        ui().frame();
-    }
+    ComparedScopes() { begins.layout = "Compare", begins.time = 4; }
     app::Reference& reference() { return editor().reference(); }
     static std::string in(const std::string& name) { return "**/" + name; }
     void show() { ui().click("Workspace/Reference/Scopes").frame().frame(); }

@@ -11,13 +11,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class CopyClips : public EditorTest {
+class CopyClips : public SampleTest {
   protected:
+    CopyClips() { begins.layout = "Key"; }
     void SetUp() override {
-        EditorTest::SetUp();
+        SampleTest::SetUp();
         if (IsSkipped()) return;
-        open_sample();
-        layout("Key");
         fs::create_directories(folder() / "elsewhere");
         fs::copy_file(source_folder() / "samples/clips/wisps_thin.mp4", folder() / "elsewhere/mine.mp4");
         editor().document.change("Add clip", [&](document::Content& c) {

@@ -10,14 +10,9 @@ namespace {
 using testing::HasSubstr;
 using Points = std::vector<CurvePoint>;
 
-class CurvesPanel : public EditorTest {
+class CurvesPanel : public SampleTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        open_sample();
-        layout("Stage");
-    }
+    CurvesPanel() { begins.layout = "Stage"; }
     void choose(const std::string& curve) { ui().click("**/Area/Curve/" + curve); }
     const Curves& curves() { return editor().document.scene().curves; }
     std::string steps() {

@@ -6,9 +6,11 @@
 
 #include "app/files/exports.h"
 #include "app/measure/measure_bench.h"
+#include "app/measure/measuring.h"
 #include "app/measure/side_by_side.h"
 #include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
+#include "editor/support/few_frames.h"
 #include "support/wait_until.h"
 
 namespace lapfx::test {
@@ -20,13 +22,18 @@ using testing::HasSubstr;
 constexpr int small_size = 5;  // of app::export_sizes: 640 x 512
 constexpr glm::ivec2 small_px{640, 512};
 
-class ExportBeside : public EditorTest {
+class ExportBeside : public SampleTest {
   protected:
     void SetUp() override {
-        EditorTest::SetUp();
+        SampleTest::SetUp();
         if (IsSkipped()) return;
+        take_few_frames(editor());
+        ui().frame().frame();
+    }
+    void open_few_frames() {
         open_sample();
-        editor().timeline.speed = 0;
+        take_few_frames(editor());
+        ui().frame().frame();
     }
     app::Exports& exports() { return editor().exports(); }
     std::string path(const std::string& name) const { return (folder() / name).string(); }
@@ -41,6 +48,11 @@ class ExportBeside : public EditorTest {
     void wait() {
         ASSERT_TRUE(wait_until([&] { return !exports().running(); }, [&] { ui().frame(); }));
         ui().frame().frame();
+    }
+    /// What is known of the reference is not measured again.
+    void measure() {
+        editor().measuring().start();
+        ASSERT_TRUE(wait_until([&] { return editor().measuring().found() != nullptr; }, [&] { ui().frame(); }));
     }
     cv::Mat exported_picture(const std::string& name, bool beside) {
         ask_for("export.picture", name, beside);
@@ -94,6 +106,7 @@ TEST_F(ExportBeside, TheReferenceLiesAsItIsPlaced) {
         c.scene.reference.placement.scale = 0.5;
     });
     ui().frame();
+    measure();
     const cv::Mat both = exported_picture("placed.png", true);
     ASSERT_EQ(both.cols, 640 + 4 + 1024) << "twice as wide as high";
     const cv::Mat right = both(cv::Rect(644, 0, 1024, 512));
@@ -133,12 +146,12 @@ TEST_F(ExportBeside, WhatCannotBeMeasuredIsSaidOnThePage) {
 
 TEST_F(ExportBeside, ItIsComparedBesideTheUiAndCanBeGivenUp) {
     start({1440, 900}, false);
-    open_sample();
-    editor().timeline.speed = 0;
+    open_few_frames();
     const auto there = [&] {
         return editor().reference().video() != nullptr && editor().preview.organ_of(editor().document.scene());
     };
     ASSERT_TRUE(wait_until(there, [&] { ui().frame(); }));
+    measure();
     ask_for("export.picture", "both.png", true);
     exports().form.at = 6;
     ui().frame().click("New export/Export").frame().frame();
@@ -160,8 +173,7 @@ TEST_F(ExportBeside, ItIsComparedBesideTheUiAndCanBeGivenUp) {
 
 TEST_F(ExportBeside, HowLongItTakesIsTriedBeforeItBegins) {
     start({1440, 900}, false);
-    open_sample();
-    editor().timeline.speed = 0;
+    open_few_frames();
     ASSERT_TRUE(wait_until([&] { return editor().preview.organ_of(editor().document.scene()) != nullptr; },
                            [&] { ui().frame(); }));
     ask_for("export.video", "out.mp4", false);

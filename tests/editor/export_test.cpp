@@ -25,14 +25,8 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-class ExportTest : public EditorTest {
+class ExportTest : public SampleTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        open_sample();
-        editor().timeline.speed = 0;
-    }
     app::ExportForm& form() { return editor().exports().form; }
     void open_dialog(const char* command) {
         editor().commands.run(command);
@@ -340,6 +334,7 @@ TEST_F(ExportTest, ClosingAsksWhileAnExportRuns) {
 /// An export of an organ and clips that the view has not loaded yet, because its jobs wait until `held_` is destroyed.
 class LoadingExport : public ExportTest {
   protected:
+    LoadingExport() { shares_measured = false; }
     void SetUp() override {
         ExportTest::SetUp();
         if (IsSkipped()) return;

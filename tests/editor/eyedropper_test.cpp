@@ -13,15 +13,9 @@
 namespace lapfx::test {
 namespace {
 
-class EyedropperTest : public EditorTest {
+class EyedropperTest : public SampleTest {
   protected:
-    EyedropperTest() { whole_sample = true; }  // it takes colours of single pixels
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        open_sample();
-        editor().timeline.seek(6);
-    }
+    EyedropperTest() { begins.time = 6; }
     /// Starts the eyedropper from the picker of blood's deep colour.
     void begin() {
         layout("Compare");
@@ -84,7 +78,13 @@ TEST(PickedColor, IsAMeanOfLightOverFivePixels) {
     EXPECT_NEAR(app::color_around(halves, {4, 20}, {3, 5}).r, 156, 1) << "of what is inside: one of three";
 }
 
-TEST_F(EyedropperTest, AColourComesFromTheReference) {
+/// A colour of single pixels can be shown where the pictures are those that are shipped.
+class EyedropperInFull : public EyedropperTest {
+  protected:
+    EyedropperInFull() { whole_sample = true; }
+};
+
+TEST_F(EyedropperInFull, AColourComesFromTheReference) {
     editor().reference().way = app::CompareWay::reference;
     begin();
     ASSERT_NE(editor().eyedropper.wanted_by, 0U);

@@ -16,13 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class FilePreviewsTest : public EditorTest {
+class FilePreviewsTest : public SampleTest {
   protected:
+    FilePreviewsTest() { begins.view = false; }
     void SetUp() override {
-        EditorTest::SetUp();
+        SampleTest::SetUp();
         if (IsSkipped()) return;
-        editor().layouts().shown.close("View");
-        open_sample();
         fs::create_directories(files());
     }
     fs::path files() const { return folder() / "files"; }

@@ -11,14 +11,9 @@ namespace {
 using ui::Key;
 using ui::Mods;
 
-class FindTest : public EditorTest {
+class FindTest : public SampleTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        editor().layouts().shown.close("View");  // the scene is drawn only where a test asks for pixels
-        open_sample();
-    }
+    FindTest() { begins.view = false; }
     void find(const std::string& words) {
         ui().key('P', Mods::command).frame().type(words).key(Key::enter).frame().frame().settle();
     }

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 
 #include "app/base/layouts.h"
@@ -15,6 +16,7 @@
 #include "app/tuning/tuning.h"
 #include "document/document.h"
 #include "editor/support/editor_test.h"
+#include "editor/support/few_frames.h"
 #include "lapfx/authoring/preview.h"
 #include "match/fit/worse.h"
 #include "match/report/report.h"
@@ -31,19 +33,14 @@ using testing::Not;
 
 const std::string panel = "Workspace/Fit/";
 
-class FitPanel : public EditorTest {
+class FitPanel : public SampleTest {
   protected:
+    FitPanel() { begins.layout = "Compare"; }
     void SetUp() override {
-        EditorTest::SetUp();
+        SampleTest::SetUp();
         if (IsSkipped()) return;
-        begin(true);
-    }
-    void begin(bool exact) {
-        start({1440, 900}, exact);
-        open_sample();
+        take_few_frames(editor());
         editor().document.change("Short", [](document::Content& c) { c.scene.duration = 4; });
-        editor().timeline.speed = 0;
-        layout("Compare");
         editor().layouts().bring_to_front("Fit");
         ui().frame().frame();
     }
@@ -310,28 +307,39 @@ class FitColors : public FitPanel {
         hidden_.preset.bleeding.color_deep = {0.5, 0.125, 0.06};
         hidden_.preset.smoke.haze.color = {0.376, 0.416, 0.565}, hidden_.preset.smoke.plume.color = {0.5, 0.565, 0.753};
         hidden_.scene.camera.exposure *= 1.3;
-        const fs::path file = folder() / "hidden.mp4";
-        render(file);
-        editor().document.change("Reference", [&](document::Content& c) {
+        static const HiddenVideo video(*this);
+        editor().document.change("Reference", [](document::Content& c) {
             c.scene.reference = {};
-            c.scene.reference.file = file.string();
+            c.scene.reference.file = video.file.string();
         });
         ui().frame().frame();
         fitting().look.keys = {"smoke.haze.accumulation"};
         fitting().look.tools = false;
     }
-    void render(const fs::path& file) {
-        Preview preview(hidden_.scene, hidden_.preset,
-                        {.clip_folders = editor().options().clip_folders, .wait_for_clips = true});
-        output::VideoFile video(file, 5, {256, 206});
-        for (int i = 0; i < 20; ++i) video.add(preview.image(0.2 * i, {256, 206}));
-        video.finish();
-    }
+    /// The same for all tests, which are then told what was measured of it, too.
+    struct HiddenVideo {
+        explicit HiddenVideo(FitColors& test) {
+            std::string pattern = (fs::temp_directory_path() / "lapfx-hidden-XXXXXX").string();
+            folder = ::mkdtemp(pattern.data());
+            file = folder / "hidden.mp4";
+            Preview preview(test.hidden_.scene, test.hidden_.preset,
+                            {.clip_folders = test.editor().options().clip_folders, .wait_for_clips = true});
+            output::VideoFile video(file, 5, {hidden_size.x, hidden_size.y});
+            for (int i = 0; i < 20; ++i) video.add(preview.image(0.2 * i, hidden_size));
+            video.finish();
+        }
+        ~HiddenVideo() {
+            std::error_code error;
+            fs::remove_all(folder, error);
+        }
+        fs::path folder, file;
+    };
+    static constexpr glm::ivec2 hidden_size{128, 104};
     std::vector<match::FrameAmounts> curve_of_found() {
         const app::FitFound& found = *fitting().found();
         match::PreviewCurve curve(found.organ,
                                   {.clip_folders = editor().options().clip_folders, .wait_for_clips = true},
-                                  {.size = match::preview_size({256, 206})});
+                                  {.size = match::preview_size(hidden_size, 0.0, measured_side)});
         std::vector<double> times;
         for (const match::TargetPoint& aim : found.target) times.push_back(aim.time);
         return curve.measure(found.tuned.scene, found.tuned.preset, times).value();
@@ -477,10 +485,7 @@ TEST_F(FitReport, HasCurvesParametersAndPictures) {
 /// Beside the UI, as in the window.
 class FitBeside : public FitPanel {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (!IsSkipped()) begin(false);
-    }
+    FitBeside() { begins.exact = false; }
     bool wait_for(const std::function<bool()>& so) {
         return wait_until(so, [&] { ui().frame(0.02); });
     }

@@ -75,12 +75,11 @@ class SmallDisk {
     std::optional<rlim_t> limit_;  ///< bytes
 };
 
-class FullDisk : public EditorTest {
+class FullDisk : public SampleTest {
   protected:
     void SetUp() override {
-        EditorTest::SetUp();
+        SampleTest::SetUp();
         if (IsSkipped()) return;
-        open_sample();
         disk_ = std::make_unique<SmallDisk>(folder() / "disk");
     }
     void TearDown() override {

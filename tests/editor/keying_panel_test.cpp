@@ -16,14 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 using app::BenchView;
 
-class KeyingPanel : public EditorTest {
+class KeyingPanel : public SampleTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        open_sample();
-        layout("Key");
-    }
+    KeyingPanel() { begins.layout = "Key"; }
     glm::vec4 pixel(BenchView view, glm::ivec2 at) {
         const ui::Picture picture = editor().keying().picture(view);
         EXPECT_NE(picture.pixels, nullptr);

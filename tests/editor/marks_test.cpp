@@ -10,14 +10,9 @@
 namespace lapfx::test {
 namespace {
 
-class MarksTest : public EditorTest {
+class MarksTest : public SampleTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        open_sample();
-        layout("Compare");
-    }
+    MarksTest() { begins.layout = "Compare"; }
     const SceneReference& named() { return editor().document.scene().reference; }
     const std::string& last_step() { return editor().document.steps().at(editor().document.done() - 1).name; }
     void at(double time) {

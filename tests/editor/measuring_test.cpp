@@ -7,9 +7,9 @@
 #include "app/measure/proposed_marks.h"
 #include "app/reference/reference.h"
 #include "editor/support/editor_test.h"
+#include "editor/support/few_frames.h"
 #include "match/frame/counted.h"
 #include "match/use/measure_video.h"
-#include "support/folders.h"
 #include "support/wait_until.h"
 
 namespace lapfx::test {
@@ -17,24 +17,19 @@ namespace {
 
 const std::string panel = "Workspace/Measure/", rows = panel + "Measure settings/";
 
-class MeasuringTest : public EditorTest {
+class MeasuringTest : public SampleTest {
   protected:
+    MeasuringTest() { begins.exact = false, begins.layout = "Compare"; }
     void SetUp() override {
-        EditorTest::SetUp();
+        SampleTest::SetUp();
         if (IsSkipped()) return;
-        start({1440, 900}, false);
-        open_sample();
-        editor().timeline.speed = 0;
-        layout("Compare");
         editor().amounts().look.of = app::AmountsLook::on_organ;  // the others would begin it
+        take_few_frames(editor());
+        wait_for(
+            [&] { return editor().reference().file() == few_frames() && editor().reference().video() != nullptr; });
     }
     void wait_for(const std::function<bool()>& so) {
         ASSERT_TRUE(wait_until(so, [&] { ui().frame().frame(); }));
-    }
-    /// A long enough video to be stopped on the way.
-    void choose_whole_sample() {
-        editor().reference().choose(source_folder() / "samples/reference/operation.mp4");
-        wait_for([&] { return editor().reference().video() != nullptr && !editor().reference().opening(); });
     }
     void show_panel() {
         editor().layouts().bring_to_front("Measure");
@@ -48,7 +43,13 @@ class MeasuringTest : public EditorTest {
     }
 };
 
-TEST_F(MeasuringTest, ItBeginsByItselfWhereItIsLookedAtAndComesToRest) {
+/// Nothing is known before.
+class MeasuringAnew : public MeasuringTest {
+  protected:
+    MeasuringAnew() { shares_measured = false; }
+};
+
+TEST_F(MeasuringAnew, ItBeginsByItselfWhereItIsLookedAtAndComesToRest) {
     for (int i = 0; i < 80; ++i) ui().frame();
     EXPECT_FALSE(measuring().running()) << "nobody looks";
     EXPECT_EQ(measuring().found(), nullptr);
@@ -62,8 +63,7 @@ TEST_F(MeasuringTest, ItBeginsByItselfWhereItIsLookedAtAndComesToRest) {
     EXPECT_EQ(measuring().version(), version) << "and it does not begin again";
 }
 
-TEST_F(MeasuringTest, WhatWasStoppedGoesOnToTheSameEnd) {
-    choose_whole_sample();
+TEST_F(MeasuringAnew, WhatWasStoppedGoesOnToTheSameEnd) {
     show_panel();
     wait_for([&] { return measuring().frames().size() >= 10; });
     ASSERT_TRUE(measuring().running());
@@ -89,8 +89,7 @@ TEST_F(MeasuringTest, WhatWasStoppedGoesOnToTheSameEnd) {
         match::csv_of(match::measure(video, match::measure_options(editor().document.scene().reference.measure))));
 }
 
-TEST_F(MeasuringTest, AChangeThatDoesNotConcernItStopsNothing) {
-    choose_whole_sample();
+TEST_F(MeasuringAnew, AChangeThatDoesNotConcernItStopsNothing) {
     show_panel();
     wait_for([&] { return measuring().frames().size() >= 5; });
     const auto job = measuring().running();
@@ -116,8 +115,7 @@ TEST_F(MeasuringTest, WhatIsKnownOfAnEarlierStateIsNotMeasuredAgain) {
     EXPECT_EQ(match::csv_of(*measuring().found()), before);
 }
 
-TEST_F(MeasuringTest, WhatWasUnderWayForAnEarlierStateGoesOnWhenThatComesBack) {
-    choose_whole_sample();
+TEST_F(MeasuringAnew, WhatWasUnderWayForAnEarlierStateGoesOnWhenThatComesBack) {
     show_panel();
     wait_for([&] { return measuring().frames().size() >= 10; });
     set_redness(9);
@@ -130,7 +128,43 @@ TEST_F(MeasuringTest, WhatWasUnderWayForAnEarlierStateGoesOnWhenThatComesBack) {
     wait_for([&] { return measuring().found() != nullptr && !measuring().stale(); });
 }
 
-TEST_F(MeasuringTest, WhatWasCountedIsDrawnOverTheReferenceWhereItIsMeasured) {
+TEST_F(MeasuringAnew, WhatIsKnownOfAFileIsKnownToEveryDocument) {
+    const auto open_copy = [&] {
+        open_sample();
+        editor().reference().choose(folder() / "copy.mp4");
+        layout("Compare");
+        show_panel();
+    };
+    std::filesystem::copy_file(editor().reference().file(), folder() / "copy.mp4");
+    open_copy();
+    wait_for([&] { return measuring().found() != nullptr && !measuring().stale(); });
+    const match::Measurement* const found = measuring().found();
+    const std::size_t memory = measuring().memory();
+    EXPECT_GT(memory, 0U);
+    editor().forget_document();
+    EXPECT_EQ(measuring().found(), nullptr);
+    EXPECT_EQ(measuring().memory(), memory) << "it is still held";
+    open_copy();
+    wait_for([&] {
+        EXPECT_FALSE(measuring().running());
+        return measuring().found() != nullptr;
+    });
+    EXPECT_EQ(measuring().found(), found);
+    EXPECT_EQ(measuring().memory(), memory);
+    wait_for([&] { return editor().reference().shown_frame() == editor().reference().frame(); });
+    EXPECT_NE(measuring().counted(editor().reference().video()->time_of(25)), 0U) << "what was counted in it, too";
+    ui().click(panel + "Measure").frame();
+    EXPECT_TRUE(measuring().running()) << "anew where one asks for it";
+    measuring().cancel();
+    editor().forget_document();
+    std::filesystem::last_write_time(folder() / "copy.mp4",
+                                     std::filesystem::last_write_time(folder() / "copy.mp4") + std::chrono::seconds(1));
+    open_copy();
+    wait_for([&] { return measuring().running() != nullptr; });
+    EXPECT_EQ(measuring().found(), nullptr) << "somebody has written to it";
+}
+
+TEST_F(MeasuringAnew, WhatWasCountedIsDrawnOverTheReferenceWhereItIsMeasured) {
     const auto shown = [&] {
         const ui::StoredImage* const image = editor().images.find(editor().reference().picture().image);
         return image != nullptr ? image->pixels : std::vector<std::uint8_t>();
@@ -211,6 +245,32 @@ TEST_F(MeasuringTest, MarksAreProposedAndTaken) {
     EXPECT_EQ(editor().document.done(), steps + 1) << "one step";
     ui().frame();
     EXPECT_FALSE(ui().exists("**/Smoke peaks?"));
+}
+
+TEST(MeasuredVideos, TheLastThatWereUsedAreKeptUnderAllThatTheyDependOn) {
+    app::MeasuredVideos videos;
+    const auto key = [](const std::string& file, int written = 1, double redness = 2) {
+        app::MeasuredVideos::Key made{.file = file, .written = {}, .measure = {}};
+        made.written += std::chrono::seconds(written);
+        made.measure.blood.redness = redness;
+        return made;
+    };
+    std::vector<std::shared_ptr<const app::MeasuredVideo>> all;
+    for (const char* file : {"a", "b", "c", "d"}) {
+        all.push_back(std::make_shared<const app::MeasuredVideo>());
+        videos.keep(key(file), all.back());
+    }
+    EXPECT_EQ(videos.find(key("a", 2)), nullptr) << "written since";
+    EXPECT_EQ(videos.find(key("a", 1, 3)), nullptr) << "measured otherwise";
+    EXPECT_EQ(videos.find(key("a")), all[0]);
+    const auto anew = std::make_shared<const app::MeasuredVideo>();
+    videos.keep(key("c"), anew);
+    EXPECT_EQ(videos.find(key("c")), anew);
+    EXPECT_FALSE(videos.holds(*all[2])) << "it is another's place";
+    videos.keep(key("e"), std::make_shared<const app::MeasuredVideo>());
+    EXPECT_EQ(videos.find(key("b")), nullptr) << "it was unused for longest";
+    EXPECT_EQ(videos.find(key("a")), all[0]);
+    EXPECT_TRUE(videos.holds(*all[3]));
 }
 
 }  // namespace

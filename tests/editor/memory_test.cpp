@@ -14,14 +14,8 @@
 namespace lapfx::test {
 namespace {
 
-class EditorMemory : public EditorTest {
+class EditorMemory : public SampleTest {
   protected:
-    EditorMemory() { shares_organ = false; }
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        open_sample();
-    }
     /// Plays all clips, which loads them into graphics memory. The picture is small to make that quick.
     void play_through() {
         constexpr int longest_clip = 180;
@@ -48,8 +42,14 @@ class EditorMemory : public EditorTest {
     }
 };
 
+/// An organ that nobody else holds.
+class EditorMemoryOfOrgan : public EditorMemory {
+  protected:
+    EditorMemoryOfOrgan() { shares_organ = false; }
+};
+
 /// With the textures and clips that are shipped.
-class EditorMemoryInFull : public EditorMemory {
+class EditorMemoryInFull : public EditorMemoryOfOrgan {
   protected:
     EditorMemoryInFull() { scene_scale = 1, whole_sample = true; }
 };
@@ -108,7 +108,7 @@ TEST_F(EditorMemory, SnapshotsShownToAndFroHoldWhatIsShown) {
     }
 }
 
-TEST_F(EditorMemory, TheFormerOrganGoesAlsoFromThoseWhoHaveWorkedWithIt) {
+TEST_F(EditorMemoryOfOrgan, TheFormerOrganGoesAlsoFromThoseWhoHaveWorkedWithIt) {
     ui().click("Workspace/tabs/Amounts").click("**/Amounts/On organ");
     editor().looking.overlay = Overlay::vessels;
     ui().frame().frame();
@@ -189,7 +189,7 @@ TEST_F(EditorMemoryInFull, ThePictureIsTheSameFromPixelsThatWereDecodedAgain) {
     EXPECT_FALSE(other.pixels == first.pixels) << "which other values had made others of";
 }
 
-TEST_F(EditorMemory, TheStatusBarSaysWhatHoldsIt) {
+TEST_F(EditorMemoryOfOrgan, TheStatusBarSaysWhatHoldsIt) {
     start({1440, 900}, false);
     open_sample();
     std::string tip;

@@ -9,13 +9,12 @@
 namespace lapfx::test {
 namespace {
 
-class NarrowTest : public EditorTest {
+class NarrowTest : public SampleTest {
   protected:
+    NarrowTest() { begins.layout = "Compare"; }
     void SetUp() override {
-        EditorTest::SetUp();
+        SampleTest::SetUp();
         if (IsSkipped()) return;
-        open_sample();
-        layout("Compare");
         editor().layouts().shown.close("Reference");
         editor().layouts().shown.close("View");
         editor().snapshots().keep(0);

@@ -15,15 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class PlateSwitch : public EditorTest {
+class PlateSwitch : public SampleTest {
   protected:
     PlateSwitch() { scene_scale = 1; }
     void SetUp() override {
-        EditorTest::SetUp();
+        SampleTest::SetUp();
         if (IsSkipped()) return;
-        start({1440, 900});
-        open_sample();
-        ASSERT_TRUE(editor().preview.ready());
+        ASSERT_TRUE(editor().preview.ready() || !begins.exact);
     }
     const Scene& scene() { return editor().document.scene(); }
     const std::string& organ() { return editor().preview.preview()->organ().name; }
@@ -115,11 +113,10 @@ TEST_F(PlateSwitch, LiesWhereTheReferenceIsPlaced) {
 /// Beside the UI, as in the window.
 class PlateOnItsWay : public PlateSwitch {
   protected:
+    PlateOnItsWay() { begins.exact = false; }
     void SetUp() override {
-        EditorTest::SetUp();
+        PlateSwitch::SetUp();
         if (IsSkipped()) return;
-        start({1440, 900}, false);
-        open_sample();
         ASSERT_TRUE(wait_until([&] { return editor().preview.ready() && reference().video() != nullptr; },
                                [&] { ui().frame(0.02); }));
         ASSERT_TRUE(wait_until([&] { return !editor().preview.loading(); }, [&] { ui().frame(0.02); }));

@@ -17,14 +17,9 @@ using app::parameters;
 using ui::Key;
 using ui::Mods;
 
-class PresetPanel : public EditorTest {
+class PresetPanel : public SampleTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        editor().layouts().shown.close("View");  // the scene is drawn only where a test asks for pixels
-        open_sample();
-    }
+    PresetPanel() { begins.view = false; }
     const Preset& preset() { return editor().document.preset(); }
     std::string text() { return write_preset(preset()); }
     /// Opens all sections. At first all of them except Bleeding are folded.

@@ -18,12 +18,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* panel = "Workspace/Reference";
 
-class ReferencePanel : public EditorTest {
+class ReferencePanel : public SampleTest {
   protected:
     void SetUp() override {
-        EditorTest::SetUp();
+        SampleTest::SetUp();
         if (IsSkipped()) return;
-        open_sample();
         editor().reference().way = app::CompareWay::reference;
         layout("Compare");
     }

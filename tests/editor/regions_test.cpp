@@ -10,17 +10,12 @@
 namespace lapfx::test {
 namespace {
 
-class Regions : public EditorTest {
+class Regions : public SampleTest {
   protected:
+    Regions() { begins.layout = "Compare", begins.time = 4; }
     void SetUp() override {
-        EditorTest::SetUp();
+        SampleTest::SetUp();
         if (IsSkipped()) return;
-        start({1440, 900});
-        open_sample();
-        editor().timeline.speed = 0;
-        layout("Compare");
-        editor().timeline.seek(4);
-        ui().frame();
         ui().click("Workspace/Reference/Scopes").frame();
         ui().click("**/Scopes shown/Regions").frame();
     }
@@ -196,16 +191,9 @@ TEST_F(Regions, OnlyEightFit) {
     EXPECT_FALSE(ui().exists("**/Add region"));
 }
 
-class ProposedLook : public EditorTest {
+class ProposedLook : public SampleTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        open_sample();
-        editor().timeline.speed = 0;
-        layout("Compare");
-        ui().frame();
-    }
+    ProposedLook() { begins.layout = "Compare"; }
     double vignette() { return editor().document.scene().camera.vignette; }
     /// The reference is this picture, or these as a video of 25 frames a second.
     void show(const std::vector<Image>& frames) {

@@ -14,16 +14,9 @@ using app::CompareSide;
 
 constexpr std::size_t A = 0, B = 1;
 
-class SnapshotPictures : public EditorTest {
+class SnapshotPictures : public SampleTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        open_sample();
-        layout("Compare");
-        editor().timeline.seek(6);
-        ui().frame();
-    }
+    SnapshotPictures() { begins.layout = "Compare", begins.time = 6; }
     app::Reference& reference() { return editor().reference(); }
     app::SnapshotPreviews& previews() { return editor().snapshot_previews(); }
     static std::string in(const std::string& name) { return "Workspace/Reference/" + name; }

@@ -7,13 +7,12 @@
 namespace lapfx::test {
 namespace {
 
-class SoloTest : public EditorTest {
+class SoloTest : public SampleTest {
   protected:
+    SoloTest() { begins.layout = "Tune"; }
     void SetUp() override {
-        EditorTest::SetUp();
+        SampleTest::SetUp();
         if (IsSkipped()) return;
-        open_sample();
-        layout("Tune");
         ui().click("Workspace/tabs/Clips").frame();
         ASSERT_GE(clips().size(), 2U);
     }

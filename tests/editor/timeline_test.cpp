@@ -13,14 +13,9 @@
 namespace lapfx::test {
 namespace {
 
-class TimelinePanelTest : public EditorTest {
+class TimelinePanelTest : public SampleTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        open_sample();
-        layout("Stage");
-    }
+    TimelinePanelTest() { begins.layout = "Stage"; }
     const std::vector<ToolContact>& events() { return editor().document.scene().events; }
     const std::string& last_step() { return editor().document.steps().back().name; }
     /// Writes a box of this size, in units of its file.

@@ -9,14 +9,9 @@ namespace {
 
 constexpr const char* underlay = "Workspace/View/Reference picture";
 
-class UnderlayTest : public EditorTest {
+class UnderlayTest : public SampleTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        open_sample();
-        layout("Tune");
-    }
+    UnderlayTest() { begins.layout = "Tune"; }
     const ui::StoredImage& shown() { return *ui().images().find(editor().reference().picture().image); }
 };
 

@@ -12,13 +12,12 @@ namespace {
 
 constexpr const char* preview = "Workspace/View/Preview";
 
-class ViewPanelTest : public EditorTest {
+class ViewPanelTest : public SampleTest {
   protected:
+    ViewPanelTest() { begins.window = {1000, 640}; }
     void SetUp() override {
-        EditorTest::SetUp();
+        SampleTest::SetUp();
         if (IsSkipped()) return;
-        start({1000, 640});
-        open_sample();
         ASSERT_TRUE(editor().preview.ready());
     }
     /// The place on the organ at a fraction of the view.

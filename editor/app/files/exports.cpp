@@ -101,6 +101,7 @@ Exports::Exports(const Parts& parts, Open open)
       screen_(parts.screen),
       clip_folders_(parts.options.clip_folders),
       exact_(parts.options.exact),
+      measured_side_(parts.options.measured_side),
       open_(std::move(open)) {}
 
 Exports::~Exports() {
@@ -374,11 +375,13 @@ void Exports::make_page() {
     Running& running = *running_;
     PageWanted wanted = *running.page_wanted;
     wanted.scene = running.scene, wanted.preset = running.preset;
-    running.making = std::make_unique<PageMaking>(std::move(wanted), PageMaking::Parts{.preview = preview_,
-                                                                                       .jobs = jobs_,
-                                                                                       .organ = running.loaded.organ,
-                                                                                       .clip_folders = clip_folders_,
-                                                                                       .exact = exact_});
+    running.making =
+        std::make_unique<PageMaking>(std::move(wanted), PageMaking::Parts{.preview = preview_,
+                                                                          .jobs = jobs_,
+                                                                          .organ = running.loaded.organ,
+                                                                          .clip_folders = clip_folders_,
+                                                                          .exact = exact_,
+                                                                          .measured_side = measured_side_});
 }
 
 /// Outside of the UI's build. For a bundle, first its thumbnail: at the time that the view shows, through the scene's

@@ -202,6 +202,7 @@ class Exports {
     Screen& screen_;
     std::vector<std::filesystem::path> clip_folders_;
     bool exact_;
+    int measured_side_;
     Open open_;
     std::unique_ptr<Running> running_;
     bool estimate_wanted_ = false;

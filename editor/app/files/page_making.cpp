@@ -10,6 +10,7 @@ namespace lapfx::app {
 PageMaking::PageMaking(PageWanted wanted, const Parts& parts)
     : wanted_(std::move(wanted)),
       jobs_(parts.jobs),
+      measured_side_(parts.measured_side),
       job_("Comparing with " + wanted_.compared.video),
       steps_(std::make_unique<RenderSteps>([this] { jobs_.wake(); })),
       curve_(drawn_curve(parts.organ, parts.preview, parts.clip_folders, parts.exact ? nullptr : &steps_, {})) {
@@ -43,8 +44,8 @@ void PageMaking::make() {
     video_ = std::make_shared<VideoReader>(wanted_.video, &job_.stop());
     const SceneReference& reference = wanted_.scene.reference;
     const match::MeasureOptions options = match::measure_options(reference.measure);
-    curve_->set_options(
-        {.size = match::preview_size(video_->info().size, reference.aspect), .estimator = options.estimator});
+    curve_->set_options({.size = match::preview_size(video_->info().size, reference.aspect, measured_side_),
+                         .estimator = options.estimator});
     const auto progress = [this](double share) {
         job_.set_progress(share);
         return !job_.cancelled();

@@ -41,7 +41,8 @@ class PageMaking {
         Jobs& jobs;
         std::shared_ptr<const PreparedOrgan> organ;
         std::vector<std::filesystem::path> clip_folders;
-        bool exact;  ///< all is done at once, in the constructor
+        bool exact;         ///< all is done at once, in the constructor
+        int measured_side;  ///< EditorOptions
     };
     PageMaking(PageWanted wanted, const Parts& parts);
     ~PageMaking();  ///< waits for what is being done: a picture, or a frame of the video
@@ -60,6 +61,7 @@ class PageMaking {
 
     PageWanted wanted_;
     Jobs& jobs_;
+    const int measured_side_;
     Job job_;  ///< of no list: the export that it is for is shown
     std::unique_ptr<RenderSteps> steps_;
     std::unique_ptr<match::PreviewCurve> curve_;

@@ -49,7 +49,8 @@ Fitting::Fitting(const Parts& parts)
       notices_(parts.notices),
       clip_folders_(parts.options.clip_folders),
       exact_(parts.options.exact),
-      software_(parts.options.software) {}
+      software_(parts.options.software),
+      measured_side_(parts.options.measured_side) {}
 Fitting::~Fitting() = default;
 
 bool Fitting::locked(const std::string& key) const {
@@ -222,7 +223,8 @@ bool Fitting::prepare(double now) {
         return false;
     }
     if (!document_.preset_faults().empty()) return fail(document_.preset_faults()), false;
-    const glm::ivec2 size = match::preview_size(reference_.video()->info().size, scene.reference.aspect);
+    const glm::ivec2 size =
+        match::preview_size(reference_.video()->info().size, scene.reference.aspect, measured_side_);
     steps_ = std::make_unique<RenderSteps>([this] { jobs_.wake(); });
     curve_ = drawn_curve(organ, host_, clip_folders_, exact_ ? nullptr : &steps_,
                          {.size = size, .estimator = match::measure_options(scene.reference.measure).estimator});

@@ -121,6 +121,7 @@ class Fitting {
     Notices& notices_;
     const std::vector<std::filesystem::path> clip_folders_;
     const bool exact_, software_;
+    const int measured_side_;
     std::optional<bool> asked_;  ///< for a proposal alone; nothing: neither is wanted
     bool measuring_asked_ = false;
     double began_ = 0.0, now_ = 0.0, due_ = std::numeric_limits<double>::infinity();

@@ -35,9 +35,14 @@ const Table& measure_table() {
     return table;
 }
 
-Measuring::Measuring(document::Document& document, const Reference& reference, Jobs& jobs, Notices& notices,
-                     bool by_itself)
-    : document_(document), reference_(reference), jobs_(jobs), notices_(notices), by_itself_(by_itself) {}
+Measuring::Measuring(document::Document& document, const Reference& reference, std::shared_ptr<MeasuredVideos> known,
+                     Jobs& jobs, Notices& notices, bool by_itself)
+    : document_(document),
+      reference_(reference),
+      known_(known ? std::move(known) : std::make_shared<MeasuredVideos>()),
+      jobs_(jobs),
+      notices_(notices),
+      by_itself_(by_itself) {}
 Measuring::~Measuring() = default;
 
 Measuring::Subject Measuring::subject() const {
@@ -74,7 +79,7 @@ double Measuring::progress() const {
 
 std::span<const match::FrameAmounts> Measuring::frames() const {
     if (const Measured* const now = of_now(); now != nullptr && now->run && !now->frames.empty()) return now->frames;
-    return found_ ? std::span(found_->frames) : std::span<const match::FrameAmounts>();
+    return found_ ? std::span(found_->found->frames) : std::span<const match::FrameAmounts>();
 }
 
 std::uint64_t Measuring::serial() const {
@@ -122,7 +127,7 @@ void Measuring::forget() {
     rest();
     faults_.clear();
     all_.clear();
-    found_.reset(), found_colors_.reset();
+    found_.reset();
     of_ = {};
     found_serial_ = 0;
     followed_.reset(), stopped_.reset();
@@ -143,18 +148,27 @@ void Measuring::cancel() {
 /// One to go on with.
 Measuring::Measured& Measuring::begin() {
     if (Measured* const known = of_now(); known != nullptr && known->run) return *known;
-    std::erase_if(all_, [this](const auto& measured) { return is_now(measured->of); });
+    const bool anew = std::erase_if(all_, [this](const auto& measured) { return is_now(measured->of); }) > 0;
     if (all_.size() >= kept) all_.erase(all_.begin());
     const Subject of = subject();
+    if (std::shared_ptr<const MeasuredVideo> earlier = anew ? nullptr : known(of)) {
+        all_.push_back(std::make_unique<Measured>(
+            Measured{.serial = ++serials_, .of = of, .run = nullptr, .frames = {}, .counted = {}, .found = earlier}));
+        return *all_.back();
+    }
     all_.push_back(std::make_unique<Measured>(
         Measured{.serial = ++serials_,
                  .of = of,
                  .run = std::make_unique<MeasuringRun>(of.file, match::measure_options(of.measure), jobs_),
                  .frames = {},
                  .counted = {},
-                 .found = nullptr,
-                 .colors = nullptr}));
+                 .found = nullptr}));
     return *all_.back();
+}
+
+/// From an earlier document; null: it is not known, or cannot be, because the reference is several files.
+std::shared_ptr<const MeasuredVideo> Measuring::known(const Subject& of) const {
+    return of.written ? known_->find({.file = of.file, .written = *of.written, .measure = of.measure}) : nullptr;
 }
 
 void Measuring::start() {
@@ -163,8 +177,10 @@ void Measuring::start() {
     faults_.clear();
     stopped_.reset();
     Measured& measured = begin();
-    running_ = jobs_.open("Measuring " + measured.of.file.filename().string(), {});
-    measured.run->go_on(running_);
+    if (measured.run) {
+        running_ = jobs_.open("Measuring " + measured.of.file.filename().string(), {});
+        measured.run->go_on(running_);
+    }
     ++version_;
 }
 
@@ -179,15 +195,19 @@ void Measuring::take(Measured& measured) {
         if (!measured.found) return std::erase_if(all_, [&](const auto& m) { return m.get() == &measured; }), void();
     }
     if (found_ == measured.found) return;
-    found_ = measured.found, found_colors_ = measured.colors;
+    found_ = measured.found;
     found_serial_ = measured.serial;
     of_ = measured.of;
     ++version_;
 }
 
 void Measuring::end(Measured& measured) {
-    measured.found = measured.run->found(), measured.colors = measured.run->colors();
-    if (!measured.found) {
+    if (std::shared_ptr<const match::Measurement> found = measured.run->found()) {
+        measured.found = std::make_shared<const MeasuredVideo>(
+            MeasuredVideo{std::move(found), measured.run->colors(), std::exchange(measured.counted, {})});
+        const Subject& of = measured.of;
+        if (of.written) known_->keep({.file = of.file, .written = *of.written, .measure = of.measure}, measured.found);
+    } else {
         faults_ = measured.run->faults();
         for (Fault& fault : faults_)
             if (fault.file.empty()) fault.file = measured.of.file.filename().string();
@@ -202,13 +222,18 @@ void Measuring::end(Measured& measured) {
 std::uint64_t Measuring::counted(double time, Image* picture) const {
     const Measured* const now = of_now();
     if (now == nullptr) return 0;
-    const bool there = picture != nullptr ? now->counted.draw(time, *picture) : now->counted.has(time);
+    const CountedFrames& counted = now->found ? now->found->counted : now->counted;
+    const bool there = picture != nullptr ? counted.draw(time, *picture) : counted.has(time);
     return there ? now->serial : 0;
 }
 
 std::size_t Measuring::memory() const {
-    std::size_t bytes = 0;
-    for (const auto& measured : all_) bytes += measured->counted.memory();
+    std::size_t bytes = known_->memory();
+    for (const auto& measured : all_)
+        if (!measured->found)
+            bytes += measured->counted.memory();
+        else if (!known_->holds(*measured->found))
+            bytes += measured->found->counted.memory();
     return bytes;
 }
 
@@ -221,9 +246,9 @@ void Measuring::write(MeasureFile kind, const fs::path& path) {
     try {
         require_not_opened(path);
         if (kind == MeasureFile::png)
-            output::write_png(path, match::plot_of(*found_));
+            output::write_png(path, match::plot_of(*found_->found));
         else
-            write_file(path, kind == MeasureFile::csv ? match::csv_of(*found_) : match::json_of(*found_));
+            write_file(path, kind == MeasureFile::csv ? match::csv_of(*found_->found) : match::json_of(*found_->found));
         notices_.add({.text = "Exported " + path.filename().string()});
     } catch (const Error& error) {
         notices_.tell(error.faults());

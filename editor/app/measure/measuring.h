@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "app/measure/counted_frames.h"
+#include "app/measure/measured_videos.h"
 #include "document/document.h"
 #include "lapfx/error.h"
 #include "match/video/measure.h"
@@ -40,8 +41,10 @@ class Measuring {
   public:
     static constexpr std::size_t kept = 4;  ///< measurements, of as many states of the scene
 
-    /// `by_itself`: it begins when want() is called. All must outlive it.
-    Measuring(document::Document& document, const Reference& reference, Jobs& jobs, Notices& notices, bool by_itself);
+    /// `known`: null, or what others have measured too. `by_itself`: it begins when want() is called. All references
+    /// must outlive it.
+    Measuring(document::Document& document, const Reference& reference, std::shared_ptr<MeasuredVideos> known,
+              Jobs& jobs, Notices& notices, bool by_itself);
     ~Measuring();
     Measuring(const Measuring&) = delete;
     Measuring& operator=(const Measuring&) = delete;
@@ -57,8 +60,8 @@ class Measuring {
     void forget();
 
     // --- measuring ---------------------------------------------------------------------------------------------------
-    /// Measures the scene's reference as it is now, from where that was stopped; once it is complete, anew. Nothing
-    /// without a reference that can be shown.
+    /// Measures the scene's reference as it is now, from where that was stopped; once it is complete, anew. What is
+    /// known from an earlier document is taken, with the next update(). Nothing without a reference that can be shown.
     void start();
     /// It rests, and does not begin by itself again until something else is to be measured.
     void cancel();
@@ -70,9 +73,9 @@ class Measuring {
 
     // --- found -------------------------------------------------------------------------------------------------------
     /// The last that is complete; null: there is none yet.
-    const match::Measurement* found() const { return found_.get(); }
-    const match::ColorsOverTime* colors() const { return found_colors_.get(); }  ///< those of found()
-    const std::filesystem::path& file() const { return of_.file; }               ///< the video that found() is of
+    const match::Measurement* found() const { return found_ ? found_->found.get() : nullptr; }
+    const match::ColorsOverTime* colors() const { return found_ ? found_->colors.get() : nullptr; }  ///< of found()
+    const std::filesystem::path& file() const { return of_.file; }  ///< the video that found() is of
     /// found() is of another reference, or of other values of `reference.measure`.
     bool stale() const;
     /// While begun(), what has been measured so far of the reference as it is now; else those of found(). Ascending
@@ -108,14 +111,14 @@ class Measuring {
         Subject of;
         std::unique_ptr<MeasuringRun> run;        ///< null: it came to its end
         std::vector<match::FrameAmounts> frames;  ///< while there is a run
-        CountedFrames counted;
-        std::shared_ptr<const match::Measurement> found;
-        std::shared_ptr<const match::ColorsOverTime> colors;
+        CountedFrames counted;                    ///< while there is a run
+        std::shared_ptr<const MeasuredVideo> found;
     };
     Subject subject() const;
     bool is_now(const Subject& of) const;
     Measured* of_now() const;
     Measured& begin();
+    std::shared_ptr<const MeasuredVideo> known(const Subject& of) const;
     void follow(double now);
     void rest();
     void take(Measured& measured);
@@ -123,6 +126,7 @@ class Measuring {
 
     document::Document& document_;
     const Reference& reference_;
+    const std::shared_ptr<MeasuredVideos> known_;
     Jobs& jobs_;
     Notices& notices_;
     bool by_itself_;
@@ -134,8 +138,7 @@ class Measuring {
     std::vector<std::unique_ptr<Measured>> all_;  ///< the one that was wanted last at the end
     std::shared_ptr<Job> running_;
     std::vector<Fault> faults_;
-    std::shared_ptr<const match::Measurement> found_;
-    std::shared_ptr<const match::ColorsOverTime> found_colors_;
+    std::shared_ptr<const MeasuredVideo> found_;
     Subject of_;                                    ///< what found_ is of
     std::uint64_t found_serial_ = 0, serials_ = 0;  ///< of found_; how many measurements there were
     std::uint64_t version_ = 0;

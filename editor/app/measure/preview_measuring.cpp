@@ -183,7 +183,8 @@ PreviewMeasuring::PreviewMeasuring(const document::Document& document, const Pre
       clip_folders_(options.clip_folders),
       exact_(options.exact),
       software_(options.software),
-      begins_(!options.exact || options.exact_scale >= 1) {}
+      begins_(options.measures_preview),
+      measured_side_(options.measured_side) {}
 PreviewMeasuring::~PreviewMeasuring() = default;
 
 double PreviewMeasuring::progress() const {
@@ -226,9 +227,9 @@ void PreviewMeasuring::fail(const std::vector<Fault>& faults) {
 /// In the aspect of the reference where there is one, as both are compared.
 PreviewMeasuring::Wanted PreviewMeasuring::wanted_now() const {
     const VideoReader* const video = reference_.video();
-    const glm::ivec2 size = video != nullptr
-                                ? match::preview_size(video->info().size, document_.scene().reference.aspect)
-                                : match::preview_size(Reference::largest_compared);
+    const glm::ivec2 size =
+        video != nullptr ? match::preview_size(video->info().size, document_.scene().reference.aspect, measured_side_)
+                         : match::preview_size(Reference::largest_compared, 0.0, measured_side_);
     return {.content = document_.content(),
             .pictures = of_pictures(document_.content()),
             .size = size,

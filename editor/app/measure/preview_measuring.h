@@ -50,8 +50,8 @@ class PreviewMeasuring {
     static constexpr double step = 0.2;  ///< s between them, in scenes of up to `most` of them
     static constexpr std::size_t most = 300;
 
-    /// While a person works, a program without a GPU draws no pictures for this. With EditorOptions::exact_scale it
-    /// does not begin: whoever wants coarse pictures does not want them measured. All must outlive it.
+    /// While a person works, a program without a GPU draws no pictures for this. It does not begin where
+    /// EditorOptions::measures_preview says so. All must outlive it.
     PreviewMeasuring(const document::Document& document, const PreviewHost& preview, const Reference& reference,
                      const ScenePace& pace, Jobs& jobs, const EditorOptions& options);
     ~PreviewMeasuring();
@@ -113,6 +113,7 @@ class PreviewMeasuring {
     Jobs& jobs_;
     std::vector<std::filesystem::path> clip_folders_;
     bool exact_, software_, begins_;
+    int measured_side_;
     bool wanted_ = false, stopped_ = false;
     std::uint64_t followed_ = 0;                  ///< version of the document
     std::weak_ptr<const VideoReader> of_opened_;  ///< of the reference

@@ -23,10 +23,10 @@ bool in_view(const Preview& preview, glm::ivec2 size) {
 
 }  // namespace
 
-glm::ivec2 preview_size(glm::dvec2 shape, double aspect) {
+glm::ivec2 preview_size(glm::dvec2 shape, double aspect, int side) {
     shape = glm::max(shape, 1.0);
     if (aspect > 0.0) shape.x = aspect * shape.y;
-    shape *= preview_side / std::max(shape.x, shape.y);
+    shape *= side / std::max(shape.x, shape.y);
     return glm::max(glm::ivec2(glm::round(shape)), glm::ivec2(least_side));
 }
 

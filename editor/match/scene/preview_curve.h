@@ -22,9 +22,9 @@ namespace lapfx::match {
 
 inline constexpr int preview_side = 256;  ///< px of the longer side of measured pictures: the estimator's own
 
-/// Of a picture with the shape of a reference's. `aspect`: width over height when it is shown (SceneReference::aspect);
-/// 0: as stored.
-glm::ivec2 preview_size(glm::dvec2 shape, double aspect = 0.0);
+/// Of a picture with the shape of a reference's, with so many px on its longer `side`. `aspect`: width over height when
+/// it is shown (SceneReference::aspect); 0: as stored.
+glm::ivec2 preview_size(glm::dvec2 shape, double aspect = 0.0, int side = preview_side);
 
 /// Carries out a step of drawing, about one picture, where the context is current, and waits for it; what it throws is
 /// thrown here. False: it was not carried out, nor will be any other.

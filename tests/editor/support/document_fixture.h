@@ -7,13 +7,8 @@
 
 namespace lapfx::test {
 
-class EditorDocument : public EditorTest {
+class EditorDocument : public SampleTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        open_sample();
-    }
     void set_speed(double speed) {
         editor().document.change("Speed", [&](document::Content& c) { c.preset.bleeding.speed = speed; });
         ui().frame();

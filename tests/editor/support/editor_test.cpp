@@ -5,6 +5,7 @@
 #include "app/base/layouts.h"
 #include "app/files/files.h"
 #include "app/files/open.h"
+#include "app/measure/measured_videos.h"
 #include "app/preview/preview_host.h"
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/prepared_scene.h"
@@ -41,6 +42,11 @@ std::shared_ptr<app::EarlyLoad> sample_loaded(bool whole) {
     return handed_out(light);
 }
 
+std::shared_ptr<app::MeasuredVideos> measured_videos() {
+    static const auto all = std::make_shared<app::MeasuredVideos>();
+    return all;
+}
+
 }  // namespace
 
 void EditorTest::SetUp() {
@@ -48,7 +54,18 @@ void EditorTest::SetUp() {
     if (IsSkipped()) return;
     std::string pattern = (fs::temp_directory_path() / "lapfx-editor-XXXXXX").string();
     folder_ = ::mkdtemp(pattern.data());
-    start();
+    start(begins.window, begins.exact);
+}
+
+void SampleTest::SetUp() {
+    EditorTest::SetUp();
+    if (IsSkipped()) return;
+    if (!begins.view) editor().layouts().shown.close("View");
+    open_sample();
+    if (!begins.layout.empty()) layout(begins.layout);
+    if (!begins.time) return;
+    editor().timeline.seek(*begins.time);
+    ui().frame();
 }
 
 void EditorTest::TearDown() {
@@ -63,20 +80,24 @@ void EditorTest::start(glm::ivec2 size, bool exact) {
     editor_.reset();
     ui_.reset();
     const fs::path data = shipped();
-    editor_ = std::make_unique<app::Editor>(images_,
-                                            app::EditorOptions{.data_folder = data,
-                                                               .clip_folders = {data / "samples" / "clips"},
-                                                               .folders = {.config = folder_ / "config",
-                                                                           .state = folder_ / "state",
-                                                                           .cache = folder_ / "cache",
-                                                                           .documents = folder_},
-                                                               .exact = exact,
-                                                               .exact_scale = scene_scale,
-                                                               .renderer = "test",
-                                                               .software = true,
-                                                               .clock = clock,
-                                                               .files = nullptr},
-                                            shares_organ ? sample_loaded(whole_sample) : nullptr);
+    editor_ =
+        std::make_unique<app::Editor>(images_,
+                                      app::EditorOptions{.data_folder = data,
+                                                         .clip_folders = {data / "samples" / "clips"},
+                                                         .folders = {.config = folder_ / "config",
+                                                                     .state = folder_ / "state",
+                                                                     .cache = folder_ / "cache",
+                                                                     .documents = folder_},
+                                                         .exact = exact,
+                                                         .exact_scale = scene_scale,
+                                                         .measures_preview = measures_preview || !exact,
+                                                         .measured_side = measured_side,
+                                                         .measured = shares_measured ? measured_videos() : nullptr,
+                                                         .renderer = "test",
+                                                         .software = true,
+                                                         .clock = clock,
+                                                         .files = nullptr},
+                                      shares_organ ? sample_loaded(whole_sample) : nullptr);
     panels::set_up(*editor_);
     ui_ = std::make_unique<ui::Harness>([this](ui::Ui& u) { panels::workspace(u, *editor_); }, size, 1.0F,
                                         &editor_->commands, &images_);
@@ -84,6 +105,7 @@ void EditorTest::start(glm::ivec2 size, bool exact) {
 }
 
 fs::path EditorTest::shipped() const {
+    if (!own_shipped.empty()) return own_shipped;
     return whole_sample ? source_folder() : light_folder();
 }
 

@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "app/editor.h"
 #include "support/gpu_test.h"
@@ -27,6 +28,15 @@ class EditorTest : public GpuTest {
     void SetUp() override;
     void TearDown() override;
 
+    /// What SetUp() gives start(); the constructor of a fixture may say otherwise.
+    struct Begins {
+        glm::ivec2 window{1440, 900};
+        bool exact = true;
+        // Of SampleTest:
+        bool view = true;                 ///< false: the scene is drawn only where a test asks for pixels
+        std::string layout = {};          ///< empty: the usual one
+        std::optional<double> time = {};  ///< s; none: the start
+    } begins;
     /// Makes a new editor with the same folders of the user, as if the program had been started again.
     void start(glm::ivec2 size = {1440, 900}, bool exact = true);
     void open_sample();  ///< samples/lagb.scene.json, stopped at 0 s
@@ -37,6 +47,14 @@ class EditorTest : public GpuTest {
     /// EditorOptions::exact_scale of the editor that start() makes: pixels of the scene take most of a test's time
     /// without a GPU, and few tests look at single ones. Those ask for 1 in the constructor of their fixture.
     double scene_scale = 0.2;
+    /// EditorOptions::measures_preview of an exact editor that start() makes: few tests of the layout Compare look at
+    /// it.
+    bool measures_preview = false;
+    /// EditorOptions::measured_side of the editor that start() makes: a seventh of the pixels tells the same course.
+    int measured_side = 96;
+    /// Whether videos that were measured are known to all tests, as they are to all documents of an editor. Those that
+    /// look at how one is measured ask for false in the constructor of their fixture.
+    bool shares_measured = true;
     /// Whether the editor that start() makes shares the sample's organ with all tests. Those that look at what it holds
     /// ask for false in the constructor of their fixture.
     bool shares_organ = true;
@@ -45,7 +63,8 @@ class EditorTest : public GpuTest {
     /// height (support/light_samples.cpp), which take a fraction of the time. Tests whose pictures are compared with
     /// what `lapfx` makes of the sample ask for true in the constructor of their fixture.
     bool whole_sample = false;
-    std::filesystem::path shipped() const;  ///< the folder of shipped files that this says
+    std::filesystem::path own_shipped = {};  ///< of the test's own, in place of both; from the next start() on
+    std::filesystem::path shipped() const;   ///< the folder of shipped files that these say
 
     app::Editor& editor() { return *editor_; }
     ui::Harness& ui() { return *ui_; }
@@ -60,6 +79,12 @@ class EditorTest : public GpuTest {
     ui::ImageStore images_;
     std::unique_ptr<app::Editor> editor_;
     std::unique_ptr<ui::Harness> ui_;
+};
+
+/// With the sample scene open in the editor, stopped.
+class SampleTest : public EditorTest {
+  protected:
+    void SetUp() override;
 };
 
 }  // namespace lapfx::test

@@ -11,12 +11,11 @@ struct Shape {
     glm::ivec2 size;
 };
 
-class ShapedTest : public EditorTest {
+class ShapedTest : public SampleTest {
   protected:
     void SetUp() override {
-        EditorTest::SetUp();
+        SampleTest::SetUp();
         if (IsSkipped()) return;
-        open_sample();
         editor().reference().choose_sample();
         ui().frame().frame();
     }
