@@ -1,5 +1,6 @@
 #include "organ/stl.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -17,6 +18,11 @@ namespace {
 constexpr std::size_t stl_header = 84, stl_triangle = 50;
 constexpr float huge = 1e30f;  // no coordinate of an organ; mend() leaves out much smaller ones
 
+bool is_place(const glm::vec3& corner) {
+    return std::abs(corner.x) < huge && std::abs(corner.y) < huge &&
+           std::abs(corner.z) < huge;  // false for NaN as well
+}
+
 struct HashOfPlace {
     std::size_t operator()(const glm::vec3& place) const {
         std::uint64_t hash = 0;
@@ -33,13 +39,15 @@ struct HashOfPlace {
 /// The facets of a file. Corners at one place become one vertex, which the format does not say.
 class Facets {
   public:
-    /// A facet with two equal corners is counted and left out.
+    /// A facet with two equal corners is counted and left out. One with a corner that is at no place stays, so that
+    /// mend() tells that about it.
     void add(const std::array<glm::vec3, 3>& corners) {
         ++count_;
         if (full()) return;
         std::array<std::uint32_t, 3> vertices;
         for (std::size_t i = 0; i < 3; ++i) vertices[i] = vertex_at(corners[i]);
-        if (vertices[0] == vertices[1] || vertices[1] == vertices[2] || vertices[2] == vertices[0]) return;
+        const bool placed = std::ranges::all_of(corners, is_place);
+        if (placed && (vertices[0] == vertices[1] || vertices[1] == vertices[2] || vertices[2] == vertices[0])) return;
         soup_.corners.insert(soup_.corners.end(), vertices.begin(), vertices.end());
         soup_.first.push_back(static_cast<std::uint32_t>(soup_.corners.size()));
     }
@@ -59,8 +67,7 @@ class Facets {
         const auto next = static_cast<std::uint32_t>(soup_.positions.size());
         bool known = false;
         std::uint32_t vertex = next;
-        if (std::abs(place.x) < huge && std::abs(place.y) < huge &&
-            std::abs(place.z) < huge) {                                           // false for NaN as well
+        if (is_place(place)) {
             const auto [at, is_new] = vertices_.try_emplace(place + 0.0f, next);  // not -0
             vertex = at->second, known = !is_new;
         }

@@ -26,9 +26,9 @@ def at_most(limits):
     return [word for name, limit in limits.items() for word in ("--at-most", f"{name}={limit}")]
 
 
-def render(lapfx, scene, folder, name, *more):
+def render(lapfx, scene, folder, name, fps, *more):
     video = os.path.join(folder, name)
-    code, _, told = run(lapfx, "render", scene, "--size", "256x206", "--fps", "5", "--to", "7", *more, "-o", video)
+    code, _, told = run(lapfx, "render", scene, "--size", "128x104", "--fps", fps, "--to", "7", *more, "-o", video)
     assert code == 0, told
     return video
 
@@ -223,6 +223,7 @@ def check_refused(lapfx, scene, video, other, folder):
 
 def check_beside(lapfx, scene, video, folder):
     """`lapfx render --beside`: the page of both pictures says what `lapfx compare` says."""
+    scene = changed_scene(scene, folder, "short.scene.json", lambda values: values.update(duration=3))
     code, said, told = run(lapfx, "compare", scene, video)
     assert code == 0, told
     words = printed(said)[0]
@@ -231,7 +232,7 @@ def check_beside(lapfx, scene, video, folder):
     assert code == 0 and said == "" and f"lapfx: {video}: {words}" in told.splitlines(), (code, said, told)
     with open(page, "rb") as file:
         width, height = struct.unpack(">II", file.read(24)[16:])
-    # The video is 256 x 206; text is at least three quarters of its usual size.
+    # The video is 128 x 104; text is at least three quarters of its usual size.
     assert (width, height % 2) == (128 + 4 + 126, 0) and 102 + 150 < height < 102 + 300, (width, height)
     # Of a video that shows nothing there is no curve, and the page says so.
     black = write_black(folder, 12)
@@ -254,8 +255,8 @@ def check_beside(lapfx, scene, video, folder):
 
 def main(lapfx, scene):
     with tempfile.TemporaryDirectory() as folder:
-        video = render(lapfx, scene, folder, "shown.mp4")
-        other = render(lapfx, scene, folder, "other.mp4", "--set", f"smoke.haze.accumulation={ACCUMULATION}")
+        video = render(lapfx, scene, folder, "shown.mp4", "2.5")  # as many pictures are drawn
+        other = render(lapfx, scene, folder, "other.mp4", "5", "--set", f"smoke.haze.accumulation={ACCUMULATION}")
         check_refused(lapfx, scene, video, other, folder)
         check_videos(lapfx, video, other, folder)
         check_alike(lapfx, scene, video, folder)

@@ -18,8 +18,8 @@ import real_window
 from real_window import node, nodes, wait_for
 
 SIZE = (1200, 800)
-IDLE_S = 20
-IDLE_WAKES = 100  # of all threads in that time, at most; one a second was seen
+IDLE_S = 10
+IDLE_WAKES = 50  # of all threads in that time, at most; one a second was seen
 SAMPLE_CLIPS = ["plume_thick.mp4", "wisps_thin.mp4", "haze_rolling.mp4"]
 SPEED = "/Bleeding/Speed"  # end of the path of the parameter that is moved
 
@@ -98,12 +98,23 @@ class Editor(real_window.Window):
         assert self.process.wait(real_window.LIMIT_S) == 0, self.text()
 
 
-def case_start(open_editor):
-    """The sample scene is visible without any input."""
+def case_start_tab_resize(open_editor):
+    """The sample scene is visible without any input; a click on a tab shows its panel; the window becomes tiny and
+    large again."""
     with open_editor() as editor:
         assert editor.frames()[0][2], "the first frame is drawn"
+        tree = editor.tree()
+        assert "Gastric banding" in node(tree, "Status bar/Preset")["text"]
+        assert node(tree, "Workspace/View/Preview")["rect"][2] > 300
+        assert "selected" not in node(tree, "Workspace/tabs/Amounts").get("states", ())
+        editor.click("Workspace/tabs/Amounts")
+        for width, height in ((40, 30), (1, 1), SIZE):
+            editor.act("windowsize", "--sync", editor.window, str(width), str(height))
         tree = editor.close()
         assert "Gastric banding" in node(tree, "Status bar/Preset")["text"]
+        assert "selected" in node(tree, "Workspace/tabs/Amounts")["states"]
+        assert node(tree, "Workspace/Amounts")["rect"][3] > 100
+        assert tree["rect"][2:] == list(SIZE), tree["rect"]
         assert node(tree, "Workspace/View/Preview")["rect"][2] > 300
         return f"first frame after {editor.first_frame_s:.2f} s"
 
@@ -121,27 +132,6 @@ def case_idle(open_editor):
     """Paused, without input: once what runs beside the UI has ended, no frames, and its threads sleep."""
     with open_editor("--at", "6") as editor:
         return f"{editor.sleeps(IDLE_S, IDLE_WAKES)} wakes in {IDLE_S} s"
-
-
-def case_tab(open_editor):
-    """A click on a tab shows its panel."""
-    with open_editor() as editor:
-        tree = editor.tree()
-        assert "selected" not in node(tree, "Workspace/tabs/Amounts").get("states", ())
-        editor.click("Workspace/tabs/Amounts")
-        tree = editor.close()
-        assert "selected" in node(tree, "Workspace/tabs/Amounts")["states"]
-        assert node(tree, "Workspace/Amounts")["rect"][3] > 100
-
-
-def case_resize(open_editor):
-    """Makes the window tiny and large again."""
-    with open_editor() as editor:
-        for width, height in ((40, 30), (1, 1), SIZE):
-            editor.act("windowsize", "--sync", editor.window, str(width), str(height))
-        tree = editor.close()
-        assert tree["rect"][2:] == list(SIZE), tree["rect"]
-        assert node(tree, "Workspace/View/Preview")["rect"][2] > 300
 
 
 def same_as_rendered(editor, file):
@@ -177,23 +167,13 @@ def case_export(open_editor):
         same_as_rendered(editor, file)
 
 
-def case_drop_arrives(open_editor):
-    """A file manager's drop comes through the window's callback."""
+def case_drop_opens(open_editor):
+    """A file manager's drop comes through the window's callback: the clip is in the preset that is saved then."""
     with open_editor() as editor:
         if not os.path.exists(editor.drop_files):
             return "not tested: there is no Xlib to drop files with"
         editor.drop("Workspace/View/Preview", editor.clip)
         assert editor.process.poll() is None, editor.text()
-        return None
-
-
-def case_drop_opens(open_editor):
-    """A dropped clip is in the preset that is saved then; closed with more unsaved work, and discarded."""
-    with open_editor() as editor:
-        if not os.path.exists(editor.drop_files):
-            return "not tested: there is no Xlib to drop files with"
-        editor.drop("Workspace/View/Preview", editor.clip)
-        editor.settle()
         saved = editor.save_as("dropped.json")
         assert [c["file"] for c in saved["smoke"]["clips"]] == [*SAMPLE_CLIPS, "wisps_thin.mp4"], saved["smoke"]["clips"]
         return None
@@ -206,14 +186,15 @@ def case_surgery_named_at_start(open_editor):
         shutil.copy(os.path.join(sys.argv[3], "samples", "reference", "operation.mp4"), video)
         with open_editor(video) as editor:
             told = "operation_2.mp4 becomes the reference"
-            wait_for("the notice", lambda: any(told in n.get("label", "") for n in nodes(editor.tree())))
+            wait_for("the notice", lambda: any(told in n.get("label", "") for n in nodes(editor.new_tree())))
             clips = [c["file"] for c in editor.save_as("named.json")["smoke"]["clips"]]
             assert clips == SAMPLE_CLIPS, clips
             editor.discard()
 
 
-def case_drag_type_save_undo(open_editor):
-    """A parameter is dragged and typed, the preset saved, and both undone; what is on disk tells."""
+def case_drag_type_save_undo_close(open_editor):
+    """A parameter is dragged and typed, the preset saved, and both undone; what is on disk tells. Then the editor asks
+    about unsaved work: Esc keeps the window, Discard closes it."""
     with open_editor() as editor:
         start = editor.save_as("start.json")["bleeding"]["speed"]
         x, y = editor.middle(editor.ending(SPEED))
@@ -237,14 +218,6 @@ def case_drag_type_save_undo(open_editor):
         assert editor.save_as("undone.json")["bleeding"]["speed"] == start
         editor.act("key", "ctrl+shift+z")
         assert editor.save_as("redone.json")["bleeding"]["speed"] == dragged
-        editor.close()
-
-
-def case_close_unsaved(open_editor):
-    """The editor asks about unsaved work: Esc keeps the window, Discard closes it."""
-    with open_editor() as editor:
-        x, y = editor.middle(editor.ending(SPEED))
-        editor.act("mousemove", "--window", editor.window, str(x + 30), str(y))
         editor.act("click", "--repeat", "2", "--delay", "60", "1")
         editor.type("8.5")
         editor.act("key", "Return")

@@ -58,6 +58,9 @@ class Display:
         self.log.close()
 
 
+_trees = {}
+
+
 class Window:
     """One window of `lapfx VERB`. Use as a context: leaving it closes what is still open."""
 
@@ -207,7 +210,13 @@ class Window:
         self.answer(count, " ".join(arguments))
 
     def tree(self):
-        """Of a window that has just been opened."""
+        """Of a window that has just been opened: all that are opened alike have the same."""
+        alike = (self.verb, *self.common, self.environment["LAPFX_SCALE"], self.environment.get("LAPFX_DATA"))
+        if alike not in _trees:
+            _trees[alike] = self.new_tree()
+        return _trees[alike]
+
+    def new_tree(self):
         file = os.path.join(self.folder, "before.json")
         subprocess.run([self.lapfx, self.verb, *self.common, "--scale", "1", "--dump", file], env=self.environment, check=True)
         with open(file, encoding="utf-8") as dump:

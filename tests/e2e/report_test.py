@@ -70,7 +70,7 @@ def check_refused(lapfx, scene, video, folder):
 
 def make_report(lapfx, scene, folder):
     video, report = os.path.join(folder, REFERENCE), os.path.join(folder, "report.html")
-    code, _, told = run(lapfx, "render", scene, "--size", "256x206", "--fps", "5", "--to", "3", "--set",
+    code, _, told = run(lapfx, "render", scene, "--size", "128x104", "--fps", "5", "--to", "3", "--set",
                         "smoke.haze.accumulation=0.09", "-o", video)
     assert code == 0, told
     check_refused(lapfx, scene, video, folder)
@@ -161,7 +161,7 @@ def check_shown(browser, folder):
         assert len(images) in (6, 9), images
         for complete, wide, high, name in images:
             assert complete and 0 < wide <= LONGEST_PICTURE and 0 < high <= LONGEST_PICTURE and "of the scene" in name, images
-            assert abs(wide / high - 256 / 206) < 0.02, images
+            assert abs(wide / high - 128 / 104) < 0.02, images
 
 
 def check_requests(browser, report, folder):

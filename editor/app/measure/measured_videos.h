@@ -14,8 +14,8 @@
 
 #include "app/measure/counted_frames.h"
 #include "lapfx/scene.h"
-#include "match/measure.h"
-#include "match/peak_colors.h"
+#include "match/video/measure.h"
+#include "match/video/peak_colors.h"
 
 namespace lapfx::app {
 
