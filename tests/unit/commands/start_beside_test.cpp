@@ -22,7 +22,7 @@ TEST(StartBeside, SaysHowWhatIsMissingIsBuilt) {
 
 TEST(StartBeside, WhatIsMissingIsOneFaultWithItsPlace) {
     const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-    const auto faults = lapfx::test::faults_of([] { start_program_of("attic"); });
+    const auto faults = lapfx::test::faults_of([] { start_program_of("attic"); }, Failure::runtime);
     ASSERT_EQ(faults.size(), 1U);
     EXPECT_EQ(faults[0], (here / "lapfx_attic").string() + ": " + not_built("attic", here));
 }
