@@ -151,6 +151,8 @@ void PreviewHost::load_organ() {
     if (early && !in_time) early->stopped = true;  // the job keeps it until it has ended
     ready_organ_ = nullptr;
     organ_files_.clear();
+    organ_faults_.clear();  // of the one before: who waits for this one would take them for its own
+    scene_fault_ = false;
     const auto work = [content = wanted_, early, in_time, options = options_, this](Job& job) -> Jobs::Apply {
         const auto tell = [&](double share) {
             job.set_progress(share);
