@@ -70,6 +70,18 @@ std::string fenced(const std::string& text) {
     return "```text\n" + text.substr(0, text.find_last_not_of('\n') + 1) + "\n```\n\n";
 }
 
+/// With one newline at the end.
+std::string ended(const std::string& text) {
+    return text.substr(0, text.find_last_not_of('\n') + 1) + '\n';
+}
+
+/// A topic as Markdown, below a title of the first order: editor/TOUR.md.
+std::string topic_page(const HelpTopic& topic) {
+    std::string text = "# lapfx help " + std::string(topic.name) + "\n\n" + std::string(topic.help) + ".\n\n";
+    for (const HelpSection& section : topic.sections()) text += markdown(section);
+    return text;
+}
+
 /// All of it as Markdown: presets/REFERENCE.md.
 std::string page(const Verb& program) {
     std::string text =
@@ -83,11 +95,8 @@ std::string page(const Verb& program) {
         text += "### " + name + "\n\n" + fenced(help_text(verb, name));
         for (const Verb& part : verb.parts) text += fenced(help_text(part, name + ' ' + part.name));
     }
-    for (const HelpTopic& topic : help_topics()) {
-        text += "## lapfx help " + std::string(topic.name) + "\n\n" + std::string(topic.help) + ".\n\n";
-        for (const HelpSection& section : topic.sections()) text += markdown(section);
-    }
-    return text.substr(0, text.find_last_not_of('\n') + 1) + '\n';
+    for (const HelpTopic& topic : help_topics()) text += '#' + topic_page(topic);
+    return ended(text);
 }
 
 void write_man_pages(const Verb& program, const std::filesystem::path& folder) {
@@ -109,23 +118,20 @@ void print(const Verb& program, const Options& o) {
         std::cout << bash_completion(program);
         return;
     }
-    if (o.page) {
-        std::cout << page(program);
-        return;
-    }
     if (o.words.empty()) {
-        std::cout << help_text(program, program.name);
+        std::cout << (o.page ? page(program) : help_text(program, program.name));
         return;
     }
     const std::string& first = o.words.front();
     for (const HelpTopic& topic : help_topics())
         if (topic.name == first && o.words.size() == 1) {
-            std::cout << topic_text(topic);
+            std::cout << (o.page ? ended(topic_page(topic)) : topic_text(topic));
             return;
         }
     if (part_named(program, first) == nullptr)
         throw unknown_word(first, "command or topic of help", known_words(program));
-    std::cout << command_help(program, o.words);
+    const std::string text = command_help(program, o.words);
+    std::cout << (o.page ? ended(fenced(text)) : text);
 }
 
 }  // namespace
@@ -148,8 +154,9 @@ Verb help_verb() {
                   "  lapfx help --completion bash",
               .run = [o] { print(program(), *o); }};
     verb.argument("WORD", "A command (render, bench streaming) or a topic; none: the list of both", &o->words);
-    verb.flag("--page", "Print everything as one Markdown page: presets/REFERENCE.md", &o->page,
-              {.excludes = {"WORD"}});
+    verb.flag("--page",
+              "Print it as Markdown: without a WORD everything, as presets/REFERENCE.md is; of tour, editor/TOUR.md",
+              &o->page);
     verb.option("--man", "DIR", "Write a man page of each command and topic into this folder", &o->man,
                 {.excludes = {"WORD", "--page"}});
     verb.option("--completion", "bash", "Print what completes commands, options and files in this shell",

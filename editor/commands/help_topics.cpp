@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/tuning/parameters.h"
+#include "commands/help_tour.h"
 #include "commands/session.h"
 #include "lapfx/authoring/formats.h"
 #include "lapfx/preset.h"
@@ -191,6 +192,7 @@ std::vector<HelpSection> output_sections() {
 }
 
 constexpr HelpTopic topics[] = {
+    {"tour", "What can be done in the editor, step by step", tour_sections},
     {"preset", "Every key of a preset with its range, unit and default; the presets that come with lapfx",
      preset_sections},
     {"scene", "Every key of a scene with its range, unit and default", scene_sections},

@@ -87,6 +87,11 @@ def reference_faults(lapfx, source, _):
     printed = output(lapfx, "help", "--page")
     if page != printed:
         yield "presets/REFERENCE.md is out of date; renew it: build/lapfx help --page > presets/REFERENCE.md"
+    with open(os.path.join(source, "editor", "TOUR.md"), encoding="utf-8") as file:
+        if file.read() != output(lapfx, "help", "tour", "--page"):
+            yield "editor/TOUR.md is out of date; renew it: build/lapfx help tour --page > editor/TOUR.md"
+    if output(lapfx, "help", "render", "--page") != f"```text\n{output(lapfx, 'help', 'render')}```\n":
+        yield "lapfx help render --page is not the help of render, fenced"
     for words in commands_and_parts(lapfx):
         text = output(lapfx, "help", *words)
         if text != output(lapfx, *words, "--help"):
@@ -168,8 +173,9 @@ def readme_faults(lapfx, source, shipped):
     actions = re.findall(r"^\| `(\w+)` \| .*; key (\d) \|", output(lapfx, "help", "--page"), re.MULTILINE)
     if len(actions) < 7:
         yield f"the page lists only {len(actions)} actions with keys"
-    yield from (f"README.md: key {key} is {action}" for action, key in actions
-                if not re.search(rf"\b{key} (to )?{action}\b", text))
+    tour = " ".join(output(lapfx, "help", "tour").split())
+    yield from (f"lapfx help tour: key {key} is {action}" for action, key in actions
+                if not re.search(rf"\b{key} (to )?{action}\b", tour))
     lines = re.findall(r"^    (build/lapfx .*)$", text, re.MULTILINE)
     if len(lines) < 3:
         yield f"README.md has only {len(lines)} commands to run"
