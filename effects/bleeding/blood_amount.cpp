@@ -48,10 +48,17 @@ class EdgeNoise {
 
 }  // namespace
 
-void AmountSum::mark(std::uint32_t vertex) noexcept {
-    if (shapes_.empty()) shapes_.resize(surface_.triangles.size());
-    for (const std::uint32_t t : surface_.triangles_at(vertex))
-        if (sums_.mark(t)) shapes_[t] = {.area = surface_.area(t), .steepness = steepness(t)};
+void AmountSum::mark_triangles() noexcept {
+    for (const std::uint32_t vertex : changed_.points())
+        for (const std::uint32_t t : surface_.triangles_at(vertex))
+            if (sums_.mark(t)) shapes_.push_back({.area = surface_.area(t), .steepness = steepness(t)});
+    changed_.clear();
+}
+
+void AmountSum::clear() noexcept {
+    changed_.clear();
+    sums_.clear();
+    shapes_.clear();
 }
 
 /// As the shader has it: none without rivulets, all on a wall.
@@ -64,11 +71,12 @@ double AmountSum::steepness(std::uint32_t triangle) const noexcept {
 }
 
 BloodAmount AmountSum::measure(std::span<const glm::vec2> values, const BleedingParameters& parameters) noexcept {
+    mark_triangles();
     const EdgeNoise noise(parameters);
     const auto above = [&](std::uint32_t v) { return values[v].x - parameters.threshold; };
-    sums_.measure([&](std::uint32_t t) {
+    sums_.measure([&](std::uint32_t t, std::uint32_t number) {
         const auto& c = surface_.triangles[t];
-        const Shape& shape = shapes_[t];
+        const Shape& shape = shapes_[number];
         std::array<double, 3> values_above{above(c[0]), above(c[1]), above(c[2])};
         std::sort(values_above.begin(), values_above.end());
         const auto [least, middle, most] = values_above;

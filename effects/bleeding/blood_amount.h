@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lapfx/bleeding_parameters.h"
+#include "organ/point_set.h"
 #include "organ/surface.h"
 #include "organ/triangle_sums.h"
 
@@ -25,14 +26,15 @@ class AmountSum {
   public:
     /// Keeps a reference to `surface`, which has no blood yet. `down`: unit, or 0 without gravity.
     AmountSum(const Surface& surface, const glm::dvec3& down)
-        : surface_(surface), down_(down), sums_(surface.triangles.size()) {}
+        : surface_(surface), down_(down), changed_(surface.positions.size()), sums_(surface.triangles.size()) {}
 
-    /// The value of a surface vertex has changed.
-    void mark(std::uint32_t vertex) noexcept;
+    /// The value of a surface vertex has changed. Its triangles are looked up when somebody measures, for those who
+    /// never ask.
+    void mark(std::uint32_t vertex) noexcept { changed_.add(vertex); }
     /// A parameter other than those of the values has changed.
     void mark_all() noexcept { sums_.mark_all(); }
     /// No vertex has blood any more.
-    void clear() noexcept { sums_.clear(); }
+    void clear() noexcept;
     /// `values`: per surface vertex, bleed value and clot.
     BloodAmount measure(std::span<const glm::vec2> values, const BleedingParameters& parameters) noexcept;
 
@@ -42,12 +44,14 @@ class AmountSum {
         double steepness = 0.0;
     };
 
+    void mark_triangles() noexcept;
     double steepness(std::uint32_t triangle) const noexcept;
 
     const Surface& surface_;
     glm::dvec3 down_;
+    organ::PointSet changed_;      // vertices since the last measure()
     organ::TriangleSums<2> sums_;  // area, volume
-    std::vector<Shape> shapes_;    // per triangle, of those that have had blood; empty until there is blood
+    std::vector<Shape> shapes_;    // by the numbers of the triangles in sums_
 };
 
 }  // namespace lapfx::bleeding

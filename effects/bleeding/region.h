@@ -6,7 +6,8 @@
 #include <glm/glm.hpp>
 #include <limits>
 #include <span>
-#include <vector>
+
+#include "organ/point_set.h"
 
 namespace lapfx::bleeding {
 
@@ -26,28 +27,23 @@ struct Box {
 class Region {
   public:
     /// An empty region of a surface with these points.
-    explicit Region(std::span<const glm::dvec3> positions) : positions_(positions), has_(positions.size(), false) {}
+    explicit Region(std::span<const glm::dvec3> positions) : positions_(positions), points_(positions.size()) {}
 
     void add(std::uint32_t vertex) {
-        if (has_[vertex]) return;
-        has_[vertex] = true;
-        vertices_.push_back(vertex);
-        box_.add(positions_[vertex]);
+        if (points_.add(vertex)) box_.add(positions_[vertex]);
     }
     void clear() {
-        for (const std::uint32_t v : vertices_) has_[v] = false;
-        vertices_.clear();
+        points_.clear();
         box_ = {};
     }
-    bool has(std::uint32_t vertex) const { return has_[vertex]; }
-    bool empty() const { return vertices_.empty(); }
-    std::span<const std::uint32_t> vertices() const { return vertices_; }
+    bool has(std::uint32_t vertex) const { return points_.has(vertex); }
+    bool empty() const { return points_.empty(); }
+    std::span<const std::uint32_t> vertices() const { return points_.points(); }
     const Box& box() const { return box_; }
 
   private:
     std::span<const glm::dvec3> positions_;
-    std::vector<char> has_;  // per point
-    std::vector<std::uint32_t> vertices_;
+    organ::PointSet points_;
     Box box_;
 };
 

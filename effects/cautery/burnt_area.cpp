@@ -43,20 +43,24 @@ double share_above(const std::array<double, 3>& values, const std::array<double,
 
 }  // namespace
 
-/// Triangles that have the point for a corner, or a neighbour whose curvature they use.
-void BurntArea::mark(std::uint32_t point) {
-    for (const std::uint32_t t : surface_.triangles_at(point)) {
-        sum_.mark(t);
-        const auto& c = surface_.triangles[t];
-        std::uint32_t other = 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            if (c[i] != point && c[(i + 1) % 3] != point && surface_.across(t, c[i], c[(i + 1) % 3], other))
-                sum_.mark(other);
-    }
+/// Triangles that have a changed point for a corner, or a neighbour whose curvature they use.
+void BurntArea::mark_triangles() {
+    for (const std::uint32_t point : changed_.points())
+        for (const std::uint32_t t : surface_.triangles_at(point)) {
+            sum_.mark(t);
+            const auto& c = surface_.triangles[t];
+            std::uint32_t other = 0;
+            for (std::size_t i = 0; i < 3; ++i)
+                if (c[i] != point && c[(i + 1) % 3] != point && surface_.across(t, c[i], c[(i + 1) % 3], other))
+                    sum_.mark(other);
+        }
+    changed_.clear();
 }
 
 void BurntArea::measure(std::span<const float> rises, double wanted) {
-    sum_.measure([&](std::uint32_t t) { return std::array{share(t, rises, wanted) * surface_.area(t)}; });
+    mark_triangles();
+    sum_.measure(
+        [&](std::uint32_t t, std::uint32_t) { return std::array{share(t, rises, wanted) * surface_.area(t)}; });
 }
 
 double BurntArea::share(std::uint32_t triangle, std::span<const float> rises, double wanted) const {

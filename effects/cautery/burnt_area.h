@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "organ/point_set.h"
 #include "organ/surface.h"
 #include "organ/triangle_sums.h"
 
@@ -19,19 +20,22 @@ class BurntArea {
     static constexpr double least_rise = 2.0;
 
     /// Keeps a reference.
-    explicit BurntArea(const Surface& surface) : surface_(surface), sum_(surface.triangles.size()) {}
+    explicit BurntArea(const Surface& surface)
+        : surface_(surface), changed_(surface.positions.size()), sum_(surface.triangles.size()) {}
 
-    /// The rise of this point has changed.
-    void mark(std::uint32_t point);
+    /// The rise of this point has changed. Its triangles are looked up when somebody measures.
+    void mark(std::uint32_t point) { changed_.add(point); }
     /// Takes the rises of all points, degrees above the body; tissue is burnt from `wanted` on, never: nowhere.
     void measure(std::span<const float> rises, double wanted);
     double area() const { return sum_.sum(); }  ///< mm2, at rest
 
   private:
+    void mark_triangles();
     double share(std::uint32_t triangle, std::span<const float> rises, double wanted) const;
     double curvature(std::uint32_t triangle, std::span<const float> rises) const;
 
     const Surface& surface_;
+    organ::PointSet changed_;  // since the last measure()
     organ::TriangleSums<1> sum_;
 };
 
