@@ -23,8 +23,7 @@ void show_preset(const Preset& preset) {
     row("format", "lapfx.preset");
     row("name", preset.name);
     row("description", preset.description);
-    for (const SmokeClip& clip : preset.smoke.clips)
-        row("clip", clip.file + (clip.role == ClipRole::plume ? ", plume" : ", haze"));
+    for (const SmokeClip& clip : preset.smoke.clips) row("clip", clip.file + ", " + std::string(row_of(clip.role).key));
 }
 
 /// The name in the scene, and a remark if its place is unusual.

@@ -95,7 +95,7 @@ class Shapes {
         if (look.draws_mask) return;
         crop_handles();
         for (std::size_t i = 0; i < clip_.count; ++i) mask_handles(i);
-        if (clip_.role == ClipRole::plume) source_handle();
+        if (!row_of(clip_.role).fills_view) source_handle();
     }
 
   private:

@@ -137,10 +137,9 @@ ClipLook look_of(ui::Ui& ui, const app::ClipShelf& shelf, const SmokeClip& clip,
     if (look.left_out)
         look.playing = "not shown: another clip is alone";
     else if (const ClipStatus* status = shelf.playing(number))
-        look.playing =
-            ui.copy(std::string(clip.role == ClipRole::plume ? "plume, " : "haze, ") + playing_text(*status));
+        look.playing = ui.copy(std::string(row_of(clip.role).key) + ", " + playing_text(*status));
     else
-        look.playing = clip.role == ClipRole::plume ? "plume, not in the preview" : "haze, not in the preview";
+        look.playing = ui.join({row_of(clip.role).key, ", not in the preview"});
     return look;
 }
 

@@ -94,33 +94,10 @@ constexpr Parameter light_rows[] = {
     color<&SceneLight::color>("color", "Colour", "Colour of the lamp."),
 };
 
-constexpr auto actions = [] {
-    std::array<std::string_view, tool_action_count> keys{};
-    for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = tool_actions[i].key;
-    return keys;
-}();
-
-/// Calls take(part, at) for each part of "cauterise: heat that ... smokes. cut: ..."; gives its length.
-constexpr std::size_t each_help_part(auto take) {
-    std::size_t length = 0;
-    for (const ToolActionRow& row : tool_actions)
-        for (const std::string_view part : {row.key, std::string_view(": "), row.help, std::string_view(". ")}) {
-            take(part, length);
-            length += part.size();
-        }
-    return length;
-}
-constexpr auto action_help = [] {
-    std::array<char, each_help_part([](std::string_view, std::size_t) {})> text{};
-    each_help_part([&](std::string_view part, std::size_t at) {
-        for (std::size_t i = 0; i < part.size(); ++i) text[at + i] = part[i];
-    });
-    return text;
-}();
-
 using E = ToolContact;
 constexpr Parameter event_rows[] = {
-    choice<&E::action>("action", "Action", actions, std::string_view(action_help.data(), action_help.size() - 1)),
+    choice<&E::action>("action", "Action", keys_of<tool_actions>,
+                       text_of<[](const auto& put) { put_rows(put, tool_actions); }>),
     number<&E::time>("time", "Time", event_time, "When the tool touches the organ."),
     number<&E::duration>("duration", "Duration", event_time, "How long it touches the organ."),
     required(vector<&E::position>("position", "Position", place, "Where it touches.")),

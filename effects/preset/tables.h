@@ -7,9 +7,11 @@
 // The type of the member decides the accessor; a helper that does not fit the member does not compile.
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "lapfx/parameter.h"
@@ -94,6 +96,51 @@ constexpr Parameter choice(std::string_view key, std::string_view name, std::spa
     made.choices = names;
     return made;
 }
+
+/// The keys of a list's rows (lapfx/rows.h), for choice().
+template <const auto& rows>
+inline constexpr auto keys_of = [] {
+    std::array<std::string_view, std::size(rows)> keys{};
+    for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = rows[i].key;
+    return keys;
+}();
+
+/// Puts "cauterise: heat that ... smokes. cut: ..." of a list's rows.
+constexpr void put_rows(const auto& put, const auto& rows) {
+    bool first = true;
+    for (const auto& row : rows) {
+        if (!std::exchange(first, false)) put(" ");
+        for (const std::string_view part : {row.key, std::string_view(": "), row.help, std::string_view(".")})
+            put(part);
+    }
+}
+/// Puts "plume or haze" of a list's rows.
+constexpr void put_keys(const auto& put, const auto& rows) {
+    for (std::size_t i = 0; i < std::size(rows); ++i) {
+        if (i > 0) put(i + 1 < std::size(rows) ? ", " : " or ");
+        put(rows[i].key);
+    }
+}
+
+/// A text of parts, for help that tells the rows of a list: `write` calls its argument with each part.
+template <auto write>
+struct Text {
+    static constexpr std::size_t length = [] {
+        std::size_t sum = 0;
+        write([&](std::string_view part) { sum += part.size(); });
+        return sum;
+    }();
+    static constexpr std::array<char, length> letters = [] {
+        std::array<char, length> text{};
+        std::size_t at = 0;
+        write([&](std::string_view part) {
+            for (const char letter : part) text[at++] = letter;
+        });
+        return text;
+    }();
+};
+template <auto write>
+inline constexpr std::string_view text_of{Text<write>::letters.data(), Text<write>::length};
 
 constexpr Parameter required(Parameter made) {
     made.required = true;

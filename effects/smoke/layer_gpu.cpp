@@ -45,7 +45,7 @@ void set_window(LayerBlock& block, const Layer& layer, glm::ivec2 size) {
 
 }  // namespace
 
-LayerBlock layer_block(const Layer& layer, const Medium& medium, double extra) {
+LayerBlock layer_block(const Layer& layer, const SmokeMedium& medium, double extra) {
     const KeyingParameters& k = *layer.keying;
     const media::PictureFormat& format = layer.frame.format;
     const Keying key = keying_of(k, layer.polarity);

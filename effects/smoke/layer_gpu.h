@@ -9,12 +9,6 @@
 
 namespace lapfx::smoke {
 
-/// What all smoke of a role shares.
-struct Medium {
-    glm::dvec3 color{1.0};  ///< sRGB
-    glm::dvec3 extinction{1.0};
-};
-
 struct Layer {
     media::ClipFrame frame;
     const KeyingParameters* keying = nullptr;
@@ -44,7 +38,7 @@ struct alignas(256) LayerBlock {
 static_assert(sizeof(LayerBlock) == 512 && most_masks == 12);
 
 /// `extra`: unevenness of haze, softness of a plume, mm.
-LayerBlock layer_block(const Layer& layer, const Medium& medium, double extra);
+LayerBlock layer_block(const Layer& layer, const SmokeMedium& medium, double extra);
 /// Turns a haze layer by its angle in a view of this aspect (width / height), so that nothing is sheared.
 void turn_block(LayerBlock& block, const Layer& layer, float view_aspect);
 

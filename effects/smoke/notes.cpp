@@ -6,16 +6,17 @@
 namespace lapfx {
 
 std::vector<std::string> smoke_notes(const SmokeParameters& smoke) {
-    const bool plume = smoke.plume.density > 0.0, haze = smoke.haze.accumulation > 0.0;
-    if (!plume && !haze) return {};
+    const auto wanted = [&](const ClipRoleRow& row) { return row.wanted(smoke); };
+    if (std::none_of(std::begin(clip_roles), std::end(clip_roles), wanted)) return {};
     if (smoke.clips.empty()) return {"no smoke clips: cautery makes no smoke"};
     const auto shown = [&](ClipRole role) {
         return std::any_of(smoke.clips.begin(), smoke.clips.end(),
                            [&](const SmokeClip& clip) { return clip.role == role && clip.weight > 0.0; });
     };
     std::vector<std::string> notes;
-    if (plume && !shown(ClipRole::plume)) notes.push_back("no clip has the role plume: no smoke at the tool tip");
-    if (haze && !shown(ClipRole::haze)) notes.push_back("no clip has the role haze: the haze is an even veil");
+    for (const ClipRoleRow& row : clip_roles)
+        if (wanted(row) && !shown(row.role))
+            notes.push_back("no clip has the role " + std::string(row.key) + ": " + std::string(row.without));
     return notes;
 }
 

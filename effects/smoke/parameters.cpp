@@ -101,7 +101,6 @@ constexpr Rule keying_rules[] = {
      }},
 };
 
-constexpr std::string_view roles[] = {"plume", "haze"};
 constexpr std::string_view polarities[] = {"light", "dark"};
 constexpr std::string_view starts[] = {"seeded", "beginning"};
 constexpr std::string_view mirrors[] = {"seeded", "off", "on"};
@@ -113,18 +112,20 @@ constexpr Parameter clip_rows[] = {
           required(contained(path<&S::file>(
               "file", "File",
               "The smoke video: a file in the folder of the preset, or a bare name that the simulator looks up.")))),
-    again(redo::keyed_frame,
-          choice<&S::role>(
-              "role", "Role", roles,
-              "plume: smoke at the tool tip. haze: smoke over the whole view. In the paper: source smoke and "
-              "environmental smoke.")),
+    again(redo::keyed_frame, choice<&S::role>("role", "Role", keys_of<clip_roles>, text_of<[](const auto& put) {
+                                                  put_rows(put, clip_roles);
+                                                  put(" In the paper: source smoke and environmental smoke.");
+                                              }>)),
     again(redo::keyed_frame,
           choice<&S::polarity>("polarity", "Polarity", polarities,
                                "light: light smoke on a dark background. dark: dark smoke on a light background.")),
     number<&S::weight>(
-        "weight", "Weight", {0, 4, 0.05},
-        "Share of this clip in the smoke of its role, plume or haze: its weight, divided by the weights of all clips "
-        "of that role. A clip that is alone shows all of it, whatever its weight."),
+        "weight", "Weight", {0, 4, 0.05}, text_of<[](const auto& put) {
+            put("Share of this clip in the smoke of its role, ");
+            put_keys(put, clip_roles);
+            put(": its weight, divided by the weights of all clips of that role. A clip that is alone shows all of it, "
+                "whatever its weight.");
+        }>),
     number<&S::speed>("speed", "Speed", {0.1, 4, 0.05, "x", Scale::logarithmic},
                       "How fast the clip plays; 1 is as filmed."),
     again(redo::keyed_frame,

@@ -29,10 +29,6 @@ glm::vec2 screen_up(const glm::mat4& view, glm::dvec3 up) {
     return length > 1e-3f ? on_screen / length : glm::vec2(0.0f, 1.0f);
 }
 
-Medium medium_of(const auto& role) {
-    return {.color = role.color, .extinction = role.extinction};
-}
-
 const KeyingParameters& keying_for(const SmokeClip& clip, const SmokeParameters& parameters) {
     return clip.own_keying ? clip.keying : parameters.keying;
 }
@@ -98,26 +94,26 @@ void Smoke::set_parameters(const SmokeParameters& parameters) {
 /// Nothing here throws Error.
 void Smoke::take_wanted() {
     std::swap(parameters_, wanted_);
-    int pixels[2] = {0, 0};
+    PerRole<int> pixels;
     for (std::size_t i = 0; i < parameters_.clips.size(); ++i) {
         const glm::ivec2 size = clips_.info(i).size;
-        int& most = pixels[static_cast<int>(parameters_.clips[i].role)];
+        int& most = pixels[parameters_.clips[i].role];
         most = std::max(most, size.x * size.y);
     }
-    gpu_.set_clip_pixels(pixels[static_cast<int>(ClipRole::plume)], pixels[static_cast<int>(ClipRole::haze)]);
+    gpu_.set_clip_pixels(pixels);
 }
 
 /// `alpha`: whether a clip has its own opacity, which needs other programs; both are made while that is unknown.
 void Smoke::prepare(const SmokeParameters& wanted, const std::function<std::optional<bool>(std::size_t)>& alpha) {
-    const auto hazes = static_cast<int>(std::count_if(wanted.clips.begin(), wanted.clips.end(),
-                                                      [](const SmokeClip& c) { return c.role == ClipRole::haze; }));
+    PerRole<int> clips;
+    for (const SmokeClip& clip : wanted.clips) ++clips[clip.role];
     for (std::size_t i = 0; i < wanted.clips.size(); ++i) {
         const SmokeClip& clip = wanted.clips[i];
         const std::optional<bool> known = alpha(i);
         for (const bool has_alpha : {false, true})
             if (known.value_or(has_alpha) == has_alpha)
                 gpu_.prepare(clip, media::row_of(options_.scheme).layout, has_alpha, keying_for(clip, wanted),
-                             2 * hazes);  // twice: cross-fades
+                             2 * clips[clip.role]);  // twice: cross-fades
     }
 }
 
@@ -135,24 +131,33 @@ Smoke::Shown Smoke::show(std::size_t clip, double time, media::Policy policy) no
 }
 
 void Smoke::draw(const View& view, const SmokeScene& scene, GLuint scene_depth, media::Policy policy) noexcept {
-    gpu_.begin(medium_of(parameters_.plume), medium_of(parameters_.haze), parameters_.plume.softness);
-    // Without a clip, or while a clip has no frame, the haze is even.
+    PerRole<SmokeMedium> media;
+    for (const ClipRoleRow& row : clip_roles) media[row.role] = row.medium(parameters_);
+    gpu_.begin(media, parameters_.plume.softness);
+    add_layers(view, scene, policy);
+    draw_particles(scene, scene_depth);  // smoke lies over them
+    gpu_.draw(scene_depth);
+    if (std::exchange(updated_, false)) clips_.end_cycle();
+}
+
+/// Without a clip, or while a clip has no frame, the haze is even.
+void Smoke::add_layers(const View& view, const SmokeScene& scene, media::Policy policy) noexcept {
     const double density = std::min(scene.haze, thickest);
     double even = 0.0;
     bool clips_show_haze = false;
     for (std::size_t i = 0; i < parameters_.clips.size(); ++i) {
         const double share = clip_share(parameters_.clips, parameters_.clips[i]);
-        if (parameters_.clips[i].role == ClipRole::plume) {
-            add_plumes(i, share, view, scene, policy);
-            continue;
+        switch (parameters_.clips[i].role) {
+            case ClipRole::plume:
+                add_plumes(i, share, view, scene, policy);
+                break;
+            case ClipRole::haze:
+                clips_show_haze = clips_show_haze || share > 0.0;
+                if (!add_haze(i, scene.time, density * share, policy)) even += density * share;
+                break;
         }
-        clips_show_haze = clips_show_haze || share > 0.0;
-        if (!add_haze(i, scene.time, density * share, policy)) even += density * share;
     }
     gpu_.even_haze(clips_show_haze ? even : density);
-    draw_particles(scene, scene_depth);  // smoke lies over them
-    gpu_.draw(scene_depth);
-    if (std::exchange(updated_, false)) clips_.end_cycle();
 }
 
 Layer Smoke::layer(std::size_t clip, double time) const noexcept {

@@ -74,6 +74,7 @@ class Smoke {
     void take_wanted();
     media::ClipFrame clip_frame(std::size_t clip, int head, int index, media::Policy policy) noexcept;
     Shown show(std::size_t clip, double time, media::Policy policy) noexcept;
+    void add_layers(const View& view, const SmokeScene& scene, media::Policy policy) noexcept;
     Layer layer(std::size_t clip, double time) const noexcept;
     void add_plumes(std::size_t clip, double share, const View& view, const SmokeScene& scene,
                     media::Policy policy) noexcept;

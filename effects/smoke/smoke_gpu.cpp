@@ -31,6 +31,20 @@ std::size_t program_index(int count) {
     return count == 4 ? 2u : count == 2 ? 1u : 0u;
 }
 
+/// What draws a layer: a quad in the scene, or the whole view.
+struct LayerShaders {
+    const char *vertices, *pixels;
+};
+constexpr LayerShaders shaders_of(ClipRole role) {
+    switch (role) {
+        case ClipRole::plume:
+            return {"plume.vert", "plume.frag"};
+        case ClipRole::haze:
+            return {"fullscreen.vert", "haze.frag"};
+    }
+    return {};
+}
+
 }  // namespace
 
 /// The host's framebuffer, which gets the smoke; off-screen passes use others in between.
@@ -58,8 +72,9 @@ SmokeGpu::SmokeGpu(SmokeResolution resolution, bool timings)
       resolve_even_("resolve.vert", "resolve.frag", "#define LAPFX_EVEN\n"),
       view_depth_("fullscreen.vert", "view_depth.frag"),
       timer_(timings) {
-    role(ClipRole::plume).resolve = gl::Program("resolve.vert", "resolve.frag", "#define LAPFX_PLUME\n");
-    role(ClipRole::haze).resolve = gl::Program("resolve.vert", "resolve.frag");
+    for (const ClipRoleRow& row : clip_roles)
+        roles_[row.role].resolve =
+            gl::Program("resolve.vert", "resolve.frag", row.fills_view ? "" : "#define LAPFX_PLUME\n");
 }
 
 unsigned SmokeGpu::variant_of(media::Layout layout, bool has_alpha, bool is_turned, bool windowed,
@@ -77,22 +92,21 @@ void SmokeGpu::compile(ClipRole which, int count, unsigned variant) {
     for (const auto& [bit, name] : names)
         if ((variant & bit) != 0u) defines += std::string("#define LAPFX_") + name + "\n";
     if (resolution_ == SmokeResolution::screen) defines += "#define LAPFX_DIRECT\n";
-    role(which).programs[program_index(count)][variant] = which == ClipRole::plume
-                                                              ? gl::Program("plume.vert", "plume.frag", defines)
-                                                              : gl::Program("fullscreen.vert", "haze.frag", defines);
+    const LayerShaders shaders = shaders_of(which);
+    roles_[which].programs[program_index(count)][variant] = gl::Program(shaders.vertices, shaders.pixels, defines);
 }
 
 void SmokeGpu::prepare(const SmokeClip& clip, media::Layout layout, bool has_alpha, const KeyingParameters& keying,
                        int count) {
     const ClipRole which = clip.role;
-    const bool is_turned = which == ClipRole::haze && clip.rotation > 0.0;
+    const bool is_turned = row_of(which).fills_view && clip.rotation > 0.0;
     const unsigned variant = variant_of(layout, has_alpha, is_turned, has_window(clip), keying);
     for (int together = 1; together <= (draws_together(which) ? std::min(count, most_together) : 1); together *= 2)
-        if (!role(which).programs[program_index(together)][variant]) compile(which, together, variant);
+        if (!roles_[which].programs[program_index(together)][variant]) compile(which, together, variant);
 }
 
 const gl::Program* SmokeGpu::program(ClipRole which, int count, unsigned variant) noexcept {
-    std::optional<gl::Program>& found = role(which).programs[program_index(count)][variant];
+    std::optional<gl::Program>& found = roles_[which].programs[program_index(count)][variant];
     try {
         if (!found) compile(which, count, variant);
     } catch (const Error&) {
@@ -117,26 +131,24 @@ std::size_t SmokeGpu::memory() const noexcept {
                    ? 0
                    : static_cast<std::size_t>(texture.size().x) * static_cast<std::size_t>(texture.size().y);
     };
-    std::size_t bytes = pixels(sum_depth_) * 4;
-    for (const Role& r : roles_) bytes += pixels(r.sum) * 8;
+    std::size_t bytes = 0;
+    for (const Role& r : roles_) bytes += pixels(r.sum) * 8 + pixels(r.sum_depth) * 4;
     return bytes;
 }
 
-void SmokeGpu::set_clip_pixels(int plume, int haze) noexcept {
-    role(ClipRole::plume).clip_pixels = plume;
-    role(ClipRole::haze).clip_pixels = haze;
+void SmokeGpu::set_clip_pixels(const PerRole<int>& pixels) noexcept {
+    for (const ClipRoleRow& row : clip_roles) roles_[row.role].clip_pixels = pixels[row.role];
 }
 
-void SmokeGpu::begin(const Medium& plume, const Medium& haze, double softness) noexcept {
-    role(ClipRole::plume).medium = plume;
-    role(ClipRole::haze).medium = haze;
-    for (Role& r : roles_) {
+void SmokeGpu::begin(const PerRole<SmokeMedium>& media, double softness) noexcept {
+    for (const ClipRoleRow& row : clip_roles) {
+        Role& r = roles_[row.role];
+        r.medium = media[row.role];
         r.layers.clear();
         r.blocks.clear();
         r.batches.clear();
+        r.bounds = row.fills_view ? glm::vec4(0.0f, 0.0f, 1.0f, 1.0f) : glm::vec4(1.0f, 1.0f, 0.0f, 0.0f);
     }
-    role(ClipRole::plume).bounds = {1.0f, 1.0f, 0.0f, 0.0f};
-    role(ClipRole::haze).bounds = {0.0f, 0.0f, 1.0f, 1.0f};
     even_ = 0.0f;
     softness_ = static_cast<float>(softness);
     tiles_.clear();
@@ -150,14 +162,14 @@ void SmokeGpu::add(ClipRole which, const Layer& layer, const LayerBlock& block) 
     const float aspect = static_cast<float>(format.size.x) / static_cast<float>(format.size.y);
     const NoiseTiles::Grid grid =
         (variant & noise) != 0u ? NoiseTiles::grid(*layer.keying, aspect, layer.time) : NoiseTiles::Grid{};
-    role(which).layers.push_back(
+    roles_[which].layers.push_back(
         {variant, layer.frame.color, layer.frame.chroma, layer.frame.alpha, layer.seed & 0xffffu, grid});
-    role(which).blocks.push_back(block);
+    roles_[which].blocks.push_back(block);
 }
 
 void SmokeGpu::plume(const Layer& layer, const std::array<glm::vec3, 4>& corners, glm::vec4 bounds) noexcept {
     if (!(bounds.z > bounds.x && bounds.w > bounds.y)) return;  // out of sight
-    Role& r = role(ClipRole::plume);
+    Role& r = roles_[ClipRole::plume];
     LayerBlock block = layer_block(layer, r.medium, softness_);
     for (std::size_t i = 0; i < corners.size(); ++i) block.corners[i] = glm::vec4(corners[i], 1.0f);
     add(ClipRole::plume, layer, block);
@@ -166,20 +178,20 @@ void SmokeGpu::plume(const Layer& layer, const std::array<glm::vec3, 4>& corners
 }
 
 void SmokeGpu::haze(const Layer& layer, double unevenness) noexcept {
-    LayerBlock block = layer_block(layer, role(ClipRole::haze).medium, unevenness);
+    LayerBlock block = layer_block(layer, roles_[ClipRole::haze].medium, unevenness);
     turn_block(block, layer, viewport_.z / std::max(viewport_.w, 1.0f));
     add(ClipRole::haze, layer, block);
 }
 
-/// The shader sums up layers of haze, which saves reading and writing the target in between. Plumes are at different
-/// places, and layers directly over the frame are drawn one after the other.
+/// The shader sums up layers that fill the view, which saves reading and writing the target in between. Others are at
+/// different places, and layers directly over the frame are drawn one after the other.
 bool SmokeGpu::draws_together(ClipRole which) const noexcept {
-    return which == ClipRole::haze && resolution_ != SmokeResolution::screen;
+    return row_of(which).fills_view && resolution_ != SmokeResolution::screen;
 }
 
 /// Draws consecutive layers of the same kind together.
 void SmokeGpu::make_batches(ClipRole which) noexcept {
-    Role& r = role(which);
+    Role& r = roles_[which];
     const bool together = draws_together(which);
     for (std::size_t first = 0; first < r.layers.size();) {
         const Drawn& like = r.layers[first];
@@ -219,7 +231,7 @@ void SmokeGpu::bind(const Drawn& layer, GLuint index) const noexcept {
 }
 
 void SmokeGpu::draw_layers(ClipRole which) noexcept {
-    const Role& r = role(which);
+    const Role& r = roles_[which];
     for (const Batch& batch : r.batches) {
         const gl::Program* shader = program(which, batch.count, r.layers[batch.first].variant);
         if (shader == nullptr) continue;
@@ -229,26 +241,26 @@ void SmokeGpu::draw_layers(ClipRole which) noexcept {
         for (int i = 0; i < batch.count; ++i)
             bind(r.layers[batch.first + static_cast<std::size_t>(i)], static_cast<GLuint>(i));
         shader->use();
-        if (which == ClipRole::plume)
-            glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-        else
+        if (row_of(which).fills_view)
             glDrawArrays(GL_TRIANGLES, 0, 3);
+        else
+            glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     }
 }
 
 glm::ivec2 SmokeGpu::sum_size(ClipRole which, glm::ivec2 view) const noexcept {
-    const Role& r = roles_[static_cast<std::size_t>(which)];
+    const Role& r = roles_[which];
     const double pixels = std::max(1.0, static_cast<double>(view.x) * view.y);
     const double scale = std::min(1.0, std::sqrt(std::max(r.clip_pixels, 1) / pixels));
     const glm::ivec2 size(std::lround(view.x * scale), std::lround(view.y * scale));
     const bool halved =
-        resolution_ == SmokeResolution::half || (resolution_ == SmokeResolution::balanced && which == ClipRole::haze);
+        resolution_ == SmokeResolution::half || (resolution_ == SmokeResolution::balanced && row_of(which).fills_view);
     return glm::max(halved ? (size + 1) / 2 : size, glm::ivec2(1));
 }
 
 /// Adds up the thickness of a role's layers, off-screen.
 void SmokeGpu::sum_up(ClipRole which, const HostTarget& host, GLuint scene_depth) noexcept {
-    Role& r = role(which);
+    Role& r = roles_[which];
     if (r.layers.empty()) return;
     const glm::ivec2 size = sum_size(which, host.size());
     if (r.sum.size() != size) {
@@ -256,18 +268,18 @@ void SmokeGpu::sum_up(ClipRole which, const HostTarget& host, GLuint scene_depth
         r.target = gl::Framebuffer(r.sum, nullptr);
     }
     glViewportIndexedf(0, 0.0f, 0.0f, static_cast<float>(size.x), static_cast<float>(size.y));
-    if (which == ClipRole::plume) {
-        if (sum_depth_.size() != size) {
-            sum_depth_ = gl::Texture({.size = size, .format = GL_R32F, .filter = GL_NEAREST});
-            depth_target_ = gl::Framebuffer(sum_depth_, nullptr);
+    if (!row_of(which).fills_view) {
+        if (r.sum_depth.size() != size) {
+            r.sum_depth = gl::Texture({.size = size, .format = GL_R32F, .filter = GL_NEAREST});
+            r.depth_target = gl::Framebuffer(r.sum_depth, nullptr);
         }
         glDisable(GL_BLEND);
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, depth_target_.name());
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, r.depth_target.name());
         glBindTextureUnit(depth_unit, scene_depth);
         view_depth_.set("u_viewport", host.viewport);
         view_depth_.use();
         glDrawArrays(GL_TRIANGLES, 0, 3);
-        glBindTextureUnit(depth_unit, sum_depth_.name());
+        glBindTextureUnit(depth_unit, r.sum_depth.name());
     }
     constexpr float nothing[4] = {};
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, r.target.name());
@@ -285,48 +297,43 @@ void SmokeGpu::resolve(const gl::Program& shader, const Role& r, glm::vec4 bound
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
+/// Draws a role over the frame: its layers, or their sum.
+void SmokeGpu::lay_over(ClipRole which) noexcept {
+    const Role& r = roles_[which];
+    if (resolution_ == SmokeResolution::screen) return draw_layers(which);
+    if (r.layers.empty()) return;
+    glBindTextureUnit(sum_unit, r.sum.name());
+    if (!row_of(which).fills_view) {
+        glBindTextureUnit(sum_depth_unit, r.sum_depth.name());
+        r.resolve.set("u_softness", softness_);
+    }
+    resolve(r.resolve, r, r.bounds);
+}
+
 void SmokeGpu::draw(GLuint scene_depth) noexcept {
-    Role &plume = role(ClipRole::plume), &haze = role(ClipRole::haze);
-    if (plume.layers.empty() && haze.layers.empty() && even_ <= 0.0f) return;
+    const bool any = std::any_of(roles_.begin(), roles_.end(), [](const Role& r) { return !r.layers.empty(); });
+    if (!any && even_ <= 0.0f) return;
     timer_.begin();
     const HostTarget host;
-    const bool direct = resolution_ == SmokeResolution::screen;
     glDisable(GL_DEPTH_TEST);  // the shaders read the scene's depth instead: soft, and it hides what lies behind
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     glBindVertexArray(no_attributes_.name());
     host.leave();
-    make_batches(ClipRole::plume);
-    make_batches(ClipRole::haze);
+    for (const ClipRoleRow& row : clip_roles) make_batches(row.role);
     tiles_.draw();
     // Binding 0 to a unit would unbind the textures of all targets there, including other kinds that the host has
     // bound.
     if (tiles_.texture() != 0) glBindTextureUnit(noise_unit, tiles_.texture());
-    upload(plume);
-    upload(haze);
-    if (!direct) {
-        sum_up(ClipRole::plume, host, scene_depth);
-        sum_up(ClipRole::haze, host, scene_depth);
-    }
+    for (Role& r : roles_) upload(r);
+    if (resolution_ != SmokeResolution::screen)
+        for (const ClipRoleRow& row : clip_roles) sum_up(row.role, host, scene_depth);
     host.come_back();
     over_the_frame();
     glBindTextureUnit(depth_unit, scene_depth);
-    if (direct) {
-        draw_layers(ClipRole::plume);
-    } else if (!plume.layers.empty()) {
-        glBindTextureUnit(sum_unit, plume.sum.name());
-        glBindTextureUnit(sum_depth_unit, sum_depth_.name());
-        plume.resolve.set("u_softness", softness_);
-        resolve(plume.resolve, plume, plume.bounds);
-    }
-    // Haze lies between the camera and everything, so it comes last.
-    if (direct) {
-        draw_layers(ClipRole::haze);
-    } else if (!haze.layers.empty()) {
-        glBindTextureUnit(sum_unit, haze.sum.name());
-        resolve(haze.resolve, haze, haze.bounds);
-    }
+    for (const ClipRoleRow& row : clip_roles) lay_over(row.role);
     if (even_ > 0.0f) {
+        const Role& haze = roles_[ClipRole::haze];
         resolve_even_.set("u_even", even_);
         resolve(resolve_even_, haze, haze.bounds);
     }

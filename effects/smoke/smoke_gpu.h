@@ -1,7 +1,7 @@
-// Draws plume and haze over a frame. Layers are collected, then drawn at once. Render thread, context current, the view
-// block bound at 0.
+// Draws smoke over a frame, role over role (ClipRole). Layers are collected, then drawn at once. Render thread, context
+// current, the view block bound at 0.
 //
-//     gpu.begin(projection, plume_look, haze_look);
+//     gpu.begin(media, softness);
 //     gpu.plume(layer, corners, bounds);   // any number, drawn in this order
 //     gpu.haze(layer, unevenness);         // comes over all plumes
 //     gpu.draw(scene_depth);
@@ -30,10 +30,10 @@ class SmokeGpu {
     /// (runtime).
     void prepare(const SmokeClip& clip, media::Layout layout, bool alpha, const KeyingParameters& keying, int count);
     /// Pixels of the largest clip of each role: how many an off-screen target has.
-    void set_clip_pixels(int plume, int haze) noexcept;
+    void set_clip_pixels(const PerRole<int>& pixels) noexcept;
 
-    /// Forgets the layers of the last frame. `softness`: mm over which a plume fades where it meets the scene.
-    void begin(const Medium& plume, const Medium& haze, double softness) noexcept;
+    /// Forgets the layers of the last frame. `softness`: mm over which smoke in the scene fades where it meets things.
+    void begin(const PerRole<SmokeMedium>& media, double softness) noexcept;
     /// `corners`: camera space; `bounds`: of them in the view (view_bounds()).
     void plume(const Layer& layer, const std::array<glm::vec3, 4>& corners, glm::vec4 bounds) noexcept;
     void haze(const Layer& layer, double unevenness) noexcept;
@@ -60,7 +60,7 @@ class SmokeGpu {
         window = 64,
         variants = 128
     };
-    static constexpr int most_together = 4;  ///< haze layers in one draw call: bounded by 16 texture units
+    static constexpr int most_together = 4;  ///< layers in one draw call: bounded by 16 texture units
     struct Drawn {
         unsigned variant;
         GLuint frames, chroma, opacity;
@@ -76,7 +76,7 @@ class SmokeGpu {
     using Programs = std::array<std::optional<gl::Program>, variants>;  ///< by Variant
     /// Everything that belongs to one role.
     struct Role {
-        Medium medium;
+        SmokeMedium medium;
         std::array<Programs, 3> programs;  ///< for 1, 2 and 4 layers at once
         std::vector<Drawn> layers;
         std::vector<LayerBlock> blocks;  ///< parallel to layers
@@ -86,6 +86,8 @@ class SmokeGpu {
         int clip_pixels = 0;
         gl::Texture sum;  ///< thickness of all layers, at their clips' resolution
         gl::Framebuffer target;
+        gl::Texture sum_depth;  ///< depth of the scene for layers that stand in it, as large as their sum
+        gl::Framebuffer depth_target;
         gl::Program resolve;
     };
     struct HostTarget;
@@ -100,20 +102,18 @@ class SmokeGpu {
     void upload(Role& role) noexcept;
     void bind(const Drawn& layer, GLuint index) const noexcept;
     void draw_layers(ClipRole role) noexcept;
+    void lay_over(ClipRole role) noexcept;
     void sum_up(ClipRole role, const HostTarget& host, GLuint scene_depth) noexcept;
     void resolve(const gl::Program& program, const Role& role, glm::vec4 bounds) const noexcept;
     glm::ivec2 sum_size(ClipRole which, glm::ivec2 view) const noexcept;
-    Role& role(ClipRole which) { return roles_[static_cast<std::size_t>(which)]; }
 
     SmokeResolution resolution_;
-    std::array<Role, 2> roles_;  // by ClipRole
+    PerRole<Role> roles_;
     float even_ = 0.0f;
     float softness_ = 1.0f;
     glm::vec4 viewport_{0.0f};
     NoiseTiles tiles_;
     gl::Program resolve_even_, view_depth_;
-    gl::Texture sum_depth_;  // of the scene, for the plume's layers, as large as their sum
-    gl::Framebuffer depth_target_;
     gl::VertexArray no_attributes_;
     gl::Timer timer_;
 };

@@ -42,8 +42,8 @@ void KeyingSuggestion::apply(SmokeClip& clip) const {
     clip.keying.spill = keying.spill;
     clip.polarity = polarity;
     if (crop != ClipCrop{}) clip.crop = crop;
-    // Haze fills the view, so it has no edge to fade.
-    if (clip.role == ClipRole::plume) clip.edge_fade = std::max(clip.edge_fade, edge_fade);
+    // What fills the view has no edge to fade.
+    if (!row_of(clip.role).fills_view) clip.edge_fade = std::max(clip.edge_fade, edge_fade);
     for (const ClipMask& mask : masks)
         if (clip.masks.size() < most_masks && std::find(clip.masks.begin(), clip.masks.end(), mask) == clip.masks.end())
             clip.masks.push_back(mask);

@@ -17,7 +17,7 @@ struct Window {
     glm::vec4 fades;                         ///< left, top, right, bottom: how far smoke fades inside the edges
     float softness = 0.0f;                   ///< how far smoke fades outside masks
     int masks = 0;                           ///< how many
-    bool fills_view = false;                 ///< haze: only the frame after the crop is drawn
+    bool fills_view = false;                 ///< as ClipRoleRow::fills_view: only the frame after the crop is drawn
     std::array<glm::vec4, most_masks> mask;  ///< xy: upper left, zw: lower right corner
 };
 
@@ -34,7 +34,7 @@ inline Window window_of(const SmokeClip& clip, glm::ivec2 size) {
     const glm::dvec2 to = whole - glm::round(whole * glm::dvec2(clip.crop.right, clip.crop.bottom));
     const double fade = clip.edge_fade * std::min(whole.x, whole.y);
     Window window{.low = from, .high = glm::max(to, from + 1.0), .fades = glm::vec4(least_fade), .mask = {}};
-    window.fills_view = clip.role == ClipRole::haze;
+    window.fills_view = row_of(clip.role).fills_view;
     window.softness = std::max(static_cast<float>(fade), least_fade);
     if (!window.fills_view) {  // smoke is not faded where it starts, however close that is to an edge
         const glm::dvec2 source = whole * glm::dvec2(clip.source_x, clip.source_y);

@@ -223,12 +223,12 @@ const KeyingBench::Request& KeyingBench::request() const {
     const ClipFacts& facts = shelf_.of(shelf_.selected);
     if (one == nullptr || !facts.known) return wanted = {};
     const SmokeParameters& smoke = document_.preset().smoke;
-    const bool plume = one->role == ClipRole::plume;
+    const SmokeMedium medium = row_of(one->role).medium(smoke);
     wanted.path = facts.path;
     wanted.look.keying = keying();
     wanted.look.clip = *one;
-    wanted.look.color = plume ? smoke.plume.color : smoke.haze.color;
-    wanted.look.extinction = plume ? smoke.plume.extinction : smoke.haze.extinction;
+    wanted.look.color = medium.color;
+    wanted.look.extinction = medium.extinction;
     wanted.time = standing_at();
     if (look.follow) {
         const double end = one->out > one->in ? std::min(one->out, facts.report.duration) : facts.report.duration;

@@ -29,12 +29,13 @@ std::string organ_name(const Scene& scene) {
     return std::filesystem::path(scene.plate.use ? scene.reference.file : scene.organ.file).filename().string();
 }
 
-/// Leaves out what the other clips show. Without a haze clip the haze would be even: a plume alone has none.
+/// Leaves out what the other clips show, and what other roles show without a clip, such as an even haze.
 void leave_alone(SmokeParameters& smoke, const std::optional<std::size_t>& clip) {
     if (!clip || *clip >= smoke.clips.size()) return;
     for (std::size_t i = 0; i < smoke.clips.size(); ++i)
         if (i != *clip) smoke.clips[i].weight = 0;
-    if (smoke.clips[*clip].role != ClipRole::haze) smoke.haze.accumulation = 0;
+    for (const ClipRoleRow& row : clip_roles)
+        if (row.role != smoke.clips[*clip].role) row.leave_out(smoke);
 }
 
 }  // namespace

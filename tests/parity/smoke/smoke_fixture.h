@@ -138,7 +138,7 @@ class SmokeGpuTest : public test::GpuTest {
         glClearNamedFramebufferfv(framebuffer.name(), GL_COLOR, 0, &background.x);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
         glViewport(0, 0, size.x, size.y);
-        gpu.begin(plume, haze, softness);
+        gpu.begin({{plume, haze}}, softness);
         add();
         gpu.draw(depth.name());
         std::vector<glm::vec4> pixels(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
@@ -153,8 +153,8 @@ class SmokeGpuTest : public test::GpuTest {
     gl::Texture color, depth;
     gl::Framebuffer framebuffer;
     View view;
-    Medium plume{.color = {0.8, 0.7, 0.6}, .extinction = {0.85, 1.0, 1.1}};
-    Medium haze{.color = {0.5, 0.6, 0.4}, .extinction = {0.8, 1.0, 1.12}};
+    SmokeMedium plume{.color = {0.8, 0.7, 0.6}, .extinction = {0.85, 1.0, 1.1}};
+    SmokeMedium haze{.color = {0.5, 0.6, 0.4}, .extinction = {0.8, 1.0, 1.12}};
     double softness = 6.0;
 };
 

@@ -71,7 +71,7 @@ TEST_P(SmokeLayers, HazeIsThatOfTheReferences) {
     const auto distance = [](glm::ivec2 pixel) { return pixel.x < 20 ? 60.0f : 130.0f; };
     set_depth(distance);
     SmokeGpu gpu(resolution, false);
-    gpu.set_clip_pixels(0, size.x * size.y);
+    gpu.set_clip_pixels({{0, size.x * size.y}});
     const double unevenness = 0.7, density = 1.3 / count;
     const auto pixels = draw(gpu, [&] {
         for (const HandMade& clip : clips)
@@ -167,7 +167,7 @@ TEST_F(SmokeGpuHaze, NoiseIsEachLayersOwnHoweverTheyAreDrawn) {
     keying.noise_strength = 1.0;
     const auto drawn = [&](SmokeResolution resolution, std::uint32_t last_seed) {
         SmokeGpu gpu(resolution, false);
-        gpu.set_clip_pixels(0, size.x * size.y);
+        gpu.set_clip_pixels({{0, size.x * size.y}});
         return draw(gpu, [&] {
             for (const std::uint32_t seed : {5u, 60u, 700u, last_seed})
                 gpu.haze({.frame = clip.frame(), .keying = &keying, .density = 0.5, .time = 2.0, .seed = seed}, 1.0);
@@ -193,7 +193,7 @@ TEST_F(SmokeGpuHaze, ATurnedClipShowsNoBorder) {
     clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
     const KeyingParameters keying = by_luma();
     SmokeGpu gpu(SmokeResolution::clip, false);
-    gpu.set_clip_pixels(0, 1600);
+    gpu.set_clip_pixels({{0, 1600}});
     for (const float quarter : {1.0f, -1.0f}) {
         const auto pixels = draw(gpu, [&] {
             gpu.haze({.frame = clip.frame(), .keying = &keying, .angle = quarter * glm::radians(90.0f)}, 1.0);
@@ -243,7 +243,7 @@ TEST_F(SmokeGpuPlume, HasNoHaloAtTheEdgeOfAnInstrument) {
     std::vector<glm::vec4> direct;
     for (const SmokeResolution resolution : {SmokeResolution::screen, SmokeResolution::clip, SmokeResolution::half}) {
         SmokeGpu gpu(resolution, false);
-        gpu.set_clip_pixels(60 * 40, 0);
+        gpu.set_clip_pixels({{60 * 40, 0}});
         const auto pixels = draw(gpu, [&] {
             gpu.plume({.frame = clip.frame(), .keying = &keying, .density = 1.5}, corners(100.0f), everywhere);
         });
@@ -269,7 +269,7 @@ TEST_F(SmokeGpuPlume, FadesOverItsSoftnessWhereItMeetsTheScene) {
             softness = wanted;
             set_depth([&](glm::ivec2) { return static_cast<float>(100.0 + behind); });
             SmokeGpu gpu(SmokeResolution::clip, false);
-            gpu.set_clip_pixels(size.x * size.y, 0);
+            gpu.set_clip_pixels({{size.x * size.y, 0}});
             const auto pixels = draw(gpu, [&] {
                 gpu.plume({.frame = clip.frame(), .keying = &keying, .density = 0.9}, corners(100.0f), everywhere);
             });
@@ -291,7 +291,7 @@ TEST_F(SmokeGpuPlume, ThickSmokeFadesEvenlyTowardsTheBorder) {
     const HandMade clip = even_clip({120, 100}, 255);
     const KeyingParameters keying = by_luma();
     SmokeGpu gpu(SmokeResolution::clip, false);
-    gpu.set_clip_pixels(size.x * size.y, 0);
+    gpu.set_clip_pixels({{size.x * size.y, 0}});
     const double density = 0.5;
     const float whole = static_cast<float>(-std::log(0.002) * density);
     for (const float below : {0.5f, 0.08f, 0.0f}) {
@@ -324,7 +324,7 @@ TEST_F(SmokeGpuPlume, WhiteWithItsOwnOpacityIsAsBrightAsKeyedFromBlack) {
             clip.textures[2].upload(GL_RED, clip.planes[2].data(), 2);
         }
         SmokeGpu gpu(SmokeResolution::clip, false);
-        gpu.set_clip_pixels(size.x * size.y, 0);
+        gpu.set_clip_pixels({{size.x * size.y, 0}});
         return draw(gpu, [&] {
             gpu.plume({.frame = clip.frame(), .keying = &keying}, corners(100.0f), everywhere);
         })[index(size / 2)];
@@ -344,7 +344,7 @@ TEST_F(SmokeGpuPlume, WidensUpwardsAndGetsThinner) {
     const HandMade clip = even_clip({200, 100}, 120);
     const KeyingParameters keying = by_luma();
     SmokeGpu gpu(SmokeResolution::clip, false);
-    gpu.set_clip_pixels(size.x * size.y, 0);
+    gpu.set_clip_pixels({{size.x * size.y, 0}});
     const auto pixels = draw(gpu, [&] {
         gpu.plume({.frame = clip.frame(), .keying = &keying, .source = {0.5f, 1.0f}, .widening = 2.0f}, filling(),
                   everywhere);
@@ -373,7 +373,7 @@ TEST_F(SmokeGpuPlume, LeavesTheRestOfTheFrameAlone) {
     const glm::vec4 bounds = view_bounds(small, view.projection);
     for (const SmokeResolution resolution : {SmokeResolution::screen, SmokeResolution::clip}) {
         SmokeGpu gpu(resolution, false);
-        gpu.set_clip_pixels(size.x * size.y / 4, 0);
+        gpu.set_clip_pixels({{size.x * size.y / 4, 0}});
         const auto pixels =
             draw(gpu, [&] { gpu.plume({.frame = clip.frame(), .keying = &keying, .density = 3.0}, small, bounds); });
         int changed = 0;
