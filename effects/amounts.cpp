@@ -1,6 +1,8 @@
 #include "lapfx/amounts.h"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "foundation.h"
 #include "inputs.h"
@@ -8,6 +10,38 @@
 #include "simulation.h"
 
 namespace lapfx {
+
+namespace {
+
+void add_number(std::string& line, double value, int decimals) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+    line += text.data();
+}
+
+}  // namespace
+
+std::string amounts_head() {
+    std::string line = "time_s";
+    for (const AmountRow& row : amount_rows) {
+        if (row.decimals < 0) continue;
+        line += ',';
+        line += row.key;
+        if (!row.unit.empty()) line += '_', line += row.unit;
+    }
+    return line + '\n';
+}
+
+std::string amounts_line(double time, const Amounts& amounts) {
+    std::string line;
+    add_number(line, time, 4);
+    for (const AmountRow& row : amount_rows) {
+        if (row.decimals < 0) continue;
+        line += ',';
+        add_number(line, row.member.of(amounts), row.decimals);
+    }
+    return line + '\n';
+}
 
 struct AmountsModel::State {
     State(std::shared_ptr<const Foundation> foundation, const AmountsOptions& options)

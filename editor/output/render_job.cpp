@@ -98,13 +98,6 @@ double clock_now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-std::string amounts_line(double time, const Amounts& a) {
-    std::array<char, 256> line{};
-    std::snprintf(line.data(), line.size(), "%.4f,%.3f,%.3f,%d,%d,%.5f,%.3f,%.4f\n", time, a.blood_area, a.blood_volume,
-                  a.wounds, a.bleeding_wounds, a.haze, a.burnt_area, a.emission);
-    return line.data();
-}
-
 }  // namespace
 
 std::string size_fault(glm::ivec2 size) {
@@ -159,7 +152,7 @@ RenderJob::RenderJob(const Scene& scene, const Preset& preset, RenderOptions opt
     if (!options_.layers.empty())
         layers_ =
             std::make_unique<LayerFiles>(options_.layers, options_.fps, options_.size, static_cast<int>(times_.size()));
-    amounts_ = "time_s,blood_area_mm2,blood_volume_mm3,wounds,bleeding_wounds,haze,burnt_area_mm2,emission\n";
+    amounts_ = amounts_head();
 }
 
 RenderJob::~RenderJob() = default;

@@ -17,7 +17,7 @@ namespace lapfx::panels {
 
 namespace {
 
-using app::amount_infos;
+using app::plotted_amounts;
 
 /// One plot, with the data that it draws made ready.
 struct AmountPlot {
@@ -26,7 +26,7 @@ struct AmountPlot {
 };
 struct AmountPlots {
     std::uint64_t version = 0;
-    std::array<AmountPlot, amount_infos.size()> all;
+    std::array<AmountPlot, plotted_amounts.size()> all;
 };
 
 void take_series(AmountPlots& plots, const app::AmountsOverTime& amounts) {
@@ -38,32 +38,32 @@ void take_series(AmountPlots& plots, const app::AmountsOverTime& amounts) {
 }
 
 /// "812".
-std::string_view legend_text(ui::Ui& ui, const ui::PlotData& data, const app::AmountInfo& info, double time) {
+std::string_view legend_text(ui::Ui& ui, const ui::PlotData& data, const AmountRow& row, double time) {
     const double last = data.size() > 0 ? data.x(data.size() - 1) : 0;
     const double value = data.value_at(std::min(time, last));
     ui::ShortText text;
     if (std::isfinite(value))
-        text.add(value, info.decimals);
+        text.add(value, row.plot_decimals);
     else
         text.add("-");
     return ui.join({text.view(), "###Scene"});
 }
 
 void one_plot(ui::Ui& ui, app::Timeline& timeline, AmountPlots& plots, std::size_t kind) {
-    const app::AmountInfo& info = amount_infos[kind];
+    const AmountRow& row = *plotted_amounts[kind];
     AmountPlot& plot = plots.all[kind];
-    const ui::PlotSeries series = {.name = legend_text(ui, plot.data, info, timeline.time),
+    const ui::PlotSeries series = {.name = legend_text(ui, plot.data, row, timeline.time),
                                    .data = &plot.data,
                                    .color = static_cast<int>(kind % 8)};
     const ui::PlotResult result =
-        ui::plot(ui, info.name, {&series, 1},
+        ui::plot(ui, row.title, {&series, 1},
                  {.x_name = {},
                   .x_unit = "s",
-                  .y_name = info.name,
-                  .y_unit = info.unit,
+                  .y_name = row.title,
+                  .y_unit = row.unit,
                   .width = ui::grow(),
                   .height = ui::grow(),
-                  .tip = ui.join({info.help, " Click: go to that time. Ctrl+C copies the visible values as CSV."}),
+                  .tip = ui.join({row.help, " Click: go to that time. Ctrl+C copies the visible values as CSV."}),
                   .state = &plot.state,
                   .mark = timeline.time});
     if (result.clicked) timeline.seek(result.x);
@@ -84,7 +84,7 @@ std::size_t columns_for(const ui::Ui& ui, const ui::Rect& room) {
     float largest = -1;
     for (const std::size_t columns : {1U, 2U, 4U}) {
         const auto across = static_cast<float>(columns),
-                   down = std::ceil(static_cast<float>(amount_infos.size()) / across);
+                   down = std::ceil(static_cast<float>(plotted_amounts.size()) / across);
         if (columns > 1 && room.w / across < ui.em(least_width)) break;
         const float size = std::min(room.w / across / 2, room.h / down);
         if (size > largest) largest = size, best = columns;

@@ -1,4 +1,5 @@
 // Effects of the C API: what happens to the organ, and what is known of it.
+#include <tuple>
 #include <utility>
 
 #include "c/calls.h"
@@ -68,16 +69,27 @@ std::span<const glm::vec3> vertices_of(const float* data, std::size_t count, con
     return {reinterpret_cast<const glm::vec3*>(data), count};
 }
 
+/// A member of both structs, of one type.
+template <class T>
+struct AmountInC {
+    T Amounts::*from;
+    T lapfx_amounts::*to;
+};
+constexpr std::tuple amounts_in_c{
+    AmountInC{&Amounts::blood_area, &lapfx_amounts::blood_area},
+    AmountInC{&Amounts::blood_volume, &lapfx_amounts::blood_volume},
+    AmountInC{&Amounts::burnt_area, &lapfx_amounts::burnt_area},
+    AmountInC{&Amounts::haze, &lapfx_amounts::haze},
+    AmountInC{&Amounts::emission, &lapfx_amounts::emission},
+    AmountInC{&Amounts::lost_samples, &lapfx_amounts::lost_samples},
+    AmountInC{&Amounts::wounds, &lapfx_amounts::wounds},
+    AmountInC{&Amounts::bleeding_wounds, &lapfx_amounts::bleeding_wounds},
+    AmountInC{&Amounts::left_out_wounds, &lapfx_amounts::left_out_wounds},
+};
+static_assert(std::tuple_size_v<decltype(amounts_in_c)> == amount_count, "C has all amounts (lapfx/amounts.h)");
+
 void fill(lapfx_amounts& out, const Amounts& amounts) {
-    out.blood_area = amounts.blood_area;
-    out.blood_volume = amounts.blood_volume;
-    out.burnt_area = amounts.burnt_area;
-    out.haze = amounts.haze;
-    out.emission = amounts.emission;
-    out.lost_samples = amounts.lost_samples;
-    out.wounds = amounts.wounds;
-    out.bleeding_wounds = amounts.bleeding_wounds;
-    out.left_out_wounds = amounts.left_out_wounds;
+    std::apply([&](const auto&... in_c) { ((out.*in_c.to = amounts.*in_c.from), ...); }, amounts_in_c);
 }
 
 void fill(lapfx_wound& out, const WoundStatus& status) {

@@ -23,12 +23,9 @@ int main(int argc, char** argv) {
             preset.vessels);
         lapfx::AmountsModel model(organ, {.gravity = scene.gravity});
         model.set(preset, scene.events, scene.curves);
-        std::printf("time_s,blood_area_mm2,blood_volume_mm3,wounds,bleeding_wounds,haze,burnt_area_mm2,emission\n");
-        for (int tenth = 0; tenth < std::ceil(10.0 * scene.duration - 1e-9); ++tenth) {
-            const lapfx::Amounts a = model.at(tenth / 10.0);
-            std::printf("%.4f,%.3f,%.3f,%d,%d,%.5f,%.3f,%.4f\n", tenth / 10.0, a.blood_area, a.blood_volume, a.wounds,
-                        a.bleeding_wounds, a.haze, a.burnt_area, a.emission);
-        }
+        std::fputs(lapfx::amounts_head().c_str(), stdout);
+        for (int tenth = 0; tenth < std::ceil(10.0 * scene.duration - 1e-9); ++tenth)
+            std::fputs(lapfx::amounts_line(tenth / 10.0, model.at(tenth / 10.0)).c_str(), stdout);
     } catch (const lapfx::Error& error) {
         std::fprintf(stderr, "lapfx_scores: %s\n", error.what());
         return error.failure() == lapfx::Failure::bad_input ? 2 : 1;

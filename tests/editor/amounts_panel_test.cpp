@@ -14,7 +14,6 @@
 namespace lapfx::test {
 namespace {
 
-using app::AmountKind;
 using testing::HasSubstr;
 
 class AmountsPanel : public SampleTest {
@@ -27,7 +26,7 @@ class AmountsPanel : public SampleTest {
         ui().settle();
     }
     const app::AmountSeries& series() { return *editor().amounts().scene(); }
-    double last(AmountKind kind) { return series().of(kind).back(); }
+    double last(AmountMember member) { return series().of(member).back(); }
 };
 
 TEST_F(AmountsPanel, HasTheFiguresOfThePreview) {
@@ -37,21 +36,21 @@ TEST_F(AmountsPanel, HasTheFiguresOfThePreview) {
     for (const std::size_t i : {40U, 120U, 240U}) {
         picture(series().times[i]);
         const Amounts shown = editor().preview.preview()->amounts();
-        EXPECT_EQ(series().of(AmountKind::blood_area)[i], shown.blood_area) << i;
-        EXPECT_EQ(series().of(AmountKind::haze)[i], shown.haze) << i;
+        EXPECT_EQ(series().of(&Amounts::blood_area)[i], shown.blood_area) << i;
+        EXPECT_EQ(series().of(&Amounts::haze)[i], shown.haze) << i;
     }
-    EXPECT_GT(last(AmountKind::blood_area), 1.0);
+    EXPECT_GT(last(&Amounts::blood_area), 1.0);
 }
 
 TEST_F(AmountsPanel, FollowsTheDocument) {
-    const double before = last(AmountKind::haze), area = last(AmountKind::blood_area);
+    const double before = last(&Amounts::haze), area = last(&Amounts::blood_area);
     editor().document.change("Curve", [](auto& c) { c.scene.curves.emission = {{0.0, 2.0}}; });
     ui().frame().settle();
-    EXPECT_NEAR(last(AmountKind::haze), 2.0 * before, 1e-9);
-    EXPECT_EQ(last(AmountKind::blood_area), area);
+    EXPECT_NEAR(last(&Amounts::haze), 2.0 * before, 1e-9);
+    EXPECT_EQ(last(&Amounts::blood_area), area);
     editor().document.undo();
     ui().frame().settle();
-    EXPECT_EQ(last(AmountKind::haze), before);
+    EXPECT_EQ(last(&Amounts::haze), before);
     const std::uint64_t version = editor().amounts().version();
     editor().document.change("Camera", [](auto& c) { c.scene.camera.eye.x += 5; });
     ui().frame().settle();
@@ -65,7 +64,7 @@ TEST_F(AmountsPanel, AClickGoesToTheTimeAndTheLegendHasItsValue) {
     EXPECT_LT(there, 0.9 * editor().timeline.duration());
     ui().frame();
     ui::PlotData area;
-    area.set(series().of(AmountKind::blood_area), series().times);
+    area.set(series().of(&Amounts::blood_area), series().times);
     const auto value = std::to_string(std::lround(area.value_at(there)));
     EXPECT_TRUE(ui().exists("**/All plots/Blood area/" + value)) << value;
 }

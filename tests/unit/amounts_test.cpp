@@ -4,6 +4,7 @@
 
 #include <numbers>
 #include <random>
+#include <set>
 
 #include "lapfx/tool.h"
 #include "support/meshes.h"
@@ -34,6 +35,41 @@ class AmountsOnAPlane : public testing::Test {
     static int bleeding(double time) { return model().at(time).bleeding_wounds; }
     static double area(double time) { return model().at(time).blood_area; }
 };
+
+TEST(AmountRows, EachLeadsToItsMemberAndIsToldApart) {
+    const Amounts amounts{.blood_area = 1.5,
+                          .blood_volume = 2.5,
+                          .wounds = 3,
+                          .bleeding_wounds = 4,
+                          .left_out_wounds = 5,
+                          .lost_samples = 6,
+                          .haze = 7.5,
+                          .emission = 8.5,
+                          .burnt_area = 9.5};
+    std::set<double> values;
+    std::set<std::string_view> keys, titles;
+    for (const AmountRow& row : amount_rows) {
+        values.insert(row.member.of(amounts));
+        EXPECT_TRUE(keys.insert(row.key).second && titles.insert(row.title).second) << row.key;
+        EXPECT_TRUE(row.help.ends_with('.')) << row.key;
+    }
+    EXPECT_EQ(values, (std::set{1.5, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5, 8.5, 9.5}));
+}
+
+TEST(AmountRows, MakeTheColumnsOfTheTable) {
+    EXPECT_EQ(amounts_head(),
+              "time_s,blood_area_mm2,blood_volume_mm3,wounds,bleeding_wounds,haze,burnt_area_mm2,emission\n");
+    EXPECT_EQ(amounts_line(0.25, {.blood_area = 812.3456,
+                                  .blood_volume = 1e6,
+                                  .wounds = 12,
+                                  .bleeding_wounds = 3,
+                                  .left_out_wounds = 1,
+                                  .lost_samples = 2,
+                                  .haze = 0.123456,
+                                  .emission = 1.5,
+                                  .burnt_area = 20.0}),
+              "0.2500,812.346,1000000.000,12,3,0.12346,20.000,1.5000\n");
+}
 
 TEST_F(AmountsOnAPlane, AWoundThatFillsAClearedPlaceAgainIsBleeding) {
     model().set(plain(), std::vector{at(ToolAction::cut, 0.0, 0.0), at(ToolAction::irrigation, 6.0, 2.0)});

@@ -2,16 +2,16 @@
 // only while somebody looks at them.
 //
 //     amounts.want();                                     // in each build that shows them
-//     if (const AmountSeries* scene = amounts.scene()) plot(scene->times, scene->of(AmountKind::haze));
+//     if (const AmountSeries* scene = amounts.scene()) plot(scene->times, scene->of(&Amounts::haze));
 //
 // UI thread.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <string_view>
 #include <vector>
 
 #include "document/document.h"
@@ -24,27 +24,29 @@ class Job;
 class Jobs;
 class PreviewHost;
 
-enum class AmountKind : std::uint8_t { blood_area, blood_volume, haze, bleeding_wounds };
+/// The amounts that have a plot, in the order of the plots.
+inline constexpr auto plotted_amounts = [] {
+    constexpr auto count = std::count_if(std::begin(amount_rows), std::end(amount_rows),
+                                         [](const AmountRow& row) { return row.plot > 0; });
+    std::array<const AmountRow*, static_cast<std::size_t>(count)> rows{};
+    for (const AmountRow& row : amount_rows)
+        if (row.plot > 0) rows[static_cast<std::size_t>(row.plot) - 1] = &row;
+    return rows;
+}();
+static_assert(std::find(plotted_amounts.begin(), plotted_amounts.end(), nullptr) == plotted_amounts.end(),
+              "two amounts have the place of one plot");
 
-struct AmountInfo {
-    std::string_view name, unit;
-    int decimals;  ///< to show: more would say nothing
-    std::string_view help;
-};
-inline constexpr std::array<AmountInfo, 4> amount_infos = {{
-    {"Blood area", "mm2", 0, "Organ surface that blood covers."},
-    {"Blood volume", "mm3", 0, "The covered surface times the thickness of the layer: an estimate."},
-    {"Haze", "", 2, "Optical thickness of the smoke in the whole view, at the focus distance."},
-    {"Wounds bleeding", "", 0, "Wounds whose blood is still spreading."},
-}};
-
-/// Amounts over a scene's time.
+/// The plotted amounts over a scene's time.
 struct AmountSeries {
     std::vector<double> times;  ///< s, ascending
-    std::array<std::vector<double>, amount_infos.size()> values;
+    std::array<std::vector<double>, plotted_amounts.size()> values;
 
-    std::vector<double>& of(AmountKind kind) { return values[static_cast<std::size_t>(kind)]; }
-    const std::vector<double>& of(AmountKind kind) const { return values[static_cast<std::size_t>(kind)]; }
+    /// `member`: of an amount that has a plot.
+    const std::vector<double>& of(AmountMember member) const {
+        const auto row = std::find_if(plotted_amounts.begin(), plotted_amounts.end(),
+                                      [&](const AmountRow* plotted) { return plotted->member == member; });
+        return values[static_cast<std::size_t>(row - plotted_amounts.begin())];
+    }
     void add(double time, const Amounts& amounts);
 };
 

@@ -9,10 +9,14 @@
 // It gives the same figures as Effects, to the last bit. Lengths mm, times s. One thread at a time.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <iterator>
 #include <memory>
 #include <span>
+#include <string>
+#include <string_view>
 
 #include "lapfx/api.h"
 #include "lapfx/curves.h"
@@ -41,6 +45,96 @@ struct Amounts {
               ///< A tool of the queue that has not let go makes it up to .1 s after its last sample
     double burnt_area = 0.0;  ///< mm2 of organ surface that has reached the char temperature
 };
+
+/// A member of Amounts, of any of the types that they have.
+struct AmountMember {
+    double Amounts::*number = nullptr;
+    int Amounts::*count = nullptr;
+    std::uint64_t Amounts::*many = nullptr;
+
+    constexpr AmountMember(double Amounts::*member) : number(member) {}
+    constexpr AmountMember(int Amounts::*member) : count(member) {}
+    constexpr AmountMember(std::uint64_t Amounts::*member) : many(member) {}
+    constexpr double of(const Amounts& amounts) const {
+        return number != nullptr  ? amounts.*number
+               : count != nullptr ? static_cast<double>(amounts.*count)
+                                  : static_cast<double>(amounts.*many);
+    }
+    friend bool operator==(const AmountMember&, const AmountMember&) = default;
+};
+
+/// Everything about an amount for those who show it or write it down: one row for each member of Amounts. lapfx.h and
+/// lapfx.py have members of the same names, which tests compare with these rows.
+struct AmountRow {
+    std::string_view key;  ///< the member's name
+    AmountMember member;
+    std::string_view title;  ///< "Blood area"
+    std::string_view help;   ///< a sentence
+    std::string_view unit = {};
+    int decimals = -1;      ///< in amounts_line(); -1: it is no column there
+    int plot = 0;           ///< place among the editor's plots, from 1; 0: it has none
+    int plot_decimals = 0;  ///< of the value beside its plot: more would say nothing
+};
+
+/// In the order of the columns of amounts_line().
+inline constexpr AmountRow amount_rows[] = {
+    {.key = "blood_area",
+     .member = &Amounts::blood_area,
+     .title = "Blood area",
+     .help = "Organ surface that blood covers.",
+     .unit = "mm2",
+     .decimals = 3,
+     .plot = 1},
+    {.key = "blood_volume",
+     .member = &Amounts::blood_volume,
+     .title = "Blood volume",
+     .help = "The covered surface times the thickness of the layer: an estimate.",
+     .unit = "mm3",
+     .decimals = 3,
+     .plot = 2},
+    {.key = "wounds",
+     .member = &Amounts::wounds,
+     .title = "Wounds",
+     .help = "Wounds that have opened by now.",
+     .decimals = 0},
+    {.key = "bleeding_wounds",
+     .member = &Amounts::bleeding_wounds,
+     .title = "Wounds bleeding",
+     .help = "Wounds whose blood is still spreading.",
+     .decimals = 0,
+     .plot = 4},
+    {.key = "haze",
+     .member = &Amounts::haze,
+     .title = "Haze",
+     .help = "Optical thickness of the smoke in the whole view, at the focus distance.",
+     .decimals = 5,
+     .plot = 3,
+     .plot_decimals = 2},
+    {.key = "burnt_area",
+     .member = &Amounts::burnt_area,
+     .title = "Burnt area",
+     .help = "Organ surface that has reached the char temperature.",
+     .unit = "mm2",
+     .decimals = 3},
+    {.key = "emission",
+     .member = &Amounts::emission,
+     .title = "Emission",
+     .help = "Smoke that all tools make at this moment: one at full power on lean tissue makes 1.",
+     .decimals = 4},
+    {.key = "left_out_wounds",
+     .member = &Amounts::left_out_wounds,
+     .title = "Wounds left out",
+     .help = "Wounds that did not open because there were 4096 already."},
+    {.key = "lost_samples",
+     .member = &Amounts::lost_samples,
+     .title = "Samples lost",
+     .help = "Samples of the tool queue that found no room or could not be used."},
+};
+inline constexpr std::size_t amount_count = std::size(amount_rows);
+
+/// The table that `lapfx render --amounts` writes, with one line for each time. Both end their line.
+LAPFX_API std::string amounts_head();
+LAPFX_API std::string amounts_line(double time, const Amounts& amounts);
 
 /// The part of Amounts that is known in closed form.
 struct SmokeAmounts {

@@ -146,9 +146,7 @@ TEST(Compare, AmountsChangeWithNoValueThatDoesNotSaySo) {
         std::vector<double> all;
         for (const double time : {0.4, 1.7, 2.8, 5.0, 6.6, 8.5, 10.0}) {
             const Amounts a = model.at(time);
-            for (const double value : {a.blood_area, a.blood_volume, a.haze, a.emission, a.burnt_area, double(a.wounds),
-                                       double(a.bleeding_wounds)})
-                all.push_back(value);
+            for (const AmountRow& row : amount_rows) all.push_back(row.member.of(a));
         }
         return all;
     };

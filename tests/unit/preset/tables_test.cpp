@@ -4,6 +4,7 @@
 #include <set>
 #include <type_traits>
 
+#include "support/count_members.h"
 #include "unit/preset/full_documents.h"
 #include "unit/preset/support.h"
 
@@ -11,23 +12,10 @@ namespace lapfx {
 
 namespace {
 
+using test::count_members;
 using test::for_each_row;
 using test::full_preset;
 using test::full_scene;
-
-/// Stands for a value of any type, to count the members of an aggregate.
-struct Anything {
-    template <class T>
-    operator T() const;
-};
-
-template <class T, class... Members>
-constexpr std::size_t count_members() {
-    if constexpr (requires { T{Members{}..., Anything{}}; })
-        return count_members<T, Members..., Anything>();
-    else
-        return sizeof...(Members);
-}
 
 /// Every member has a row or a table, except `left_out` of them.
 template <class T>
