@@ -19,14 +19,22 @@ glm::dvec3 off_path(const glm::dvec3& point, const glm::dvec3& a, const glm::dve
     return from - (squared > 0.0 ? std::clamp(glm::dot(from, path) / squared, 0.0, 1.0) : 0.0) * path;
 }
 
+std::array<double, tool_action_count> reaches_of(const BleedingParameters& parameters) {
+    std::array<double, tool_action_count> reaches{};
+    for (std::size_t i = 0; i < reaches.size(); ++i)
+        if (tool_actions[i].clears != nullptr) reaches[i] = parameters.*tool_actions[i].clears;
+    return reaches;
+}
+
 }  // namespace
 
-Clearing::Clearing(const Surface& surface, glm::dvec3 down) : surface_(surface), down_(down) {}
+Clearing::Clearing(const Surface& surface, glm::dvec3 down)
+    : surface_(surface), down_(down), reaches_(reaches_of(BleedingParameters{})) {}
 
 Clearing::Sweep Clearing::sweep_of(const ToolContact& contact, std::size_t piece) const {
-    const bool water = contact.action == ToolAction::irrigation;
+    const bool water = row_of(contact.action).rinses;
     Sweep sweep{
-        .contact = contact, .piece = piece, .reach = water ? irrigation_radius_ : suction_radius_, .passed = {}};
+        .contact = contact, .piece = piece, .reach = reaches_[static_cast<std::size_t>(contact.action)], .passed = {}};
     const glm::dvec3 path = contact.to - contact.position;
     const double squared = glm::dot(path, path), farthest = (water ? 1.5 : 1.0) * sweep.reach + rim;
     for (const std::uint32_t v : surface_.points_near(contact.position, contact.to, farthest)) {
@@ -47,8 +55,7 @@ Clearing::Sweep Clearing::sweep_of(const ToolContact& contact, std::size_t piece
 
 void Clearing::set_parameters(const BleedingParameters& parameters, unsigned changed) {
     if ((changed & redo::clearing) == 0) return;
-    suction_radius_ = parameters.suction_radius;
-    irrigation_radius_ = parameters.irrigation_radius;
+    reaches_ = reaches_of(parameters);
     reader_.forget();
 }
 
@@ -61,7 +68,7 @@ bool Clearing::set(const tool::Log& log) {
     }
     for (std::size_t i = first; i < log.pieces().size(); ++i) {
         const ToolContact& contact = log.pieces()[i].contact;
-        if (!row_of(contact.action).clears || !(contact.duration > 0.0)) continue;
+        if (row_of(contact.action).clears == nullptr || !(contact.duration > 0.0)) continue;
         sweeps_.push_back(sweep_of(contact, i));
         const double before = sweeps_.size() > 1 ? sweeps_[sweeps_.size() - 2].latest_end : contact.end();
         sweeps_.back().latest_end = std::max(before, contact.end());

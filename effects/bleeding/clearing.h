@@ -1,8 +1,10 @@
-// Suction and irrigation: how much blood they leave at each place, in closed form from the tool contacts. A clearing
-// puts a cap on the bleed value: below 0 inside its reach and rising outside it, so that the edge of the remaining
-// blood is as smooth as any other. Blood that flows later is not capped. One thread at a time.
+// Suction, irrigation and whatever else clears (ToolActionRow::clears): how much blood they leave at each place, in
+// closed form from the tool contacts. A clearing puts a cap on the bleed value: below 0 inside its reach and rising
+// outside it, so that the edge of the remaining blood is as smooth as any other. Blood that flows later is not capped.
+// One thread at a time.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -35,7 +37,7 @@ class Clearing {
     /// `changed`: the redo bits (lapfx/parameter.h) of what differs from the parameters before, at first those of
     /// BleedingParameters{}. It counts with the next set().
     void set_parameters(const BleedingParameters& parameters, unsigned changed);
-    /// Takes suction and irrigation that were written to the log since the last call; it must always be the same log.
+    /// Takes what clears of that which was written to the log since the last call; it must always be the same log.
     /// True when the cleared places may have changed.
     bool set(const tool::Log& log);
 
@@ -87,8 +89,7 @@ class Clearing {
 
     const Surface& surface_;
     glm::dvec3 down_;
-    double suction_radius_ = BleedingParameters{}.suction_radius,
-           irrigation_radius_ = BleedingParameters{}.irrigation_radius;  // mm
+    std::array<double, tool_action_count> reaches_;  // of each action, mm; 0: it clears nothing
     tool::Reader reader_;
     std::vector<Sweep> sweeps_;
     // Finished sweeps keep their caps as time advances: a frame costs only the running sweep.

@@ -9,8 +9,6 @@ namespace lapfx::c {
 
 namespace {
 
-static_assert(LAPFX_CAUTERISE == static_cast<int>(ToolAction::cauterise) &&
-              LAPFX_CLIP == static_cast<int>(ToolAction::clip) && tool_action_count == LAPFX_CLIP + 1);
 static_assert(LAPFX_WOUND_WAITING == static_cast<int>(WoundState::waiting) &&
               LAPFX_WOUND_CLOSED == static_cast<int>(WoundState::closed));
 
@@ -29,7 +27,9 @@ glm::dvec3 share_of(const double* vector, const char* argument) {
 }
 
 ToolAction action_of(const char* argument, int action) {
-    return static_cast<ToolAction>(choice(argument, action, tool_action_count, "cauterise to clip"));
+    static const std::string all =
+        std::string(std::begin(tool_actions)->key) + " to " + std::string(std::rbegin(tool_actions)->key);
+    return static_cast<ToolAction>(choice(argument, action, tool_action_count, all.c_str()));
 }
 
 ToolContact contact_of(const lapfx_contact& c) {

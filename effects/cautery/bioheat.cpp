@@ -242,9 +242,8 @@ void Bioheat::heat_under(const Stay& stay, const glm::dvec3& tip, double from, d
     if (!(rate > 0.0)) return;
     const SurfacePoint centre = surface_.closest_point(tip);
     if (!(centre.distance <= farthest_touch)) return;
-    // Coagulation holds its temperature: it heats only while the tissue under it is below.
-    if (stay.contact.action == ToolAction::coagulate &&
-        heat_.rise_at(centre, heat_.field().now) >= gentle_rise(parameters_))
+    // Gentle heat holds its temperature: it heats only while the tissue under it is below.
+    if (row_of(stay.contact.action).gentle && heat_.rise_at(centre, heat_.field().now) >= gentle_rise(parameters_))
         return;
     surface_.points_within(centre.position, source_reach * parameters_.tip_radius, near_);
     for (const std::uint32_t p : near_) {
@@ -284,16 +283,16 @@ void Bioheat::divide(const Track& track, double from) {
             continue;
         }
         const double before = heat_.rise_at(place.point, heat_.field().before);
+        const ToolContact& contact = track.stays()[pending.stay].contact;
         surface_.points_within(place.point.position, parameters_.tip_radius, near_);
         for (const std::uint32_t p : near_) {
-            const auto divided = static_cast<float>(divided_at(
-                glm::distance(surface_.positions[p], place.point.position), ToolAction::cauterise, parameters_));
+            const auto divided = static_cast<float>(
+                divided_at(glm::distance(surface_.positions[p], place.point.position), contact.action, parameters_));
             if (!(divided > divided_[p])) continue;
             recent(step_ - 1).marks.push_back({p, peak_[p], divided_[p]});
             set_mark(p, peak_[p], divided);
         }
         if (!place.wound || step_ <= furthest_) continue;
-        const ToolContact& contact = track.stays()[pending.stay].contact;
         const double start = std::max(crossing(before, after, wanted, from), place.arrival);
         opened_.push_back({.wound = {.position = place.point.position,
                                      .start = start,

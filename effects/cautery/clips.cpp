@@ -100,7 +100,7 @@ double ClipList::set(const Track& track, std::size_t first, const CauteryParamet
         }
     for (std::size_t i = first; i < stays.size(); ++i) {
         const Stay& stay = stays[i];
-        if (stay.contact.action != ToolAction::clip) continue;
+        if (!row_of(stay.contact.action).sets_clip) continue;
         const auto number = static_cast<std::uint32_t>(i);
         if (stay.chain == number && touches(surface_, stay.contact.position)) {
             clips_.push_back({.time = stay.contact.time,

@@ -7,7 +7,7 @@ namespace lapfx::cautery {
 
 double wound_strength(const ToolContact& contact, const glm::dvec3& place, const StrengthAt& strength_at) {
     const double vessels = strength_at ? strength_at(place) : 1.0;
-    const double tool = contact.action == ToolAction::tear ? torn_strength * contact.strength : contact.strength;
+    const double tool = row_of(contact.action).strength * contact.strength;
     return std::isfinite(vessels) ? tool * vessels : 0.0;
 }
 
@@ -39,7 +39,7 @@ double char_of(double peak, const CauteryParameters& c) noexcept {
 
 double divided_at(double distance, ToolAction action, const CauteryParameters& c) noexcept {
     constexpr double frayed_width = 2.0, frayed_depth = 0.6;
-    const bool frays = action == ToolAction::tear;
+    const bool frays = row_of(action).frays;
     const double width = (frays ? frayed_width : 1.0) * c.tip_radius;
     return (frays ? frayed_depth : 1.0) * (1.0 - glm::smoothstep(0.25 * width, 0.75 * width, distance));
 }

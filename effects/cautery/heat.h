@@ -17,8 +17,6 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 inline constexpr double wound_spacing =
     2.5;  ///< mm between the wounds of a cut line; below the width of any visible pool
 inline constexpr double farthest_touch = 5.0;  ///< mm from the surface beyond which the tip touches nothing
-inline constexpr double torn_strength =
-    0.6;  ///< blunt dissection crushes the vessels that it opens, so they bleed less
 
 /// How strongly tissue bleeds where the tool divides it, as a factor on the wound's strength; 0 = not at all (too few
 /// vessels). Empty = 1 everywhere.
@@ -42,8 +40,8 @@ inline double highest_rise(const CauteryParameters& c) noexcept {
     return c.maximum_temperature > body_temperature ? c.maximum_temperature - body_temperature : 0.0;
 }
 
-/// Highest rise that coagulation makes. It is gentle: it heats only up to half way between the coagulation and the char
-/// temperature, so that tissue blanches and does not char.
+/// Highest rise that gentle heat makes, such as that of coagulation: it heats only up to half way between the
+/// coagulation and the char temperature, so that tissue blanches and does not char.
 inline double gentle_rise(const CauteryParameters& c) noexcept {
     return std::min(highest_rise(c), 0.5 * (c.coagulation_temperature + c.char_temperature) - body_temperature);
 }
@@ -67,7 +65,8 @@ inline constexpr double browned = 0.35;
 double char_of(double peak, const CauteryParameters& c) noexcept;
 
 /// How far tissue is divided `distance` mm from a divided place, 0 = whole .. 1 = divided: one tip radius wide, with a
-/// soft edge. Blunt dissection is wider and nowhere fully divided, so that the shader's noise leaves strands.
+/// soft edge. What frays (blunt dissection) is wider and nowhere fully divided, so that the shader's noise leaves
+/// strands.
 double divided_at(double distance, ToolAction action, const CauteryParameters& c) noexcept;
 
 }  // namespace lapfx::cautery

@@ -117,11 +117,8 @@ std::optional<HeatSum::Source> Radial::source_at(const Track& track, std::uint32
     const double r = distance_to_line(contact, place) / parameters_.tip_radius;
     const double rate = rise_rate(contact, parameters_) * std::exp(-r * r);
     if (!(rate > 0.0)) return std::nullopt;
-    return HeatSum::Source{.contact = number,
-                           .from = near->from,
-                           .to = near->to,
-                           .rate = rate,
-                           .gentle = contact.action == ToolAction::coagulate};
+    return HeatSum::Source{
+        .contact = number, .from = near->from, .to = near->to, .rate = rate, .gentle = row_of(contact.action).gentle};
 }
 
 /// The part of a source's time that the station knows of.

@@ -35,7 +35,7 @@ std::vector<std::string> touch_notes(const Organ& organ, std::span<const ToolCon
     std::size_t more = 0;
     for (std::size_t i = 0; i < events.size(); ++i) {
         const auto contact = tool::usable(events[i]);
-        if (!contact || row_of(contact->action).clears) continue;
+        if (!contact || row_of(contact->action).clears != nullptr) continue;
         const double distance = nearest(surface, *contact);
         if (distance <= cautery::farthest_touch) continue;
         if (notes.size() == told) {

@@ -27,7 +27,7 @@ std::optional<double> retreat(const ToolContact& contact, double time) {
 /// Where the tip acts; as the contact says where it touches nothing, or need not.
 glm::dvec3 on_surface(const ToolContact& contact, double time, const Surface& surface) {
     const glm::dvec3 tip = contact.tip(time);
-    if (row_of(contact.action).clears || surface.triangles.empty()) return tip;
+    if (row_of(contact.action).clears != nullptr || surface.triangles.empty()) return tip;
     const SurfacePoint place = surface.closest_point(tip);
     return place.distance <= cautery::farthest_touch ? place.position : tip;
 }

@@ -25,7 +25,7 @@ BurnList::Same BurnList::update(const tool::Log& log) {
     const Same same{parts_.size(), suctions_.size()};
     for (const tool::Piece& piece : log.pieces().subspan(first)) {
         const ToolContact& contact = piece.contact;
-        if (contact.action == ToolAction::suction) suctions_.push_back({contact.time, contact.end()});
+        if (row_of(contact.action).takes_smoke) suctions_.push_back({contact.time, contact.end()});
         if (contact.hot()) {
             // The piece that it continues may have touched nothing.
             const std::size_t end = piece.before == tool::Piece::none ? 0 : ends_[piece.before].parts;

@@ -7,14 +7,16 @@
 #include <iterator>
 #include <string_view>
 
+#include "lapfx/bleeding_parameters.h"
 #include "lapfx/rows.h"
 
 namespace lapfx {
 
 enum class ToolAction { cauterise, cut, coagulate, tear, suction, irrigation, clip };
 
-/// Everything about an action, for reading and writing scenes and for user interfaces: one row each, in the order of
-/// the enumerators. Code that acts asks for a flag of the row, or for the enumerator.
+/// Everything about an action: one row each, in the order of the enumerators. Code that acts asks what the row says
+/// that an action does, and for no enumerator: so an action that does what others do is a row alone, here, and a name
+/// in lapfx.h and lapfx.py, which tests compare with it.
 struct ToolActionRow {
     ToolAction action;
     std::string_view key;    ///< in JSON: "cauterise"
@@ -22,11 +24,18 @@ struct ToolActionRow {
     std::string_view help;   ///< what it does, in a few words for behind a colon
     std::string_view
         reach;  ///< the preset's parameter that says how far around the tip it works, mm: "cautery.tip_radius"
-    bool divides = false;  ///< opens wounds, with the strength of the contact
-    bool hot = false;      ///< heats, with the power of the contact, and smokes
-    bool clears = false;   ///< removes blood, also where the tip does not touch
-    char shortcut = 0;     ///< in the editor
-    int color = 0;         ///< colour of its track on a timeline: 0 to 7, index into the series of a theme
+    bool divides = false;   ///< opens wounds, with the strength of the contact
+    double strength = 1.0;  ///< factor on that strength
+    bool frays = false;     ///< divides with a wide, ragged edge that leaves strands
+    bool hot = false;       ///< heats, with the power of the contact, and smokes
+    bool gentle = false;    ///< its heat stays below charring
+    /// Removes blood within this distance of its way, mm, also where the tip does not touch; null: it removes none.
+    double BleedingParameters::*clears = nullptr;
+    bool rinses = false;       ///< what it clears runs downhill, so it reaches farther there
+    bool takes_smoke = false;  ///< haze leaves while it works
+    bool sets_clip = false;    ///< leaves a metal clip where the stroke begins
+    char shortcut = 0;         ///< in the editor
+    int color = 0;             ///< colour of its track on a timeline: 0 to 7, index into the series of a theme
 };
 
 inline constexpr ToolActionRow tool_actions[] = {
@@ -53,6 +62,7 @@ inline constexpr ToolActionRow tool_actions[] = {
      .help = "gentle heat, below charring, that closes wounds; smokes",
      .reach = "cautery.tip_radius",
      .hot = true,
+     .gentle = true,
      .shortcut = '3',
      .color = 2},
     {.action = ToolAction::tear,
@@ -61,6 +71,8 @@ inline constexpr ToolActionRow tool_actions[] = {
      .help = "blunt dissection: bleeds at once, 0.6 times as strongly as a cut, no smoke",
      .reach = "vessels.region",
      .divides = true,
+     .strength = 0.6,  // it crushes the vessels that it opens, so they bleed less
+     .frays = true,
      .shortcut = '4',
      .color = 3},
     {.action = ToolAction::suction,
@@ -68,7 +80,8 @@ inline constexpr ToolActionRow tool_actions[] = {
      .title = "Suction",
      .help = "removes blood around the tip, which need not touch the tissue, and haze",
      .reach = "bleeding.suction_radius",
-     .clears = true,
+     .clears = &BleedingParameters::suction_radius,
+     .takes_smoke = true,
      .shortcut = '5',
      .color = 4},
     {.action = ToolAction::irrigation,
@@ -76,7 +89,8 @@ inline constexpr ToolActionRow tool_actions[] = {
      .title = "Irrigation",
      .help = "rinses blood away around the tip, which need not touch the tissue, and downhill of it",
      .reach = "bleeding.irrigation_radius",
-     .clears = true,
+     .clears = &BleedingParameters::irrigation_radius,
+     .rinses = true,
      .shortcut = '6',
      .color = 5},
     {.action = ToolAction::clip,
@@ -84,6 +98,7 @@ inline constexpr ToolActionRow tool_actions[] = {
      .title = "Clip",
      .help = "sets a metal clip where the stroke begins; it stays, and bleeding under it stops at once",
      .reach = "cautery.clip_reach",
+     .sets_clip = true,
      .shortcut = '7',
      .color = 6},
 };

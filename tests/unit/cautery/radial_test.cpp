@@ -188,7 +188,7 @@ TEST_F(RadialTest, ColdActionsOpenAtOnceWhateverThePower) {
         const std::vector<Wound> found = wounds({contact});
         ASSERT_EQ(found.size(), 1u);
         EXPECT_DOUBLE_EQ(found[0].start, 3.0);
-        EXPECT_EQ(found[0].strength, action == ToolAction::cut ? 1.0 : torn_strength);
+        EXPECT_EQ(found[0].strength, action == ToolAction::cut ? 1.0 : 0.6);
     }
 }
 

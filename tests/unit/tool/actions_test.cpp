@@ -32,9 +32,17 @@ TEST(ToolActions, RowsFollowTheEnumeratorsAndAreToldApart) {
         EXPECT_FALSE(row.help.empty() || row.help.ends_with('.')) << row.key;
         EXPECT_EQ(ToolContact{.action = row.action}.hot(), row.hot);
         EXPECT_EQ(divides(row.action), row.divides);
+        EXPECT_TRUE(row.divides || row.hot || row.clears != nullptr || row.sets_clip) << row.key << " does nothing";
+        EXPECT_TRUE(row.divides || (row.strength == 1.0 && !row.frays)) << row.key << " opens no wounds";
+        EXPECT_TRUE(row.hot || !row.gentle) << row.key << " has no heat";
+        EXPECT_TRUE(row.clears != nullptr || !row.rinses) << row.key << " clears nothing";
         Preset preset;
         const FoundParameter reach = find_parameter(preset_table(), &preset, row.reach);
         EXPECT_EQ(reach.row->unit, "mm") << row.reach;
+        if (row.clears != nullptr) {
+            preset.bleeding.*row.clears = 7.25;
+            EXPECT_EQ(std::get<double>(reach.row->get(&preset.bleeding)), 7.25) << row.reach;
+        }
     }
 }
 
