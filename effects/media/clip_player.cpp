@@ -64,12 +64,16 @@ ClipPlayer::ClipPlayer(DecodePool& pool, std::shared_ptr<ClipFile> file, Decoder
             head.on_gpu.resize(static_cast<std::size_t>(file_->info.frame_count()));
         }
         head.stream = std::make_unique<ClipStream>(pool, std::move(decoder), head.loop, buffers,
-                                                   scheme == Scheme::resident ? &file_->store.present()
-                                                   : memory.empty()           ? nullptr
-                                                                              : &head.on_gpu,
+                                                   row_of(scheme).stays ? &file_->store.present()
+                                                   : memory.empty()     ? nullptr
+                                                                        : &head.on_gpu,
                                                    memory);
         head.sent = SentFrames(file_->format, scheme);
     }
+}
+
+bool ClipPlayer::stays() const {
+    return row_of(scheme_).stays;
 }
 
 void ClipPlayer::set_buffers(int buffers) noexcept {
@@ -125,8 +129,7 @@ ClipFrame ClipPlayer::frame(int head, int index, Policy policy, StreamingTimes& 
     // for two cycles.
     if (policy == Policy::skip && !row_of(scheme_).buffers) policy = Policy::latest;
     place.ask(index, policy);
-    return scheme_ == Scheme::resident ? resident_frame(place, index, policy, times)
-                                       : streamed_frame(place, index, policy, times);
+    return stays() ? resident_frame(place, index, policy, times) : streamed_frame(place, index, policy, times);
 }
 
 ClipFrame ClipPlayer::resident_frame(Head& head, int index, Policy policy, StreamingTimes& times) noexcept {
@@ -150,7 +153,7 @@ ClipFrame ClipPlayer::shown(int head) const noexcept {
 }
 
 ClipFrame ClipPlayer::shown_of(const Head& head) const noexcept {
-    if (scheme_ != Scheme::resident) return head.sent.frame(file_->info.color);
+    if (!stays()) return head.sent.frame(file_->info.color);
     // The frame that was shown last may have been freed since.
     if (head.shown < 0 || !file_->store.has(head.shown)) return {};
     return file_->store.frame(head.shown, file_->info.color);
@@ -257,14 +260,14 @@ void ClipPlayer::end_cycle(std::uint64_t cycle, StreamingTimes& times) noexcept 
     for (Head& head : heads_) {
         ++cycle;
         if (!head.stream || head.rests) continue;
-        if (scheme_ == Scheme::resident) {
+        if (stays()) {
             // Frames that are decoded ahead are sent before they are due, so that a clip that plays fast or jumps also
             // becomes complete. It is one frame per cycle, so that no cycle takes long.
             if (const ClipStream::Shown decoded = head.stream->peek_any(); !decoded.bytes.empty()) keep(decoded, times);
             head.rests = head.stream->rest();
         } else if (head.now) {
             // Figure 3: once a frame has been sent, the signal to retrieve the next one is given.
-            if (scheme_ != Scheme::pipeline)
+            if (row_of(scheme_).buffers)
                 coalesce(head, cycle % 2 != 0, times);
             else if (head.sent.shown() == head.asked)
                 head.stream->aim(head.loop.after(head.asked, head.step()));

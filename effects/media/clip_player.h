@@ -35,6 +35,7 @@ class ClipPlayer {
 
     const std::shared_ptr<ClipFile>& file() const { return file_; }
     Scheme scheme() const { return scheme_; }
+    bool stays() const;  ///< as SchemeRow::stays
     /// Number of buffers for decoding ahead from now on; at most the number at construction.
     void set_buffers(int buffers) noexcept;
     bool same_heads(const SmokeClip& settings) const {

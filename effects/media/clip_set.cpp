@@ -149,13 +149,14 @@ std::size_t ClipSet::State::share_memory(std::span<const SmokeClip> wanted, std:
         plans[i].buffers =
             std::clamp(static_cast<int>(std::min<std::size_t>(fitting, most_buffers)), fewest_buffers, by_count);
         plans[i].scheme = options.scheme;
-        if (options.scheme == Scheme::pipeline) plans[i].buffers = 1;
+        if (!row_of(options.scheme).ahead) plans[i].buffers = 1;
         taken += heads_of(wanted[i]) * head_memory(plans[i].file->format, options.scheme, plans[i].buffers);
     }
-    if (options.scheme != Scheme::resident) return taken;
-    // The GPU memory that each clip needs when it is not resident is reserved first.
+    const Scheme otherwise = row_of(options.scheme).otherwise;
+    if (otherwise == options.scheme) return taken;
+    // The GPU memory that each clip needs when its frames do not stay there is reserved first.
     const auto streamed = [&](std::size_t i) {
-        return heads_of(wanted[i]) * SentFrames::memory(plans[i].file->format, Scheme::buffered_planar);
+        return heads_of(wanted[i]) * SentFrames::memory(plans[i].file->format, otherwise);
     };
     std::size_t aside = taken;
     for (std::size_t i = 0; i < plans.size(); ++i) aside += streamed(i);
@@ -167,10 +168,10 @@ std::size_t ClipSet::State::share_memory(std::span<const SmokeClip> wanted, std:
         if (&*same != &plan) plan.scheme = same->scheme;  // that clip has decided for its whole file
         const std::size_t needed =
             &*same != &plan ? 0 : store_memory(*plan.file, played_by_all(plan.file, wanted, plans));
-        if (plan.scheme == Scheme::resident && needed <= left + streamed(i)) {
+        if (plan.scheme == options.scheme && needed <= left + streamed(i)) {
             left = left + streamed(i) - needed;
         } else {
-            plan.scheme = Scheme::buffered_planar;
+            plan.scheme = otherwise;
             taken += streamed(i);
         }
     }
@@ -207,7 +208,7 @@ void ClipSet::State::evict(std::span<const Loop> played, std::size_t buffers) {
     for (std::size_t i = 0; i < clips.size(); ++i) {
         ClipFile& file = *clips[i].player->file();
         const std::lock_guard lock(pool.mutex());  // workers read which frames exist
-        if (clips[i].player->scheme() == Scheme::resident)
+        if (clips[i].player->stays())
             file.store.trim(played[i].first, played[i].last);
         else
             file.store.clear();  // it may have been resident once
@@ -222,7 +223,7 @@ void ClipSet::State::evict(std::span<const Loop> played, std::size_t buffers) {
         return i;
     };
     for (const std::shared_ptr<ClipFile>& file : files)
-        if (const std::size_t i = clip_of(file); i < clips.size() && clips[i].player->scheme() == Scheme::resident)
+        if (const std::size_t i = clip_of(file); i < clips.size() && clips[i].player->stays())
             used += store_memory(*file, played[i]);
     std::size_t kept = 0;
     std::erase_if(files, [&](const std::shared_ptr<ClipFile>& file) {
@@ -338,7 +339,7 @@ std::span<const ClipStatus> ClipSet::status() const {
     for (std::size_t i = 0; i < all.size(); ++i) {
         const State::Clip& clip = state_->clips[i];
         const ClipFile& file = *clip.player->file();
-        const bool resident = clip.player->scheme() == Scheme::resident;
+        const bool resident = clip.player->stays();
         const bool counted = std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i),
                                          [&](const ClipStatus& before) { return before.file == file.path.native(); });
         ClipStatus& status = all[i];
@@ -355,7 +356,7 @@ std::span<const ClipStatus> ClipSet::status() const {
         if (status.warning.empty() && status.broken > 0)
             status.warning = std::to_string(status.broken) + " of its " + std::to_string(status.frames) +
                              " frames cannot be decoded; the frame before is shown in their place";
-        if (status.warning.empty() && state_->options.scheme == Scheme::resident && !resident)
+        if (status.warning.empty() && clip.player->scheme() != state_->options.scheme)
             status.warning = "does not fit into the memory for clips together with those before it (it needs " +
                              mebibytes(store_memory(file, played_frames(file.info, clip.settings))) + " of " +
                              mebibytes(state_->options.memory) + "); it is decoded while it plays";

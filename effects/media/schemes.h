@@ -1,7 +1,9 @@
-// The streaming schemes (lapfx/streaming.h), one row each: what the code that plays clips must know about them.
+// The streaming schemes (lapfx/streaming.h), one row each: what the code that plays clips must know about them. It asks
+// for no enumerator, so a scheme that does what others do is a row alone.
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 
 #include "lapfx/rows.h"
 #include "lapfx/streaming.h"
@@ -11,17 +13,42 @@ namespace lapfx::media {
 
 struct SchemeRow {
     Scheme scheme;
+    std::string_view key;  ///< "buffered_planar"
     Layout layout;         ///< of the frames that are sent
     std::size_t textures;  ///< of each clip, for frames that are sent while it plays
-    bool buffers;          ///< frames are decoded ahead into pixel buffers
+    bool ahead = true;     ///< frames are decoded ahead, otherwise one at a time
+    bool buffers = false;  ///< into pixel buffers, from which several are sent in one cycle
+    bool stays = false;    ///< frames stay on the GPU once they are sent
+    /// Of clips that do not fit into the memory; the scheme itself where they need not fit. Of the same layout.
+    Scheme otherwise;
 };
 
 /// In the order of the enumerators.
 inline constexpr SchemeRow scheme_rows[] = {
-    {.scheme = Scheme::pipeline, .layout = Layout::rgb, .textures = 1, .buffers = false},
-    {.scheme = Scheme::buffered, .layout = Layout::rgb, .textures = 4, .buffers = true},
-    {.scheme = Scheme::buffered_planar, .layout = Layout::planar, .textures = 4, .buffers = true},
-    {.scheme = Scheme::resident, .layout = Layout::planar, .textures = 0, .buffers = false},
+    {.scheme = Scheme::pipeline,
+     .key = "pipeline",
+     .layout = Layout::rgb,
+     .textures = 1,
+     .ahead = false,
+     .otherwise = Scheme::pipeline},
+    {.scheme = Scheme::buffered,
+     .key = "buffered",
+     .layout = Layout::rgb,
+     .textures = 4,
+     .buffers = true,
+     .otherwise = Scheme::buffered},
+    {.scheme = Scheme::buffered_planar,
+     .key = "buffered_planar",
+     .layout = Layout::planar,
+     .textures = 4,
+     .buffers = true,
+     .otherwise = Scheme::buffered_planar},
+    {.scheme = Scheme::resident,
+     .key = "resident",
+     .layout = Layout::planar,
+     .textures = 0,
+     .stays = true,
+     .otherwise = Scheme::buffered_planar},
 };
 static_assert(rows_follow<&SchemeRow::scheme>(scheme_rows));
 

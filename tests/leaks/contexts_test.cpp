@@ -12,6 +12,7 @@
 #include "lapfx/prepared_organ.h"
 #include "leaks/counted_gl.h"
 #include "leaks/heap.h"
+#include "media/schemes.h"
 #include "render/camera.h"
 #include "support/clips.h"
 #include "support/host_context.h"
@@ -79,13 +80,13 @@ class LeaksTest : public testing::Test {
 
     /// What a simulator makes, in the context that is current: each way of streaming in turn.
     std::vector<Made> simulator(const std::shared_ptr<HostContext>& in, int turn) {
-        constexpr Scheme schemes[] = {Scheme::resident, Scheme::buffered, Scheme::buffered_planar, Scheme::pipeline};
+        constexpr std::size_t schemes = std::size(media::scheme_rows);
+        const Scheme scheme = media::scheme_rows[static_cast<std::size_t>(turn) % schemes].scheme;
         const auto organ = prepare_organ(test::plane(20.0, 8), preset.vessels);
         const auto context = std::make_shared<Context>(Context::external(test::counted_gl::get_proc_address));
         const auto effects = std::make_shared<Effects>(
             organ, preset,
-            EffectsOptions{.wait_for_clips = true,
-                           .streaming = {.scheme = schemes[turn % std::size(schemes)], .gpu_timings = turn % 3 == 0}});
+            EffectsOptions{.wait_for_clips = true, .streaming = {.scheme = scheme, .gpu_timings = turn % 3 == 0}});
         const auto frame = std::make_shared<Frame>();
         const ToolContact burn{.action = ToolAction::cauterise, .duration = 2.0}, clip{.action = ToolAction::clip};
         effects->set_contacts(std::vector{burn, clip});

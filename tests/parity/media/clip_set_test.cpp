@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "media/clip_player.h"
+#include "media/schemes.h"
 #include "support/clips.h"
 #include "support/folders.h"
 #include "support/gpu_test.h"
@@ -138,9 +139,12 @@ TEST_P(ClipSetTest, AClipThatCannotBeUsedLeavesTheOthersPlaying) {
     play(set);
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, ClipSetTest,
-                         testing::Values(Scheme::pipeline, Scheme::buffered, Scheme::buffered_planar,
-                                         Scheme::resident));
+std::vector<Scheme> all_schemes() {
+    std::vector<Scheme> all;
+    for (const SchemeRow& row : scheme_rows) all.push_back(row.scheme);
+    return all;
+}
+INSTANTIATE_TEST_SUITE_P(Schemes, ClipSetTest, testing::ValuesIn(all_schemes()));
 
 using ClipSetOnce = ClipSetTest;
 
