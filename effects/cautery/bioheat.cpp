@@ -326,7 +326,7 @@ void Bioheat::close_wounds(const Track& track, double from) {
         wounds_.find(running.tip - reach, running.tip + reach, near_);
         for (const std::uint32_t w : near_) {
             const Wound wound = wounds_.wounds()[w];
-            if (wound.stop < never || track.has_divided(stay, wounds_.burn_of(w), parameters_.tip_radius)) continue;
+            if (wounds_.is_closed(w) || track.has_divided(stay, wounds_.burn_of(w), parameters_.tip_radius)) continue;
             const SurfacePoint place = surface_.closest_point(wound.position);
             const double after = heat_.rise_at(place, heat_.field().now);
             if (!(after >= wanted)) continue;

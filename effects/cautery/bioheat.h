@@ -41,6 +41,7 @@ class Bioheat {
     const std::vector<std::uint32_t>& touched() const { return touched_; }
 
     const WoundList& wounds() const { return wounds_; }
+    void seal_wounds() { wounds_.seal(); }  ///< after a change of the clips
     /// Points in play now.
     std::size_t active() const { return heat_.field().points.size(); }
 

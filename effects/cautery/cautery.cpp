@@ -56,6 +56,10 @@ void Cautery::set(const tool::Log& log) {
     std::size_t first = track_.set(log);
     const std::size_t count = track_.stays().size();
     const double clips_from = clips_.set(track_, first, parameters_, due);
+    if (clips_from < never) {
+        radial_.seal_wounds();
+        if (bioheat_) bioheat_->seal_wounds();
+    }
     double from = track_.same_until();
     if (due & redo::heat) {
         choose_model();
@@ -72,7 +76,6 @@ void Cautery::set(const tool::Log& log) {
         // Earlier clips may decide whether a wound opens.
         radial_.resolve(track_, std::min(from, clips_from));
     }
-    seal();
     // Only the marks of the last contact can be removed, and heat adds: it changes what others do at the same time.
     const bool beside = first > 0 && first < count && track_.stays()[first - 1].latest_end > from && from < updated_;
     if (first + 1 < before || count < before || beside) all_stale_ = true;
@@ -86,23 +89,6 @@ SealedAt Cautery::sealed_at() {
     return [this](const glm::dvec3& place) { return clips_.sealed_at(place); };
 }
 
-/// Each wound is asked about once for the same clips.
-void Cautery::seal() {
-    if (clips().empty() || sealed_version_ == wounds_version()) return;
-    const auto wounds = list().wounds();
-    const std::size_t known = sealed_by_ == clips_.version() ? std::min(sealed_.size(), wounds.size()) : 0;
-    sealed_.resize(wounds.size());
-    for (std::size_t i = 0; i < wounds.size(); ++i) {
-        const bool same = i < known && sealed_[i].position == wounds[i].position;
-        const double sealed = same ? sealed_[i].sealed : clips_.sealed_at(wounds[i].position);
-        sealed_[i] = wounds[i];
-        sealed_[i].sealed = sealed;
-        sealed_[i].stop = std::min(wounds[i].stop, sealed);
-    }
-    sealed_by_ = clips_.version();
-    sealed_version_ = wounds_version();
-}
-
 void Cautery::update(double time) noexcept {
     if (!std::isfinite(time)) return;
     const auto stays = track_.stays();
@@ -110,7 +96,6 @@ void Cautery::update(double time) noexcept {
         bioheat_->seek(track_, time);
         for (const std::uint32_t point : bioheat_->changed()) touch(point);
         bioheat_->take_changed();
-        seal();
     }
     const bool back = time < updated_;
     const double from = back || all_stale_ ? -never : updated_;

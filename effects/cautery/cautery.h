@@ -42,7 +42,7 @@ class Cautery {
     /// Within 1 mm only the first wound counts, of several at one time the strongest, while it is open and at least as
     /// strong. The first WoundList::most (4096) are kept; later ones are left out. Valid until the next set() or
     /// update().
-    std::span<const Wound> wounds() const { return clips().empty() ? list().wounds() : sealed_; }
+    std::span<const Wound> wounds() const { return list().wounds(); }
     /// Changes when the wounds do.
     std::uint64_t wounds_version() const { return heat_version() + clips_.version(); }
     /// Changes when the clips do.
@@ -79,7 +79,6 @@ class Cautery {
     std::uint64_t heat_version() const { return list().version() + versions_; }
     void choose_model();
     SealedAt sealed_at();
-    void seal();
     void clear(Layer& layer);
     void contribute(std::uint32_t contact, double time, Layer& layer);
     void raise(Layer& layer, std::uint32_t point, glm::vec2 value);
@@ -96,9 +95,6 @@ class Cautery {
     std::unique_ptr<Bioheat> bioheat_;  // while the model is bioheat
     std::uint64_t versions_ = 0;        // added to the model's own, so that versions grow when the model changes
     ClipList clips_;
-    std::vector<Wound> sealed_;         // if there are clips: the wounds after their effect
-    std::uint64_t sealed_version_ = 0;  // version of the wounds that it was made from
-    std::uint64_t sealed_by_ = 0;       // version of the clips
 
     // The last contact grows while its button is held, so its marks are a layer over those of all others.
     Layer settled_, last_;

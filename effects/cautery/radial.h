@@ -55,6 +55,7 @@ class Radial {
     void bells(const Track& track, std::uint32_t number, double time, std::vector<Bell>& out) const;
 
     const WoundList& wounds() const { return wounds_; }
+    void seal_wounds() { wounds_.seal(); }  ///< after a change of the clips
     /// Stations, heatings, sites and wounds that were looked at so far: the cost, as a count.
     std::uint64_t work() const { return work_; }
 

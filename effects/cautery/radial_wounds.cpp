@@ -115,7 +115,8 @@ void Radial::find_closing(const Track& track, std::uint32_t number, const Heatin
                           double from) {
     ++work_;
     const Wound& w = wounds_.wounds()[wound];
-    if (w.stop < never || track.has_divided(track.stays()[number], wounds_.burn_of(wound), parameters_.tip_radius))
+    if (wounds_.is_closed(wound) ||
+        track.has_divided(track.stays()[number], wounds_.burn_of(wound), parameters_.tip_radius))
         return;
     const double time =
         closing_time(stations_[heating.station], w, std::max({heating.from, from, w.start}), heating.to);

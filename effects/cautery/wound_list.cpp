@@ -14,8 +14,17 @@ bool opens_before(const Division& a, const Division& b) {
     return order(a) < order(b);
 }
 
-double WoundList::closed_at(const Wound& wound) const {
-    return sealed_at_ ? std::min(wound.stop, sealed_at_(wound.position)) : wound.stop;
+/// A wound stops when heat closes it or a clip seals it.
+void WoundList::settle(std::uint32_t wound) {
+    wounds_[wound].stop = std::min(beside_[wound].closed, wounds_[wound].sealed);
+}
+
+void WoundList::seal() {
+    if (!sealed_at_) return;
+    for (std::uint32_t i = 0; i < wounds_.size(); ++i) {
+        wounds_[i].sealed = sealed_at_(wounds_[i].position);
+        settle(i);
+    }
 }
 
 bool WoundList::add(const Division& division, std::int64_t key) {
@@ -27,7 +36,7 @@ bool WoundList::add(const Division& division, std::int64_t key) {
     for (const std::uint32_t i : near_) {
         const Wound& other = wounds_[i];
         if (!(glm::distance(other.position, wound.position) < closest) || other.start > wound.start ||
-            other.strength < wound.strength || wound.start >= closed_at(other))
+            other.strength < wound.strength || wound.start >= other.stop)
             continue;
         stands_for_ = i;
         if (division.by_heat) {
@@ -42,23 +51,29 @@ bool WoundList::add(const Division& division, std::int64_t key) {
     }
     grid_.insert(static_cast<std::uint32_t>(wounds_.size()), wound.position, wound.position);
     wounds_.push_back(wound);
-    beside_.push_back({.burn = division.by_heat ? Burn{.time = wound.start, .tip = division.tip} : Burn{}, .key = key});
+    beside_.push_back({.burn = division.by_heat ? Burn{.time = wound.start, .tip = division.tip} : Burn{},
+                       .key = key,
+                       .closed = wound.stop});
+    if (sealed_at_) wounds_.back().sealed = sealed_at_(wound.position);
+    settle(static_cast<std::uint32_t>(wounds_.size() - 1));
     ++version_;
     return true;
 }
 
 bool WoundList::close(std::uint32_t wound, double stop, std::int64_t key) {
-    double& current = wounds_[wound].stop;
+    double& current = beside_[wound].closed;
     if (!(stop < current)) return false;
     closings_.push_back({key, wound, current});
     current = stop;
+    settle(wound);
     ++version_;
     return true;
 }
 
 void WoundList::truncate(std::int64_t key) {
     while (!closings_.empty() && closings_.back().key >= key) {
-        wounds_[closings_.back().wound].stop = closings_.back().before;
+        beside_[closings_.back().wound].closed = closings_.back().before;
+        settle(closings_.back().wound);
         closings_.pop_back();
         ++version_;
     }

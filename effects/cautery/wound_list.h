@@ -36,11 +36,11 @@ class WoundList {
     static constexpr double closest = 1.0;  ///< mm
     static constexpr std::uint32_t none = 0xffffffff;
 
-    /// `sealed_at` may be empty: there are no clips. Where it answers otherwise than before, what was added is to be
-    /// truncated.
+    /// `sealed_at` may be empty: there are no clips. Where it answers otherwise than before, seal() is to be called,
+    /// and what was added afterwards may be another: it is to be truncated.
     explicit WoundList(SealedAt sealed_at = {}) : sealed_at_(std::move(sealed_at)) {}
 
-    /// Wounds in the order in which they were added.
+    /// Wounds in the order in which they were added, with what clips do to them.
     std::span<const Wound> wounds() const { return wounds_; }
     /// How many were left out because there were already `most` of them. The first ones stay.
     std::size_t left_out() const { return left_out_.size(); }
@@ -54,7 +54,11 @@ class WoundList {
     /// The wound that counts for the last one that was not added because of it; none: another reason.
     std::uint32_t stands_for() const { return stands_for_; }
     Burn burn_of(std::uint32_t wound) const { return beside_[wound].burn; }
-    /// Closes a wound at `stop`. False if it closes earlier.
+    /// Whether heat closes the wound at some time, whatever a clip does to it.
+    bool is_closed(std::uint32_t wound) const { return beside_[wound].closed < never; }
+    /// Asks again which clips hold the wounds.
+    void seal();
+    /// Closes a wound at `stop`. False if heat closes it earlier.
     bool close(std::uint32_t wound, double stop, std::int64_t key);
     /// Undoes everything from `key` on.
     void truncate(std::int64_t key);
@@ -68,7 +72,8 @@ class WoundList {
     /// What else there is to know of a wound.
     struct Beside {
         Burn burn;
-        std::int64_t key;  ///< with which it was added
+        std::int64_t key;       ///< with which it was added
+        double closed = never;  ///< s, by heat
     };
     struct Closing {
         std::int64_t key;
@@ -80,7 +85,7 @@ class WoundList {
         std::uint32_t wound;
         Burn before;
     };
-    double closed_at(const Wound& wound) const;
+    void settle(std::uint32_t wound);
 
     SealedAt sealed_at_;
     std::vector<Wound> wounds_;

@@ -27,6 +27,32 @@ std::vector<Before> all_before() {
             {"a burn", {at(here, -9.0, 2.0)}}};
 }
 
+TEST(WoundRecord, StopsByHeatOrByAClipWhicheverIsFirstAndEitherMayBeTakenBack) {
+    double held = never;
+    WoundList list([&](const glm::dvec3&) { return held; });
+    ASSERT_TRUE(list.add({.wound = {.position = here, .start = 1.0}}, 0));
+    const auto told = [&] { return std::pair(list.wounds()[0].stop, list.wounds()[0].sealed); };
+    EXPECT_EQ(told(), std::pair(never, never));
+    held = 5.0;
+    list.seal();
+    EXPECT_EQ(told(), std::pair(5.0, 5.0));
+    EXPECT_FALSE(list.is_closed(0)) << "a clip is no heat";
+    EXPECT_TRUE(list.close(0, 7.0, 1)) << "heat does, whatever a clip does before it";
+    EXPECT_TRUE(list.is_closed(0));
+    EXPECT_EQ(told(), std::pair(5.0, 5.0));
+    held = never;
+    list.seal();
+    EXPECT_EQ(told(), std::pair(7.0, never)) << "the clip is gone";
+    held = 9.0;
+    list.seal();
+    EXPECT_EQ(told(), std::pair(7.0, 9.0));
+    list.truncate(1);
+    EXPECT_EQ(told(), std::pair(9.0, 9.0)) << "the heat is gone";
+    EXPECT_FALSE(list.is_closed(0));
+    ASSERT_TRUE(list.add({.wound = {.position = here, .start = 9.0}}, 2)) << "what a clip holds counts for no other";
+    EXPECT_EQ(list.wounds()[1].sealed, 9.0);
+}
+
 class Divisions : public testing::TestWithParam<HeatModel> {
   protected:
     std::vector<Wound> wounds(std::vector<ToolContact> contacts, std::initializer_list<ToolContact> then) {
