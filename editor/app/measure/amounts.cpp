@@ -87,10 +87,9 @@ void AmountsOverTime::update(double now) {
 void AmountsOverTime::follow(double now) {
     const std::uint64_t organ = preview_.organ_version();
     if (followed_ != document_.version() || organ_ != organ) {
-        const document::Content& content = document_.content();
         const bool may_differ = (document_.changes_since(followed_) & redo::amounts) != 0;
-        if (wanted_content_ == 0 || organ_ != organ || (may_differ && !same_amounts(of_, content)))
-            of_ = content, ++wanted_content_, changed_at_ = now;
+        const auto differ = [&] { return !of_ || !same_amounts(*of_, document_.content()); };
+        if (wanted_content_ == 0 || organ_ != organ || (may_differ && differ())) ++wanted_content_, changed_at_ = now;
         followed_ = document_.version(), organ_ = organ;
     }
     if (wanted_content_ == known_ || (job_ && asked_ == wanted_content_)) return;
@@ -112,7 +111,7 @@ void AmountsOverTime::without_organ() {
 }
 
 void AmountsOverTime::start() {
-    asked_ = wanted_content_;
+    asked_ = wanted_content_, of_.reset();
     stopped_ = false;
     const Scene& scene = document_.scene();
     if (scene.organ.file.empty()) {
@@ -121,9 +120,10 @@ void AmountsOverTime::start() {
     }
     const std::shared_ptr<const PreparedOrgan> organ = preview_.organ_of(scene);
     if (organ == nullptr) return without_organ();
-    const auto work = [model = model_, content = document_.content(), asked = asked_, organ,
-                       this](Job& job) -> Jobs::Apply {
+    of_ = std::make_shared<const document::Content>(document_.content());
+    const auto work = [model = model_, of = of_, asked = asked_, organ, this](Job& job) -> Jobs::Apply {
         const std::lock_guard lock(model->mutex);
+        const document::Content& content = *of;
         auto series = std::make_shared<AmountSeries>();
         if (job.cancelled()) return {};
         AmountsModel& amounts = model->of(organ, content.scene.gravity);

@@ -99,12 +99,12 @@ class AmountsOverTime {
     Jobs& jobs_;
     bool exact_;
     bool wanted_ = false, stopped_ = false;
-    bool held_ = false;                    // the model may hold something
-    std::uint64_t followed_ = 0;           // version of the document
-    std::uint64_t organ_ = 0;              // and of the preview's organ
-    document::Content of_;                 // the content that the amounts are wanted of
-    std::uint64_t wanted_content_ = 0;     // counts such contents
-    std::uint64_t known_ = 0, asked_ = 0;  // that count, for scene_ or its faults, and for the job
+    bool held_ = false;                            // the model may hold something
+    std::uint64_t followed_ = 0;                   // version of the document
+    std::uint64_t organ_ = 0;                      // and of the preview's organ
+    std::shared_ptr<const document::Content> of_;  // what the last job is of; null: there was none
+    std::uint64_t wanted_content_ = 0;             // counts contents that the amounts are wanted of
+    std::uint64_t known_ = 0, asked_ = 0;          // that count, for scene_ or its faults, and for the job
     double changed_at_ = 0.0, due_ = std::numeric_limits<double>::infinity();
     std::shared_ptr<Model> model_;  // used by one job after the other
     std::shared_ptr<Job> job_;

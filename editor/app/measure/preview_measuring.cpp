@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <mutex>
 #include <opencv2/core.hpp>
 #include <optional>
@@ -26,24 +27,29 @@ namespace {
 constexpr double settled_after = 0.4;  // s without a change
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// Of what pictures are drawn: what the scene says about the reference concerns them as far as it is measured alike.
-document::Content of_pictures(const document::Content& content) {
-    document::Content of = content;
-    const SceneReference& reference = content.scene.reference;
-    of.scene.reference.marks = {}, of.scene.reference.loop = {}, of.scene.reference.placement = {};
-    of.scene.reference.offset = 0, of.scene.reference.aspect = 0;
-    of.scene.reference.regions.clear();
-    of.scene.reference.measure = {};
-    of.scene.reference.measure.blood = reference.measure.blood;
-    of.scene.reference.measure.region = reference.measure.region;
-    of.scene.reference.measure.parts = reference.measure.parts;
-    if (!of.scene.plate.use) of.scene.reference.file.clear();
-    of.scene.name.clear(), of.scene.preset.clear(), of.preset.name.clear();
-    return of;
-}
+/// A table without some of its rows and tables.
+struct Fewer {
+    Fewer(const Table& of, std::initializer_list<std::string_view> left_out) : table(of) {
+        const auto counts = [&](const auto& part) { return std::ranges::find(left_out, part.key) == left_out.end(); };
+        std::ranges::copy_if(of.rows, std::back_inserter(rows), counts);
+        std::ranges::copy_if(of.tables, std::back_inserter(tables), counts);
+        table.rows = rows, table.tables = tables;
+    }
+    Fewer(const Fewer&) = delete;
+    Fewer& operator=(const Fewer&) = delete;
+    std::vector<Parameter> rows;
+    std::vector<Table> tables;
+    Table table;
+};
 
+/// Whether both are measured alike: what the scene says about the reference concerns them as far as that is done alike.
+/// Nothing is copied.
 bool same_pictures(const document::Content& a, const document::Content& b) {
-    return equal(scene_table(), &a.scene, &b.scene) && equal(preset_table(), &a.preset, &b.preset) &&
+    static const Fewer preset(preset_table(), {"name"}), scene(scene_table(), {"name", "preset", "reference"}),
+        measure(*scene_table().find("reference")->find("measure"), {"baseline", "from", "to"});
+    const SceneReference &left = a.scene.reference, &right = b.scene.reference;
+    return equal(preset.table, &a.preset, &b.preset) && equal(scene.table, &a.scene, &b.scene) &&
+           equal(measure.table, &left.measure, &right.measure) && (!a.scene.plate.use || left.file == right.file) &&
            a.scene.folder == b.scene.folder && a.preset.folder == b.preset.folder;
 }
 
@@ -63,15 +69,15 @@ std::vector<double> times_of(double duration) {
 class PreviewMeasuring::Run {
   public:
     /// `beside`: else it is done at once, here. Throws Error then.
-    Run(Wanted of, match::PreviewCurve& curve, RenderSteps& steps, Jobs& jobs, bool beside)
-        : wanted(std::move(of)),
+    Run(std::shared_ptr<const Subject> subject, match::PreviewCurve& curve, RenderSteps& steps, Jobs& jobs, bool beside)
+        : of(std::move(subject)),
           curve_(curve),
           steps_(steps),
           jobs_(jobs),
-          times_(times_of(wanted.content.scene.duration)) {
-        const EstimatorOptions options = match::measure_options(wanted.content.scene.reference.measure).estimator;
-        if (wanted.truth) part_ = match::wanted_part({wanted.size.x, wanted.size.y}, options.region, options.masks);
-        curve_.set_options({.size = wanted.size, .estimator = options});
+          times_(times_of(of->content.scene.duration)) {
+        const EstimatorOptions options = match::measure_options(of->content.scene.reference.measure).estimator;
+        if (of->truth) part_ = match::wanted_part({of->size.x, of->size.y}, options.region, options.masks);
+        curve_.set_options({.size = of->size, .estimator = options});
         if (beside)
             thread_ = std::thread([this] { work(); });
         else
@@ -85,7 +91,7 @@ class PreviewMeasuring::Run {
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
 
-    const Wanted wanted;
+    const std::shared_ptr<const Subject> of;
 
     double progress() const { return progress_; }
     /// Adds what was measured since the last call.
@@ -140,13 +146,13 @@ class PreviewMeasuring::Run {
             }
             jobs_.wake();
         };
-        if (wanted.truth)
+        if (of->truth)
             calls.drawn = [this](Preview& preview, double time) {
-                TrueAmounts truth = true_amounts(time, preview.layers(time, wanted.size));
+                TrueAmounts truth = true_amounts(time, preview.layers(time, of->size));
                 const std::lock_guard lock(mutex_);
                 truths_.push_back(truth);
             };
-        curve_.measure(wanted.content.scene, wanted.content.preset, times_, calls);
+        curve_.measure(of->content.scene, of->content.preset, times_, calls);
     }
     /// Over the view without what the scene leaves out.
     TrueAmounts true_amounts(double time, Layers layers) const {
@@ -201,40 +207,48 @@ std::size_t PreviewMeasuring::memory() const {
 }
 
 void PreviewMeasuring::stop() {
+    known_of_ = run_ ? run_->of : subject();
     drop_run();
-    known_ = wanted_content_;
-    stopped_ = true;
+    known_ = stopped_ = true;
     ++version_;
 }
 
 void PreviewMeasuring::drop_run() {
     if (!run_) return;
     run_.reset();
-    if (complete_) return;
+    if (complete()) return;
     frames_.clear(), truths_.clear();  // they were the first ones of that run
     ++version_;
 }
 
 void PreviewMeasuring::fail(const std::vector<Fault>& faults) {
+    known_of_ = run_ ? run_->of : subject();
     run_.reset();
     frames_.clear(), truths_.clear();
-    complete_ = false;
+    complete_of_.reset();
     faults_ = faults;
-    known_ = asked_;
+    known_ = true;
     ++version_;
 }
 
 /// In the aspect of the reference where there is one, as both are compared.
-PreviewMeasuring::Wanted PreviewMeasuring::wanted_now() const {
+glm::ivec2 PreviewMeasuring::size() const {
     const VideoReader* const video = reference_.video();
-    const glm::ivec2 size =
-        video != nullptr ? match::preview_size(video->info().size, document_.scene().reference.aspect, measured_side_)
-                         : match::preview_size(Reference::largest_compared, 0.0, measured_side_);
-    return {.content = document_.content(),
-            .pictures = of_pictures(document_.content()),
-            .size = size,
-            .organ = host_.organ_version(),
-            .truth = truth};
+    return video != nullptr
+               ? match::preview_size(video->info().size, document_.scene().reference.aspect, measured_side_)
+               : match::preview_size(Reference::largest_compared, 0.0, measured_side_);
+}
+
+/// What is wanted now.
+std::shared_ptr<const PreviewMeasuring::Subject> PreviewMeasuring::subject() const {
+    return std::make_shared<const Subject>(
+        Subject{.content = document_.content(), .size = size(), .organ = host_.organ_version(), .truth = truth});
+}
+
+/// Whether what was measured of it holds for what is wanted now.
+bool PreviewMeasuring::holds(const std::shared_ptr<const Subject>& of) const {
+    return of && of->size == size() && (of->truth || !truth) && of->organ == host_.organ_version() &&
+           same_pictures(of->content, document_.content());
 }
 
 void PreviewMeasuring::update(double now) {
@@ -250,37 +264,38 @@ void PreviewMeasuring::update(double now) {
     take();
 }
 
-/// Whether what was measured of `a` holds for `b`.
-bool PreviewMeasuring::covers(const Wanted& a, const Wanted& b) {
-    return a.size == b.size && (a.truth || !b.truth) && a.organ == b.organ && same_pictures(a.pictures, b.pictures);
-}
-
 void PreviewMeasuring::follow(double now) {
     const std::uint64_t organ = host_.organ_version();
-    const bool same_shape = of_.organ == organ && of_.truth == truth && of_opened_.lock() == reference_.opened();
-    if (wanted_content_ == 0 || followed_ != document_.version() || !same_shape) {
-        Wanted wanted = wanted_now();
-        const bool same = wanted_content_ != 0 && of_.truth == truth && covers(of_, wanted);
-        followed_ = document_.version(), of_opened_ = reference_.opened();
-        if (!same) {
-            of_ = std::move(wanted);
-            ++wanted_content_, changed_at_ = now, stopped_ = false;
-            if (complete_ && covers(complete_of_, of_)) known_ = wanted_content_, faults_.clear();
-        }
+    const bool same_shape = organ_ == organ && truth_ == truth && of_opened_.lock() == reference_.opened();
+    if (followed_ != document_.version() || !same_shape) {
+        const bool differs = !same_shape || document_.changes_since(followed_) != 0;
+        followed_ = document_.version(), of_opened_ = reference_.opened(), organ_ = organ;
+        const bool other_truth = std::exchange(truth_, truth) != truth;
+        if (differs) take_change(now, other_truth);
     }
-    if (wanted_content_ == known_) return drop_run();
-    if (run_ && asked_ == wanted_content_) return;
-    drop_run();
-    if (!begins_) return;
+    if (known_) return drop_run();
+    if (run_ || !begins_) return;
     if (now < changed_at_ + settled_after)
         due_ = changed_at_ + settled_after;
     else
         start(now);
 }
 
+/// Something may be another now: is what is known, or being measured, still of it?
+void PreviewMeasuring::take_change(double now, bool other_truth) {
+    if (!other_truth && holds(run_ ? run_->of : known_of_)) return;
+    known_ = stopped_ = false;
+    drop_run();
+    known_of_.reset();
+    changed_at_ = now;
+    if (!holds(complete_of_)) return;
+    known_ = true, known_of_ = complete_of_;
+    faults_.clear();
+}
+
 /// False while the organ or the clips are still being loaded.
 bool PreviewMeasuring::prepare() {
-    const std::shared_ptr<const PreparedOrgan> organ = host_.organ_of(of_.content.scene);
+    const std::shared_ptr<const PreparedOrgan> organ = host_.organ_of(document_.scene());
     if (!organ || host_.loading()) {
         if (!host_.loading() && !host_.organ_faults().empty()) throw Error(Failure::bad_input, host_.organ_faults());
         return false;
@@ -292,11 +307,11 @@ bool PreviewMeasuring::prepare() {
 }
 
 void PreviewMeasuring::start(double now) {
-    asked_ = wanted_content_;
     faults_.clear();
-    if (of_.content.scene.organ.file.empty()) {
+    if (document_.scene().organ.file.empty()) {
         frames_.clear(), truths_.clear();
-        complete_ = false, known_ = asked_, ++version_;
+        complete_of_.reset(), known_of_ = subject();
+        known_ = true, ++version_;
         return;
     }
     try {
@@ -304,7 +319,7 @@ void PreviewMeasuring::start(double now) {
             due_ = now + look_again;
             return;
         }
-        run_ = std::make_unique<Run>(of_, *curve_, *steps_, jobs_, !exact_);
+        run_ = std::make_unique<Run>(subject(), *curve_, *steps_, jobs_, !exact_);
     } catch (const Error& error) {
         fail(error.faults());
     }
@@ -322,14 +337,14 @@ void PreviewMeasuring::draw(double now) {
 void PreviewMeasuring::take() {
     const bool done = run_->done();
     if (std::vector<Fault> faults = run_->faults(); !faults.empty()) return fail(faults);
-    if (complete_ && !done) return;  // what is known stays until it can be replaced as a whole
-    if (complete_) frames_.clear(), truths_.clear();
+    if (complete() && !done) return;  // what is known stays until it can be replaced as a whole
+    if (complete()) frames_.clear(), truths_.clear();
     const std::size_t before = frames_.size();
     run_->take(frames_, truths_);
     if (frames_.size() != before || done) ++version_;
     if (!done) return;
-    complete_ = true, complete_of_ = run_->wanted, colors_ = run_->colors();
-    known_ = asked_;
+    complete_of_ = known_of_ = run_->of, colors_ = run_->colors();
+    known_ = true;
     run_.reset();
 }
 

@@ -70,14 +70,16 @@ class PreviewMeasuring {
     const std::vector<match::FrameAmounts>& frames() const { return frames_; }
     const std::vector<TrueAmounts>& truths() const { return truths_; }  ///< empty where they were not asked for
     /// Those of the whole scene; null until it is complete().
-    const match::ColorsOverTime* colors() const { return complete_ ? colors_.get() : nullptr; }
-    bool stale() const { return known_ != wanted_content_ || followed_ != document_.version(); }
-    bool complete() const { return complete_; }  ///< frames() are of the whole scene, else of its beginning
+    const match::ColorsOverTime* colors() const { return complete() ? colors_.get() : nullptr; }
+    bool stale() const { return !known_ || followed_ != document_.version(); }
+    bool complete() const {
+        return complete_of_ != nullptr;
+    }  ///< frames() are of the whole scene, else of its beginning
     bool busy() const { return run_ != nullptr; }
     double progress() const;                   ///< 0..1, while busy()
     bool stopped() const { return stopped_; }  ///< by a person, until again() or a change
     void stop();
-    void again() { known_ = 0, stopped_ = false; }
+    void again() { known_ = stopped_ = false, known_of_.reset(); }
     const std::vector<Fault>& faults() const { return faults_; }  ///< why it cannot be measured
     std::uint64_t version() const { return version_; }            ///< changes with frames() and truths()
 
@@ -89,16 +91,18 @@ class PreviewMeasuring {
 
   private:
     class Run;
-    struct Wanted {
-        document::Content content;   ///< as the document has it
-        document::Content pictures;  ///< the same without what changes no measured picture, to be compared
+    /// What is measured. It is copied once the document has settled, and shared.
+    struct Subject {
+        document::Content content;
         glm::ivec2 size{0};
         std::uint64_t organ = 0;  ///< version of the host's
         bool truth = false;
     };
     void follow(double now);
-    Wanted wanted_now() const;
-    static bool covers(const Wanted& a, const Wanted& b);
+    void take_change(double now, bool other_truth);
+    glm::ivec2 size() const;
+    std::shared_ptr<const Subject> subject() const;
+    bool holds(const std::shared_ptr<const Subject>& of) const;
     void start(double now);
     bool prepare();
     void draw(double now);
@@ -115,11 +119,11 @@ class PreviewMeasuring {
     bool exact_, software_, begins_;
     int measured_side_;
     bool wanted_ = false, stopped_ = false;
-    std::uint64_t followed_ = 0;                  ///< version of the document
+    std::uint64_t followed_ = 0, organ_ = 0;      ///< versions of the document and of the host's organ
     std::weak_ptr<const VideoReader> of_opened_;  ///< of the reference
-    Wanted of_;                                   ///< what is wanted of the document
-    std::uint64_t wanted_content_ = 0;            ///< counts such
-    std::uint64_t known_ = 0, asked_ = 0;         ///< that count, for frames_ or faults_, and for run_
+    bool truth_ = false;                          ///< as it was then
+    bool known_ = false;                          ///< nothing is to be measured:
+    std::shared_ptr<const Subject> known_of_;     ///< that is known, or was stopped, or cannot be measured
     double changed_at_ = 0, due_ = std::numeric_limits<double>::infinity();
     std::unique_ptr<RenderSteps> steps_;          ///< of one run
     std::unique_ptr<match::PreviewCurve> curve_;  ///< while somebody looks
@@ -127,8 +131,7 @@ class PreviewMeasuring {
     std::vector<match::FrameAmounts> frames_;
     std::vector<TrueAmounts> truths_;
     std::shared_ptr<const match::ColorsOverTime> colors_;
-    bool complete_ = false;  ///< frames_ are of a run that came to its end,
-    Wanted complete_of_;     ///< which was of that
+    std::shared_ptr<const Subject> complete_of_;  ///< frames_ are of all of it; null: of the beginning of a run
     std::vector<Fault> faults_;
     std::uint64_t version_ = 1;
 };

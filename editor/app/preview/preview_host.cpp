@@ -109,12 +109,8 @@ void PreviewHost::follow(const document::Document& document) {
     if ((organ_job_ && organ_job_->cancelled()) || (clips_job_ && clips_job_->cancelled())) cancel_loading();
     if (document.version() != followed_ || wanted_alone_ != alone_) {
         if (document.scene_changes_since(followed_) != 0) wanted_.scene = document.scene();
-        if (document.preset_changes_since(followed_) != 0 || wanted_alone_ != alone_) {
-            wanted_.preset = document.preset();
-            wanted_faults_ = document.preset_faults();
-            leave_alone(wanted_.preset.smoke, alone_);
-            wanted_alone_ = alone_;
-        }
+        const unsigned changed = document.preset_changes_since(followed_);
+        if (changed != 0 || wanted_alone_ != alone_) take_preset(document, changed);
         followed_ = document.version();
         stale_ = true;
     }
@@ -132,6 +128,22 @@ void PreviewHost::follow(const document::Document& document) {
         follow_scene();
         if (options_.wait_for_clips) jobs_.finish();
     } while (options_.wait_for_clips);
+}
+
+/// The one copy of it. What is shown until then stays known: the two change places.
+void PreviewHost::take_preset(const document::Document& document, unsigned changed) {
+    if (std::exchange(shows_wanted_, false)) {
+        std::swap(good_, wanted_.preset);
+        if (!preset_due_) differ_ = 0;
+    }
+    wanted_.preset = document.preset();
+    wanted_faults_ = document.preset_faults();
+    leave_alone(wanted_.preset.smoke, alone_);
+    // While one clip smokes alone, the document does not know what differs.
+    if (alone_ || wanted_alone_) changed |= redo::clips;
+    wanted_alone_ = alone_;
+    if (differ_) *differ_ |= changed;
+    preset_due_ = true;
 }
 
 /// The one that is shown is wanted again: what is on its way is not.
@@ -195,7 +207,7 @@ bool PreviewHost::show(const std::shared_ptr<const PreparedOrgan>& organ) {
         }
     };
     organ_files_ = files_of(*organ);
-    const Preset whole = document::mended(wanted_.preset, good_);
+    const Preset whole = document::mended(wanted_.preset, shown_preset());
     Preset bare = whole;
     bare.smoke.clips.clear();
     const bool known = options_.clip_cache->knows(whole, options_.clip_folders);
@@ -204,24 +216,33 @@ bool PreviewHost::show(const std::shared_ptr<const PreparedOrgan>& organ) {
     ++organ_version_;
     overlay_ = options_.overlay;
     shown_scene_ = wanted_.scene;
-    shown_preset_.reset();  // clips that were not there yet, and what is wrong with the preset
+    examine_again();  // clips that were not there yet, and what is wrong with the preset
     return true;
 }
 
+void PreviewHost::examine_again() {
+    preset_due_ = true;
+    differ_.reset();
+}
+
 void PreviewHost::follow_preset() {
-    if (!preview_) return;
-    unsigned differ = ~0U;
-    if (shown_preset_) {
-        differ = difference(preset_table(), &*shown_preset_, &wanted_.preset);
-        if (shown_preset_->folder != wanted_.preset.folder) differ |= redo::clips;
+    if (!preview_ || !std::exchange(preset_due_, false)) return;
+    std::optional<unsigned> differ = std::exchange(differ_, std::nullopt);
+    if (differ && (*differ & redo::clips) != 0) {  // a document that was opened again says that all may differ
+        differ = difference(preset_table(), &good_, &wanted_.preset);
+        if (good_.folder != wanted_.preset.folder) *differ |= redo::clips;
     }
-    if (differ == 0) return;
+    if (differ == 0U) {
+        shows_wanted_ = true;
+        return;
+    }
     changed_ = true;
-    shown_preset_ = wanted_.preset;
+    const bool whole = wanted_faults_.empty();
+    if (whole && clips_shown_ && differ && (*differ & redo::clips) == 0) return show_wanted(*differ);
     // One value that cannot be shown keeps no other from being seen.
-    std::vector<Fault> faults = wanted_faults_;
-    if (faults.empty() && clips_shown_ && (differ & redo::clips) == 0) return show_parameters(wanted_.preset);
-    const Preset preset = document::mended(wanted_.preset, good_);
+    Preset mended;
+    if (!whole) mended = document::mended(wanted_.preset, shown_preset());
+    const Preset& preset = whole ? wanted_.preset : mended;
     if (!options_.clip_cache->knows(preset, options_.clip_folders)) {
         look_through_clips();
         return show_parameters(preset);
@@ -229,9 +250,9 @@ void PreviewHost::follow_preset() {
     if (clips_job_) std::exchange(clips_job_, nullptr)->cancel();
     try {
         preview_->set_preset(preset);
-        good_ = preset;
-        clips_shown_ = faults.empty();
-        preset_faults_ = std::move(faults);
+        if (!whole) good_ = std::move(mended);
+        shows_wanted_ = clips_shown_ = whole;
+        preset_faults_ = wanted_faults_;
     } catch (const Error& error) {
         clips_shown_ = false;
         preset_faults_ = error.faults();
@@ -239,19 +260,26 @@ void PreviewHost::follow_preset() {
     }
 }
 
-/// Clips continue to play; everything else changes at once.
+/// A move of a slider: the preview is told what differs, and nothing is copied or compared.
+void PreviewHost::show_wanted(unsigned changed) {
+    try {
+        preview_->set_parameters(wanted_.preset, changed);
+        shows_wanted_ = true;
+        preset_faults_.clear();
+    } catch (const Error& error) {
+        preset_faults_ = error.faults();
+    }
+}
+
+/// Those clips that play, whichever `preset` has, continue; everything else changes at once.
 void PreviewHost::show_parameters(const Preset& preset) {
     try {
         preview_->set_parameters(preset);
-        if (!clips_shown_) {
-            Preset shown = preset;
-            shown.folder = good_.folder;
-            shown.smoke.clips = good_.smoke.clips;
-            good_ = std::move(shown);
-        } else {
-            good_ = preset;
-            preset_faults_.clear();
-        }
+        Preset shown = preset;
+        shown.folder = shown_preset().folder;
+        shown.smoke.clips = shown_preset().smoke.clips;
+        good_ = std::move(shown);
+        shows_wanted_ = false;
         if (clips_job_) preset_faults_ = wanted_faults_;
     } catch (const Error& error) {
         preset_faults_ = error.faults();
@@ -271,7 +299,7 @@ void PreviewHost::look_through_clips() {
         });
         return [this] {
             clips_job_ = nullptr;
-            shown_preset_.reset();
+            examine_again();
             stale_ = true;
         };
     };
@@ -325,7 +353,7 @@ void PreviewHost::cancel_loading() {
 void PreviewHost::reload_clips(const std::vector<std::filesystem::path>& changed) {
     for (const std::filesystem::path& path : changed) options_.clip_cache->forget(path);
     if (changed.empty()) options_.clip_cache->forget();
-    shown_preset_.reset();
+    examine_again();
     stale_ = true;
 }
 
@@ -444,13 +472,13 @@ void PreviewHost::draw_stretched(const Target& target, const Shot& shot) {
 
 Image PreviewHost::picture_with(const std::function<void(document::Content&)>& change, const Shot& shot,
                                 glm::ivec2 size) {
-    document::Content tried{.scene = shown_scene_ ? *shown_scene_ : wanted_.scene, .preset = good_};
+    document::Content tried{.scene = shown_scene_ ? *shown_scene_ : wanted_.scene, .preset = shown_preset()};
     const Scene scene = tried.scene;
     change(tried);
     const bool other_scene = !equal(scene_table(), &scene, &tried.scene);
     auto as_before = [&](const void*) {
         if (other_scene) preview_->set_scene(scene);
-        preview_->set_parameters(good_);
+        preview_->set_parameters(shown_preset());
         unchecked_ = true;
     };
     const std::unique_ptr<const PreviewHost, decltype(as_before)> restore(this, as_before);
@@ -507,7 +535,7 @@ std::vector<ToolContact> PreviewHost::take_tool_off(double time) {
     const std::span<const ToolContact> all = preview_->contacts();
     const std::size_t first = std::min(contacts_before_, all.size());
     shown_scene_.reset();  // the document decides what stays, also where it has not changed
-    followed_ = 0;
+    stale_ = true;
     return {all.begin() + static_cast<std::ptrdiff_t>(first), all.end()};
 }
 

@@ -166,9 +166,13 @@ class PreviewHost {
     void load_organ();
     void keep_organ();
     bool show(const std::shared_ptr<const PreparedOrgan>& organ);
+    void take_preset(const document::Document& document, unsigned changed);
     void follow_preset();
     void follow_scene();
     void look_through_clips();
+    void examine_again();
+    const Preset& shown_preset() const { return shows_wanted_ ? wanted_.preset : good_; }
+    void show_wanted(unsigned changed);
     void show_parameters(const Preset& preset);
     bool draw_into(const Target& target, const Shot& shot, Shot& last, std::uint64_t& drawn);
     void draw_stretched(const Target& target, const Shot& shot);
@@ -189,11 +193,13 @@ class PreviewHost {
     bool stale_ = false;                                ///< it has to be examined again
     std::shared_ptr<const PreparedOrgan> ready_organ_;  ///< to be shown
     std::optional<Scene> shown_scene_;                  ///< none: it has to be examined again
-    std::optional<Preset> shown_preset_;                ///< as it was wanted; none: it has to be examined again
     bool clips_shown_ = false;                          ///< all of its clips, and it breaks no rule
-    Preset good_;                                       ///< that was shown last; it breaks no rule
-    std::optional<Scene> asked_scene_;                  ///< of the organ that was asked for last
-    std::vector<std::filesystem::path> opening_;        ///< clips that are being examined
+    bool preset_due_ = true;                            ///< it has to be shown, or to be examined again
+    bool shows_wanted_ = false;                         ///< that preset, as it is
+    Preset good_;                                       ///< else: that was shown last; it breaks no rule
+    std::optional<unsigned> differ_;    ///< redo bits of what the wanted one has and good_ has not; none: not known
+    std::optional<Scene> asked_scene_;  ///< of the organ that was asked for last
+    std::vector<std::filesystem::path> opening_;  ///< clips that are being examined
     std::vector<std::filesystem::path> organ_files_;
     std::vector<Fault> preset_faults_, organ_faults_;
     bool scene_fault_ = false;  ///< of organ_faults_: the scene as it is, not its file

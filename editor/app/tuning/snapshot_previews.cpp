@@ -71,9 +71,11 @@ void SnapshotPreviews::follow(std::size_t slot, const std::shared_ptr<const Prep
         beside = std::make_unique<Beside>(options_, jobs_, document_.scene(), preview_, organ);
         ++numbers_[slot];
     }
-    if (beside->snapshot != snapshot.id || document_.scene_changes_since(beside->followed) != 0) {
+    if (beside->snapshot != snapshot.id) {
         beside->snapshot = snapshot.id;
         beside->document.open({.scene = document_.scene(), .preset = snapshot.preset});
+    } else if (document_.scene_changes_since(beside->followed) != 0) {
+        beside->document.edit([this](document::Content& c) { c.scene = document_.scene(); });
     }
     beside->followed = document_.version();
     const bool before = beside->host.ready();
