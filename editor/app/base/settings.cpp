@@ -18,7 +18,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_recent = 12, most_listed = 1000;
 constexpr std::size_t longest_file = std::size_t{1} << 20U;
-constexpr double settle = 1;  // s without another change before it is written
 constexpr std::string_view shown_layout = "(shown)";
 constexpr float least_scale = 0.75F, most_scale = 3;
 constexpr std::int64_t most_screen = 1 << 20;  // of any desktop
@@ -244,7 +243,7 @@ std::string Settings::text() const {
 
 void Settings::update(double now) {
     if (!connected() || folders_.config.empty()) return;
-    if (now >= due_) return write();
+    if (settling_.due_at(now)) return write();
     // Comparing costs next to nothing; copies are made when something has changed.
     const bool same = written_.light == light && written_.reduced_motion == reduced_motion &&
                       written_.half_resolution == half_resolution && written_.hint_seen == hint_seen &&
@@ -254,16 +253,12 @@ void Settings::update(double now) {
                       written_.preset_stars == preset_stars && written_.layout_name == parts_.layouts->name() &&
                       written_.shown == parts_.layouts->arranged() && written_.commands == parts_.commands->version() &&
                       written_.own_layouts == parts_.layouts->version();
-    if (same) {
-        due_ = std::numeric_limits<double>::infinity();
-    } else if (std::isinf(due_)) {
-        due_ = now + settle;
-    }
+    same ? settling_.clear() : settling_.change(now);
 }
 
 void Settings::write() {
     if (!connected() || folders_.config.empty()) return;
-    due_ = std::numeric_limits<double>::infinity();
+    settling_.clear();
     State now = state();
     if (now == written_) return;
     written_ = std::move(now);

@@ -7,12 +7,12 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "app/base/settling.h"
 #include "app/base/window_place.h"
 #include "document/folders.h"
 #include "ui/shell/commands.h"
@@ -56,7 +56,7 @@ class Settings {
     /// Once before each frame. `now`: s.
     void update(double now);
     /// When update() is wanted at the latest, s; infinite: there is nothing to write.
-    double due() const { return due_; }
+    double due() const { return settling_.due(); }
     /// Writes the settings at once if anything has changed. A failure is reported only once.
     void write();
 
@@ -93,7 +93,7 @@ class Settings {
     bool connected() const { return parts_.commands != nullptr; }
     Parts parts_;  ///< that have been connected
     bool told_ = false;
-    double due_ = std::numeric_limits<double>::infinity();
+    Settling settling_{1, 1};  ///< written 1 s after the first change
 };
 
 }  // namespace lapfx::app

@@ -11,8 +11,6 @@ namespace lapfx::app {
 
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
-
 std::int64_t now_utc() {
     return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
         .count();
@@ -84,13 +82,10 @@ void Autosave::update(double now) {
     if (const std::uint64_t state = this->state(); state != seen_) {
         seen_ = state;
         const bool unsaved = document_.unsaved();
-        if (unsaved) {
-            if (std::isinf(due_)) latest_ = now + wait;
-            due_ = std::min(now + pause, latest_);
-        }
+        if (unsaved) settling_.change(now);
         // It was saved: this is written down at once, or a crash would offer work that is on the disk already.
-        if (!unsaved && unsaved_ && written_) due_ = latest_ = now;
-        if (!unsaved && !written_) due_ = never;
+        if (!unsaved && unsaved_ && written_) settling_.set(now);
+        if (!unsaved && !written_) settling_.clear();
         if (!unsaved && unsaved_) {
             for (document::LeftBehind& left : recovered_) {
                 try {
@@ -104,14 +99,14 @@ void Autosave::update(double now) {
         unsaved_ = unsaved;
     }
     soon_ |= std::exchange(faults_seen_, notices_.faults()) != notices_.faults();
-    if (std::exchange(soon_, false) && unsaved_) due_ = latest_ = now;
-    if (now >= due_) write(now);
+    if (std::exchange(soon_, false) && unsaved_) settling_.set(now);
+    if (settling_.due_at(now)) write(now);
 }
 
 void Autosave::write(double now) {
-    due_ = never;
+    settling_.clear();
     if (writer_.busy()) {  // a slow disk: the next write has this, too
-        due_ = latest_ = now + 1;
+        settling_.set(now + 1);
         return;
     }
     written_ = true;
@@ -123,7 +118,7 @@ void Autosave::write(double now) {
         },
         [this, now](const std::vector<Fault>& faults) {
             failed(faults.empty() ? "unknown" : faults.front().text());
-            due_ = latest_ = now + wait;
+            settling_.set(now + wait);
         });
 }
 
@@ -156,7 +151,7 @@ void Autosave::end() {
         }
     }
     recovered_.clear();
-    due_ = never;
+    settling_.clear();
     written_ = false;
 }
 

@@ -7,11 +7,11 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "app/base/jobs.h"
+#include "app/base/settling.h"
 #include "document/document.h"
 #include "document/keep.h"
 
@@ -32,7 +32,7 @@ class Autosave {
     /// Once before each frame. `now`: s.
     void update(double now);
     /// When update() is wanted at the latest, s; infinite: nothing has to be kept.
-    double due() const { return due_; }
+    double due() const { return settling_.due(); }
     /// Keeps the work with the next update(), because something has gone wrong. Notices about faults do the same.
     void soon();
     /// Keeps the work at once and waits until it is written: the editor is about to end because of a fault. Never
@@ -72,8 +72,7 @@ class Autosave {
     document::KeepFolder folder_;    ///< used by the writer's thread; by others only while nothing runs there
     std::uint64_t seen_ = 0;         ///< state() when it was last checked
     bool unsaved_ = false, written_ = false, told_ = false, soon_ = false;
-    /// s; `latest_` is the limit while changes continue.
-    double due_ = std::numeric_limits<double>::infinity(), latest_ = due_;
+    Settling settling_{pause, wait};
     std::vector<Offer> offers_;
     std::vector<document::LeftBehind> recovered_;
     Jobs writer_;  ///< declared last, so that its thread ends first

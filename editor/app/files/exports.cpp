@@ -33,7 +33,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double step_budget = 0.03;    // s of a frame of the UI
-constexpr double settled_after = 0.5;   // s without a change in the form
 constexpr double beside_the_ui = 1.25;  // the export does not have all of the time
 constexpr glm::ivec2 thumbnail_size{320, 256};
 constexpr const char* opened_here = "is a file that was opened here; choose another name";
@@ -87,22 +86,7 @@ struct Exports::Running {
     }
 };
 
-Exports::Exports(const Parts& parts, Open open)
-    : document_(parts.document),
-      timeline_(parts.timeline),
-      looking_(parts.looking),
-      reference_(parts.reference),
-      measuring_(parts.measuring),
-      preview_(parts.preview),
-      jobs_(parts.jobs),
-      settings_(parts.settings),
-      chooser_(parts.chooser),
-      notices_(parts.notices),
-      screen_(parts.screen),
-      clip_folders_(parts.options.clip_folders),
-      exact_(parts.options.exact),
-      measured_side_(parts.options.measured_side),
-      open_(std::move(open)) {}
+Exports::Exports(const Parts& parts, Open open) : parts_(parts), open_(std::move(open)) {}
 
 Exports::~Exports() {
     if (running_) running_->stop_jobs();
@@ -118,16 +102,16 @@ double shown_time(double time) {
 }
 
 void Exports::propose(OutputKind kind) {
-    const document::Document& document = document_;
+    const document::Document& document = parts_.document;
     form.kind = static_cast<int>(kind);
     form.outside_agreed = false;
-    form.at = shown_time(timeline_.time);
-    if (timeline_.has_range) {
-        form.from = shown_time(timeline_.range.low);
-        form.to = shown_time(timeline_.range.high);
+    form.at = shown_time(parts_.timeline.time);
+    if (parts_.timeline.has_range) {
+        form.from = shown_time(parts_.timeline.range.low);
+        form.to = shown_time(parts_.timeline.range.high);
     } else {
         form.from = 0;
-        form.to = shown_time(timeline_.duration());
+        form.to = shown_time(parts_.timeline.duration());
     }
     const fs::path& file = document.preset_file();
     const std::string proposed_for = file.string() + "\n" + document.preset().name;
@@ -144,24 +128,24 @@ std::string Exports::title(OutputKind kind) {
 }
 
 std::string Exports::proposed(OutputKind kind, std::string_view ending) const {
-    const document::Document& document = document_;
+    const document::Document& document = parts_.document;
     const fs::path& file = document.preset_file().empty() ? document.scene_file() : document.preset_file();
     std::error_code error;
     const fs::path beside = file.empty() ? fs::path() : fs::weakly_canonical(document::folder_of(file), error);
     const std::string name =
         document.preset_file().empty() ? file_name(document.preset().name) : document.preset_file().stem().string();
-    return (chooser_.own_folder(title(kind), beside) / (name + std::string(ending))).string();
+    return (parts_.chooser.own_folder(title(kind), beside) / (name + std::string(ending))).string();
 }
 
 output::RenderOptions Exports::render_options() const {
     const ExportForm& f = form;
     output::RenderOptions options{.size = f.px(),
                                   .fps = f.fps,
-                                  .overlay = f.overlay ? looking_.overlay : Overlay::none,
+                                  .overlay = f.overlay ? parts_.looking.overlay : Overlay::none,
                                   .output = f.file(),
                                   .codec = f.coded(),
                                   .quality = static_cast<output::Quality>(f.quality),
-                                  .clip_folders = clip_folders_};
+                                  .clip_folders = parts_.options.clip_folders};
     if (f.what() == OutputKind::picture) {
         options.at = f.at;
     } else {
@@ -180,31 +164,32 @@ int Exports::frames() const {
 }
 
 double Exports::duration() const {
-    return timeline_.duration();
+    return parts_.timeline.duration();
 }
 
 bool Exports::comparable() const {
-    return reference_.video() != nullptr;
+    return parts_.reference.video() != nullptr;
 }
 
 glm::ivec2 Exports::written_px() const {
     if (!compares()) return form.px();
-    return SideBySide::size_of(form.px(), reference_.video()->info().size, document_.scene().reference.aspect);
+    return SideBySide::size_of(form.px(), parts_.reference.video()->info().size,
+                               parts_.document.scene().reference.aspect);
 }
 
 bool Exports::overlaid() const {
-    return looking_.overlay != Overlay::none;
+    return parts_.looking.overlay != Overlay::none;
 }
 
 void Exports::check_preset_file(std::vector<Fault>& faults) const {
-    const document::Document& document = document_;
+    const document::Document& document = parts_.document;
     for (const Fault& found : document.preset_faults()) faults.push_back(fault("preset", found.text()));
     const fs::path file = form.file();
     if (form.what() == OutputKind::preset) {
         if (const std::string why = why_not_replaced(FileKind::preset, file); !why.empty())
             return faults.push_back(fault("-o", why));
         std::vector<Fault> clips;
-        output::preset_in(fs::absolute(file).parent_path(), document.preset(), clip_folders_, clips);
+        output::preset_in(fs::absolute(file).parent_path(), document.preset(), parts_.options.clip_folders, clips);
         for (const Fault& clip : clips) faults.push_back(fault("clips", clip.place + ": " + clip.reason));
         return;
     }
@@ -212,7 +197,7 @@ void Exports::check_preset_file(std::vector<Fault>& faults) const {
         faults.push_back(fault("-o", reason));
     for (std::size_t i = 0; i < document.preset().smoke.clips.size(); ++i) {
         const std::string& clip = document.preset().smoke.clips[i].file;
-        const output::ClipFiles found = output::clip_files(clip, document.preset().folder, clip_folders_);
+        const output::ClipFiles found = output::clip_files(clip, document.preset().folder, parts_.options.clip_folders);
         if (found.files.empty()) faults.push_back(fault("clips", found.fault));
     }
     if (!outside_.empty() && !form.outside_agreed)
@@ -220,7 +205,7 @@ void Exports::check_preset_file(std::vector<Fault>& faults) const {
 }
 
 fs::path Exports::home() const {
-    const document::Document& document = document_;
+    const document::Document& document = parts_.document;
     const fs::path& file = form.with_scene ? document.scene_file() : document.preset_file();
     return file.empty() ? fs::path() : document::folder_of(file);
 }
@@ -228,13 +213,13 @@ fs::path Exports::home() const {
 void Exports::look_outside() {
     std::vector<output::SourceFile> found;
     if (form.what() == OutputKind::bundle) {
-        const document::Document& document = document_;
+        const document::Document& document = parts_.document;
         const Scene* scene = form.with_scene ? &document.scene() : nullptr;
-        const auto organ = scene != nullptr ? preview_.organ_of(*scene) : nullptr;
-        found = output::outside_files(document.preset(), scene, home(), clip_folders_,
+        const auto organ = scene != nullptr ? parts_.preview.organ_of(*scene) : nullptr;
+        found = output::outside_files(document.preset(), scene, home(), parts_.options.clip_folders,
                                       organ ? std::span(organ->organ().files) : std::span<const fs::path>(),
                                       organ ? tool_files_of(*organ) : std::vector<fs::path>());
-        std::erase_if(found, [&](const output::SourceFile& s) { return chooser_.shipped(s.file); });
+        std::erase_if(found, [&](const output::SourceFile& s) { return parts_.chooser.shipped(s.file); });
     }
     if (found == outside_) return;
     outside_ = std::move(found);
@@ -243,13 +228,13 @@ void Exports::look_outside() {
 
 /// Many widgets ask in each frame; files are looked at only when something has changed.
 void Exports::look_at_form() {
-    if (checked_ == form && checked_version_ == document_.version() && checked_organ_ == preview_.organ_version() &&
-        checked_comparable_ == comparable())
+    if (checked_ == form && checked_version_ == parts_.document.version() &&
+        checked_organ_ == parts_.preview.organ_version() && checked_comparable_ == comparable())
         return;
     look_outside();
     checked_ = form;
-    checked_version_ = document_.version();
-    checked_organ_ = preview_.organ_version();
+    checked_version_ = parts_.document.version();
+    checked_organ_ = parts_.preview.organ_version();
     checked_comparable_ = comparable();
     faults_.clear();
     replaces_ = false;
@@ -276,7 +261,7 @@ void Exports::look_at_form() {
     }
     if (!form.renders()) return check_preset_file(faults_);
     if (output::kind_named(file) != form.what()) faults_.push_back(fault("-o", wanted_name(form.what())));
-    for (Fault& found : check(render_options(), timeline_.duration()))
+    for (Fault& found : check(render_options(), parts_.timeline.duration()))
         if (found.place != "-o") faults_.push_back(std::move(found));
     if (form.beside && !comparable())
         faults_.push_back(fault("--beside", "there is no reference: open a surgery video first"));
@@ -287,8 +272,8 @@ void Exports::look_at_form() {
         faults_.push_back(fault("--amounts", "its folder is missing or cannot be written to"));
     else if (form.amounts && is_read(form.amounts_file))
         faults_.push_back(fault("--amounts", opened_here));
-    if (document_.scene().organ.file.empty()) faults_.push_back(fault("scene", "there is no organ to draw"));
-    for (const Fault& found : document_.preset_faults()) faults_.push_back(fault("preset", found.text()));
+    if (parts_.document.scene().organ.file.empty()) faults_.push_back(fault("scene", "there is no organ to draw"));
+    for (const Fault& found : parts_.document.preset_faults()) faults_.push_back(fault("preset", found.text()));
 }
 
 const std::vector<Fault>& Exports::faults() {
@@ -313,48 +298,48 @@ void Exports::start() {
     trial_.reset();
     running_ = std::make_unique<Running>();
     running_->form = form;
-    running_->scene = document_.scene();
-    running_->preset = document_.preset();
+    running_->scene = parts_.document.scene();
+    running_->preset = parts_.document.preset();
     running_->options = render_options();
     running_->began = now_;
     if (!compares()) return;
     const Scene& scene = running_->scene;
     const std::string& name = running_->preset.name;
-    const bool measured = measuring_.found() != nullptr && !measuring_.stale() && !measuring_.begun();
+    const bool measured = parts_.measuring.found() != nullptr && !parts_.measuring.stale() && !parts_.measuring.begun();
     PageWanted& wanted = running_->page_wanted.emplace();
-    wanted.video = reference_.file();
+    wanted.video = parts_.reference.file();
     wanted.compared = {.frame = running_->options.size,
                        .duration = scene.duration,
-                       .preview = name.empty() ? document_.scene_file().filename().string() : name,
+                       .preview = name.empty() ? parts_.document.scene_file().filename().string() : name,
                        .video = wanted.video.filename().string(),
                        .reference = scene.reference};
-    if (measured) wanted.found = *measuring_.found();
+    if (measured) wanted.found = *parts_.measuring.found();
 }
 
 /// It is small, so it is written at once, as by saving, and cannot be cancelled.
 void Exports::export_preset() {
     checked_version_ = 0;
     try {
-        output::export_preset(document_.preset(), form.file(), clip_folders_);
+        output::export_preset(parts_.document.preset(), form.file(), parts_.options.clip_folders);
         tell_made(form, "Exported " + std::string(ui::name_of_path(form.file())));
     } catch (const Error& error) {
-        notices_.tell(error);
+        parts_.notices.tell(error);
     } catch (const std::exception& error) {
-        notices_.tell({{.file = form.file(), .place = "", .reason = error.what()}});
+        parts_.notices.tell({{.file = form.file(), .place = "", .reason = error.what()}});
     }
 }
 
 /// What the view has loaded is used; the rest is loaded by a job.
 void Exports::load() {
     Running& running = *running_;
-    const std::vector<fs::path>& folders = clip_folders_;
-    const output::Loaded loaded{.organ = preview_.organ_of(running.scene), .clips = preview_.clip_cache()};
+    const std::vector<fs::path>& folders = parts_.options.clip_folders;
+    const output::Loaded loaded{.organ = parts_.preview.organ_of(running.scene), .clips = parts_.preview.clip_cache()};
     running.loaded.clips = loaded.clips;
     if (loaded.organ && loaded.clips->knows(running.preset, folders)) {
         running.loaded.organ = loaded.organ;
         return begin();
     }
-    running.loading = jobs_.start(
+    running.loading = parts_.jobs.start(
         "Loading for " + std::string(name()),
         [this, scene = running.scene, preset = running.preset, loaded, folders](Job& job) -> Jobs::Apply {
             const auto goes_on = [&](double share) {
@@ -375,13 +360,13 @@ void Exports::make_page() {
     Running& running = *running_;
     PageWanted wanted = *running.page_wanted;
     wanted.scene = running.scene, wanted.preset = running.preset;
-    running.making =
-        std::make_unique<PageMaking>(std::move(wanted), PageMaking::Parts{.preview = preview_,
-                                                                          .jobs = jobs_,
-                                                                          .organ = running.loaded.organ,
-                                                                          .clip_folders = clip_folders_,
-                                                                          .exact = exact_,
-                                                                          .measured_side = measured_side_});
+    running.making = std::make_unique<PageMaking>(std::move(wanted),
+                                                  PageMaking::Parts{.preview = parts_.preview,
+                                                                    .jobs = parts_.jobs,
+                                                                    .organ = running.loaded.organ,
+                                                                    .clip_folders = parts_.options.clip_folders,
+                                                                    .exact = parts_.options.exact,
+                                                                    .measured_side = parts_.options.measured_side});
 }
 
 /// Outside of the UI's build. For a bundle, first its thumbnail: at the time that the view shows, through the scene's
@@ -389,7 +374,7 @@ void Exports::make_page() {
 void Exports::begin() {
     output::RenderOptions options = running_->options;
     if (running_->form.what() == OutputKind::bundle)
-        options = {.size = thumbnail_size, .at = timeline_.time, .clip_folders = clip_folders_};
+        options = {.size = thumbnail_size, .at = parts_.timeline.time, .clip_folders = parts_.options.clip_folders};
     std::unique_ptr<output::FramePage> page;
     if (running_->page_wanted) {
         if (!running_->making) make_page();
@@ -406,11 +391,11 @@ void Exports::begin() {
 void Exports::begin_copying() {
     auto bundle = std::make_shared<output::Bundle>(output::Bundle{.preset = running_->preset,
                                                                   .folder = fs::absolute(running_->form.file()),
-                                                                  .clip_folders = clip_folders_,
+                                                                  .clip_folders = parts_.options.clip_folders,
                                                                   .thumbnail = running_->render->image()});
     if (running_->form.with_scene) bundle->scene = running_->scene;
     running_->render.reset();
-    running_->copying = jobs_.start(
+    running_->copying = parts_.jobs.start(
         "Exporting " + bundle->folder.filename().string(),
         [this, bundle](Job& job) -> Jobs::Apply {
             const output::BundleContent made = write_bundle(*bundle, [&](double share) {
@@ -425,7 +410,7 @@ void Exports::begin_copying() {
 void Exports::cancel() {
     if (!running_) return;
     running_->stop_jobs();
-    notices_.add({.text = "Export of " + std::string(name()) + " cancelled: nothing was written"});
+    parts_.notices.add({.text = "Export of " + std::string(name()) + " cancelled: nothing was written"});
     running_.reset();
 }
 
@@ -505,39 +490,41 @@ Exports::TriedOf Exports::tried_of() const {
             .codec = form.codec,
             .quality = form.quality,
             .ending = fs::path(form.file()).extension().string(),
-            .document = document_.version(),
-            .organ = preview_.organ_version()};
+            .document = parts_.document.version(),
+            .organ = parts_.preview.organ_version()};
 }
 
 double Exports::want_estimate() {
-    constexpr double never = std::numeric_limits<double>::infinity();
     estimate_wanted_ = true;
-    if (running_ || exact_ || frames() < 2) return never;
+    if (running_ || parts_.options.exact || frames() < 2) return Settling::never;
     if (tried_of() != tried_of_) return now_;
-    return !trial_ && now_ < tried_at_ + settled_after ? tried_at_ + settled_after : never;
+    return !trial_ && !settling_.due_at(now_) ? settling_.due() : Settling::never;
 }
 
 /// One frame alone is there before its time could be told.
 void Exports::follow_estimate() {
     const bool wanted = std::exchange(estimate_wanted_, false);
-    if (!wanted || running_ || exact_ || frames() < 2 || !faults().empty()) return trial_.reset();
+    if (!wanted || running_ || parts_.options.exact || frames() < 2 || !faults().empty()) return trial_.reset();
     if (TriedOf of = tried_of(); of != tried_of_) {
         tried_of_ = std::move(of);
         trial_.reset();
-        tried_at_ = now_;
+        settling_.change(now_);
         trial_failed_ = false;
     }
-    if (trial_failed_ || (trial_ && trial_->done()) || now_ < tried_at_ + settled_after) return;
-    if (try_frames()) screen_.wake("the time of an export is tried");
+    if (trial_failed_ || (trial_ && trial_->done()) || !settling_.due_at(now_)) return;
+    if (try_frames()) parts_.screen.wake("the time of an export is tried");
 }
 
 /// Gives whether it goes on. Where a trial fails, the export itself tells why.
 bool Exports::try_frames() {
     try {
         if (!trial_) {
-            const output::Loaded loaded{.organ = preview_.organ_of(document_.scene()), .clips = preview_.clip_cache()};
-            if (!loaded.organ || !loaded.clips->knows(document_.preset(), clip_folders_)) return false;
-            trial_ = std::make_unique<ExportTrial>(document_.scene(), document_.preset(), render_options(), loaded);
+            const output::Loaded loaded{.organ = parts_.preview.organ_of(parts_.document.scene()),
+                                        .clips = parts_.preview.clip_cache()};
+            if (!loaded.organ || !loaded.clips->knows(parts_.document.preset(), parts_.options.clip_folders))
+                return false;
+            trial_ = std::make_unique<ExportTrial>(parts_.document.scene(), parts_.document.preset(), render_options(),
+                                                   loaded);
         } else {
             trial_->step();
         }
@@ -570,7 +557,7 @@ void Exports::tell_made(const ExportForm& made, const std::string& text) {
     checked_version_ = 0;
     std::error_code error;
     const fs::path path = fs::absolute(made.file(), error);
-    settings_.note_folder(title(made.what()), path.parent_path().string());
+    parts_.settings.note_folder(title(made.what()), path.parent_path().string());
     ui::Toast toast{.kind = ui::ToastKind::good, .text = text + ", checked"};
     if (made.what() == OutputKind::bundle) {
         toast.action = "Open the bundle";
@@ -579,20 +566,21 @@ void Exports::tell_made(const ExportForm& made, const std::string& text) {
     } else {
         toast.action = "Copy path";
         toast.act = [this, path = path.string()] {
-            if (ui::Clipboard* clipboard = screen_.clipboard()) clipboard->set(path);
+            if (ui::Clipboard* clipboard = parts_.screen.clipboard()) clipboard->set(path);
         };
     }
-    notices_.add(std::move(toast));
+    parts_.notices.add(std::move(toast));
 }
 
 void Exports::fail(const std::vector<Fault>& faults) {
     running_.reset();
     checked_version_ = 0;
-    notices_.tell(faults);
+    parts_.notices.tell(faults);
 }
 
 std::string Exports::command() const {
-    return render_command(form, document_, looking_.overlay, compares() ? reference_.file() : fs::path());
+    return render_command(form, parts_.document, parts_.looking.overlay,
+                          compares() ? parts_.reference.file() : fs::path());
 }
 
 }  // namespace lapfx::app

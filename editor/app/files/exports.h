@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "app/base/editor_options.h"
+#include "app/base/settling.h"
 #include "document/document.h"
 #include "lapfx/error.h"
 #include "output/bundle.h"
@@ -189,26 +190,13 @@ class Exports {
     void tell_made(const ExportForm& made, const std::string& text);
     void fail(const std::vector<Fault>& faults);
 
-    const document::Document& document_;
-    const Timeline& timeline_;
-    const Looking& looking_;
-    const Reference& reference_;
-    const Measuring& measuring_;
-    PreviewHost& preview_;
-    Jobs& jobs_;
-    Settings& settings_;
-    FileChooser& chooser_;
-    Notices& notices_;
-    Screen& screen_;
-    std::vector<std::filesystem::path> clip_folders_;
-    bool exact_;
-    int measured_side_;
-    Open open_;
+    const Parts parts_;
+    const Open open_;
     std::unique_ptr<Running> running_;
     bool estimate_wanted_ = false;
     TriedOf tried_of_;
     std::unique_ptr<ExportTrial> trial_;  ///< of it; null: none yet, or it failed
-    double tried_at_ = 0;                 ///< s: when tried_of_ changed
+    Settling settling_{0.5};              ///< of tried_of_
     bool trial_failed_ = false;
     ExportForm checked_;  ///< what faults_ is of
     std::uint64_t checked_version_ = 0, checked_organ_ = 0;

@@ -9,61 +9,44 @@ namespace lapfx::app {
 
 PageMaking::PageMaking(PageWanted wanted, const Parts& parts)
     : wanted_(std::move(wanted)),
-      jobs_(parts.jobs),
       measured_side_(parts.measured_side),
-      job_("Comparing with " + wanted_.compared.video),
-      steps_(std::make_unique<RenderSteps>([this] { jobs_.wake(); })),
+      job_(std::make_shared<Job>("Comparing with " + wanted_.compared.video)),
+      steps_(std::make_unique<RenderSteps>([&jobs = parts.jobs] { jobs.wake(); })),
       curve_(drawn_curve(parts.organ, parts.preview, parts.clip_folders, parts.exact ? nullptr : &steps_, {})) {
-    if (parts.exact)
-        work();
-    else
-        thread_ = std::thread([this] { work(); });
-}
-
-PageMaking::~PageMaking() {
-    job_.cancel();
-    steps_->stop();
-    if (thread_.joinable()) thread_.join();
+    work_.start([this](Job& job) { return measure(job); },
+                {.ended = [&jobs = parts.jobs] { jobs.wake(); }, .given_up = [this] { steps_->stop(); }}, !parts.exact,
+                job_);
 }
 
 void PageMaking::serve() {
     steps_->serve(frame_budget);
 }
 
-void PageMaking::work() noexcept {
-    try {
-        make();
-    } catch (...) {
-        thrown_ = std::current_exception();
-    }
-    ended_ = true;
-    jobs_.wake();
-}
-
-void PageMaking::make() {
-    video_ = std::make_shared<VideoReader>(wanted_.video, &job_.stop());
+PageMaking::Video PageMaking::measure(Job& job) {
+    auto video = std::make_shared<VideoReader>(wanted_.video, &job.stop());
     const SceneReference& reference = wanted_.scene.reference;
     const match::MeasureOptions options = match::measure_options(reference.measure);
-    curve_->set_options({.size = match::preview_size(video_->info().size, reference.aspect, measured_side_),
+    curve_->set_options({.size = match::preview_size(video->info().size, reference.aspect, measured_side_),
                          .estimator = options.estimator});
-    const auto progress = [this](double share) {
-        job_.set_progress(share);
-        return !job_.cancelled();
+    const auto progress = [&job](double share) {
+        job.set_progress(share);
+        return !job.cancelled();
     };
     measure_both(wanted_.compared,
                  {.scene = wanted_.scene,
                   .preset = wanted_.preset,
-                  .video = *video_,
+                  .video = *video,
                   .options = options,
                   .found = wanted_.found ? &*wanted_.found : nullptr,
                   .curve = *curve_},
                  progress);
+    return video;
 }
 
 std::unique_ptr<output::FramePage> PageMaking::take() {
-    if (!ended_) return nullptr;
-    if (thrown_) std::rethrow_exception(thrown_);
-    return std::make_unique<SideBySide>(std::move(video_), std::move(wanted_.compared));
+    if (!work_.ended()) return nullptr;
+    work_.rethrow();
+    return std::make_unique<SideBySide>(std::move(*work_.result()), std::move(wanted_.compared));
 }
 
 }  // namespace lapfx::app

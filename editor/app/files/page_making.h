@@ -8,16 +8,13 @@
 // UI thread, context current.
 #pragma once
 
-#include <atomic>
-#include <exception>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <vector>
 
-#include "app/base/jobs.h"
 #include "app/base/render_steps.h"
+#include "app/base/thread_work.h"
 #include "app/measure/compared.h"
 #include "output/frame_page.h"
 
@@ -44,31 +41,25 @@ class PageMaking {
         bool exact;         ///< all is done at once, in the constructor
         int measured_side;  ///< EditorOptions
     };
+    /// Ending it waits for what is being done: a picture, or a frame of the video.
     PageMaking(PageWanted wanted, const Parts& parts);
-    ~PageMaking();  ///< waits for what is being done: a picture, or a frame of the video
-    PageMaking(const PageMaking&) = delete;
-    PageMaking& operator=(const PageMaking&) = delete;
 
-    const Job& job() const { return job_; }  ///< its progress
+    const Job& job() const { return *job_; }  ///< its progress
     /// Once a frame, outside of the UI's build: draws what is to be measured.
     void serve();
     /// Null until it is made. Once. Throws Error with what went wrong.
     std::unique_ptr<output::FramePage> take();
 
   private:
-    void make();
-    void work() noexcept;
+    using Video = std::shared_ptr<VideoReader>;
+    Video measure(Job& job);
 
     PageWanted wanted_;
-    Jobs& jobs_;
     const int measured_side_;
-    Job job_;  ///< of no list: the export that it is for is shown
+    const std::shared_ptr<Job> job_;  ///< of no list: the export that it is for is shown
     std::unique_ptr<RenderSteps> steps_;
     std::unique_ptr<match::PreviewCurve> curve_;
-    std::shared_ptr<VideoReader> video_;
-    std::atomic<bool> ended_ = false;
-    std::exception_ptr thrown_;  ///< once it has ended
-    std::thread thread_;
+    ThreadWork<Video> work_;  // last: it uses all of the others
 };
 
 }  // namespace lapfx::app

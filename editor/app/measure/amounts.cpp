@@ -12,11 +12,9 @@ namespace lapfx::app {
 
 namespace {
 
-constexpr double settled_after = 0.15;  // s without a change: a drag does not start a job for each of its steps
-constexpr double look_again = 0.05;     // s
-constexpr double sample_time = 0.05;    // s, within the counts below
+constexpr double look_again = 0.05;   // s
+constexpr double sample_time = 0.05;  // s, within the counts below
 constexpr double fewest = 60, most = 600;
-constexpr double never = std::numeric_limits<double>::infinity();
 
 /// Whether the amounts of both are the same, as far as the tables know.
 bool same_amounts(const document::Content& a, const document::Content& b) {
@@ -69,7 +67,7 @@ bool AmountsOverTime::stale() const {
 }
 
 void AmountsOverTime::update(double now) {
-    due_ = never;
+    due_ = Settling::never;
     if (job_ && job_->cancelled()) {  // by the list of jobs: it starts again when something changes
         job_.reset();
         known_ = asked_;
@@ -89,16 +87,17 @@ void AmountsOverTime::follow(double now) {
     if (followed_ != document_.version() || organ_ != organ) {
         const bool may_differ = (document_.changes_since(followed_) & redo::amounts) != 0;
         const auto differ = [&] { return !of_ || !same_amounts(*of_, document_.content()); };
-        if (wanted_content_ == 0 || organ_ != organ || (may_differ && differ())) ++wanted_content_, changed_at_ = now;
+        if (wanted_content_ == 0 || organ_ != organ || (may_differ && differ()))
+            ++wanted_content_, settling_.change(now);
         followed_ = document_.version(), organ_ = organ;
     }
     if (wanted_content_ == known_ || (job_ && asked_ == wanted_content_)) return;
     if (job_) job_->cancel(), job_.reset();
-    const bool settled = scene_ == nullptr || exact_ || now >= changed_at_ + settled_after;
+    const bool settled = scene_ == nullptr || exact_ || settling_.due_at(now);
     if (settled)
         start();
     else
-        due_ = changed_at_ + settled_after;
+        due_ = settling_.due();
     if (settled && !job_ && known_ != wanted_content_) due_ = now + look_again;  // the organ is still being loaded
 }
 

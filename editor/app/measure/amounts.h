@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <vector>
 
+#include "app/base/settling.h"
 #include "document/document.h"
 #include "lapfx/amounts.h"
 #include "lapfx/error.h"
@@ -105,7 +105,8 @@ class AmountsOverTime {
     std::shared_ptr<const document::Content> of_;  // what the last job is of; null: there was none
     std::uint64_t wanted_content_ = 0;             // counts contents that the amounts are wanted of
     std::uint64_t known_ = 0, asked_ = 0;          // that count, for scene_ or its faults, and for the job
-    double changed_at_ = 0.0, due_ = std::numeric_limits<double>::infinity();
+    Settling settling_{0.15};                      // a drag does not start a job for each of its steps
+    double due_ = Settling::never;
     std::shared_ptr<Model> model_;  // used by one job after the other
     std::shared_ptr<Job> job_;
     std::shared_ptr<const AmountSeries> scene_;

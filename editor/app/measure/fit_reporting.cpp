@@ -44,56 +44,37 @@ class FitReporting::Run {
           path_(std::move(path)),
           curve_(curve),
           steps_(steps),
-          jobs_(jobs),
-          tell_(std::move(tell)),
           job_(jobs.open("Writing " + path_.filename().string(),
                          [&notices](const std::vector<Fault>& faults) { notices.tell(faults); })) {
         job_->set_progress(0);
-        if (beside)
-            thread_ = std::thread([this] { work(); });
-        else
-            work();
+        const auto ended = [this, &jobs, tell = std::move(tell)] {
+            jobs.close(job_, work_.result() ? tell : Jobs::Apply{}, work_.faults(path_.filename().string()));
+        };
+        work_.start([this](Job& job) { return write(job); }, {.ended = ended, .given_up = [&steps] { steps.stop(); }},
+                    beside, job_);
     }
-    ~Run() {
-        cancel();
-        if (thread_.joinable()) thread_.join();
-    }
-    Run(const Run&) = delete;
-    Run& operator=(const Run&) = delete;
 
     const Job& job() const { return *job_; }
-    bool ended() const { return ended_; }
+    bool ended() const { return work_.ended(); }
     void cancel() {
-        if (ended_) return;
-        job_->cancel();
+        if (ended()) return;
+        work_.cancel();
         steps_.stop();
     }
 
   private:
-    void work() {
-        std::vector<Fault> faults;
-        Jobs::Apply apply;
-        try {
-            if (write()) apply = tell_;
-        } catch (const Error& error) {
-            faults = error.faults();
-        } catch (const std::exception& error) {
-            faults = {{.file = path_.filename().string(), .place = "", .reason = error.what()}};
-        }
-        ended_ = true;
-        jobs_.close(job_, std::move(apply), std::move(faults));
-    }
-    bool write() {
+    struct Written {};
+    std::optional<Written> write(Job& job) {
         require_not_opened(path_);
-        VideoReader video(of_.reference, &job_->stop());
-        const auto goes_on = [this](double share) {
-            job_->set_progress(share);
-            return !job_->cancelled();
+        VideoReader video(of_.reference, &job.stop());
+        const auto goes_on = [&job](double share) {
+            job.set_progress(share);
+            return !job.cancelled();
         };
-        if (!match::add_pictures(report_, video, of_.aspect, before_, curve_, goes_on, &job_->stop()) || !goes_on(1.0))
-            return false;
+        if (!match::add_pictures(report_, video, of_.aspect, before_, curve_, goes_on, &job.stop()) || !goes_on(1.0))
+            return std::nullopt;
         write_file(path_, match::report_html(report_));
-        return true;
+        return Written{};
     }
 
     const FitOf of_;
@@ -102,22 +83,11 @@ class FitReporting::Run {
     const fs::path path_;
     match::PreviewCurve& curve_;
     RenderSteps& steps_;
-    Jobs& jobs_;
-    const std::function<void()> tell_;
     const std::shared_ptr<Job> job_;
-    std::atomic<bool> ended_ = false;
-    std::thread thread_;
+    ThreadWork<Written> work_;  // last: it uses all of the others
 };
 
-FitReporting::FitReporting(const Parts& parts)
-    : host_(parts.preview),
-      pace_(parts.pace),
-      jobs_(parts.jobs),
-      notices_(parts.notices),
-      screen_(parts.screen),
-      clip_folders_(parts.options.clip_folders),
-      exact_(parts.options.exact),
-      software_(parts.options.software) {}
+FitReporting::FitReporting(const Parts& parts) : parts_(parts) {}
 FitReporting::~FitReporting() = default;
 
 double FitReporting::progress() const {
@@ -131,27 +101,29 @@ void FitReporting::cancel() {
 void FitReporting::write(const FitFound& found, const fs::path& path) {
     if (!found.result) return;
     run_.reset();
-    steps_ = std::make_unique<RenderSteps>([this] { jobs_.wake(); });
-    curve_ = drawn_curve(found.organ, host_, clip_folders_, exact_ ? nullptr : &steps_);
+    steps_ = std::make_unique<RenderSteps>([this] { parts_.jobs.wake(); });
+    curve_ =
+        drawn_curve(found.organ, parts_.preview, parts_.options.clip_folders, parts_.options.exact ? nullptr : &steps_);
     run_ = std::make_unique<Run>(
-        found, path, *curve_, *steps_, jobs_, notices_, [this, path] { tell(path); }, !exact_);
+        found, path, *curve_, *steps_, parts_.jobs, parts_.notices, [this, path] { tell(path); },
+        !parts_.options.exact);
 }
 
 void FitReporting::tell(const fs::path& path) {
     std::error_code error;
-    notices_.add({.kind = ui::ToastKind::good,
-                  .text = "Exported " + path.filename().string(),
-                  .action = "Copy path",
-                  .act = [this, file = fs::absolute(path, error).string()] {
-                      if (ui::Clipboard* clipboard = screen_.clipboard()) clipboard->set(file);
-                  }});
+    parts_.notices.add({.kind = ui::ToastKind::good,
+                        .text = "Exported " + path.filename().string(),
+                        .action = "Copy path",
+                        .act = [this, file = fs::absolute(path, error).string()] {
+                            if (ui::Clipboard* clipboard = parts_.screen.clipboard()) clipboard->set(file);
+                        }});
 }
 
 void FitReporting::update(double now) {
     due_ = never;
     if (!run_) return;
     if (run_->job().cancelled()) run_->cancel();  // by whoever lists jobs
-    if (software_ && !exact_ && pace_.touched(now))
+    if (parts_.options.software && !parts_.options.exact && parts_.pace.touched(now))
         due_ = now + look_again;
     else
         steps_->serve(frame_budget);

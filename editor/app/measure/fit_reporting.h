@@ -55,13 +55,7 @@ class FitReporting {
     class Run;
     void tell(const std::filesystem::path& path);
 
-    const PreviewHost& host_;
-    const ScenePace& pace_;
-    Jobs& jobs_;
-    Notices& notices_;
-    Screen& screen_;
-    const std::vector<std::filesystem::path> clip_folders_;
-    const bool exact_, software_;
+    const Parts parts_;
     double due_ = std::numeric_limits<double>::infinity();
     std::unique_ptr<RenderSteps> steps_;
     std::unique_ptr<match::PreviewCurve> curve_;

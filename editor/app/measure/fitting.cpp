@@ -38,24 +38,12 @@ bool same_tools(const Scene& a, const Scene& b) {
 
 }  // namespace
 
-Fitting::Fitting(const Parts& parts)
-    : document_(parts.document),
-      host_(parts.preview),
-      reference_(parts.reference),
-      measuring_(parts.measuring),
-      tuning_(parts.tuning),
-      pace_(parts.pace),
-      jobs_(parts.jobs),
-      notices_(parts.notices),
-      clip_folders_(parts.options.clip_folders),
-      exact_(parts.options.exact),
-      software_(parts.options.software),
-      measured_side_(parts.options.measured_side) {}
+Fitting::Fitting(const Parts& parts) : parts_(parts) {}
 Fitting::~Fitting() = default;
 
 bool Fitting::locked(const std::string& key) const {
     const std::size_t entry = parameters().find(key);
-    return entry != no_entry && tuning_.locked(entry);
+    return entry != no_entry && parts_.tuning.locked(entry);
 }
 
 std::vector<std::string> Fitting::free_keys(std::vector<std::string> keys) const {
@@ -85,19 +73,19 @@ void Fitting::begin(bool proposal_alone) {
     // Before the reference is measured, which may take minutes.
     if (std::vector<Fault> lost = lost_clips(); !lost.empty())
         fail(std::move(lost));
-    else if (!host_.loading() && !host_.preset_faults().empty())
-        fail(host_.preset_faults());
+    else if (!parts_.preview.loading() && !parts_.preview.preset_faults().empty())
+        fail(parts_.preview.preset_faults());
 }
 
 /// Looks for the file of every clip.
 std::vector<Fault> Fitting::lost_clips() {
     std::vector<Fault> faults;
     lost_clip_.reset();
-    looked_ = document_.version();
-    const Preset& preset = document_.preset();
+    looked_ = parts_.document.version();
+    const Preset& preset = parts_.document.preset();
     for (std::size_t i = 0; i < preset.smoke.clips.size(); ++i) {
         try {
-            (void)find_clip(preset.smoke.clips[i].file, preset.folder, clip_folders_);
+            (void)find_clip(preset.smoke.clips[i].file, preset.folder, parts_.options.clip_folders);
         } catch (const Error& error) {
             if (!lost_clip_) lost_clip_ = i;
             faults.insert(faults.end(), error.faults().begin(), error.faults().end());
@@ -107,23 +95,23 @@ std::vector<Fault> Fitting::lost_clips() {
 }
 
 void Fitting::forget_found_clip() {
-    if (!lost_clip_ || looked_ == document_.version()) return;
+    if (!lost_clip_ || looked_ == parts_.document.version()) return;
     if (lost_clips().empty()) faults_.clear();
 }
 
 /// What was found of another video says nothing about this one; what was taken and is undone can be taken again.
 void Fitting::follow_document() {
     if (!found_) return;
-    if (!reference_.opening() && found_->of.reference != reference_.file()) return leave();
-    if (!taken_step_ || taken_ == taken_step_.in_effect(document_)) return;
+    if (!parts_.reference.opening() && found_->of.reference != parts_.reference.file()) return leave();
+    if (!taken_step_ || taken_ == taken_step_.in_effect(parts_.document)) return;
     taken_ = !taken_;
-    if (!taken_ && document::same(found_->start, document_.content())) of_version_ = document_.version();
+    if (!taken_ && document::same(found_->start, parts_.document.content())) of_version_ = parts_.document.version();
     ++version_;
 }
 
 void Fitting::cancel() {
     if (run_) return run_->cancel();
-    if (measuring_asked_) measuring_.cancel();
+    if (measuring_asked_) parts_.measuring.cancel();
     asked_.reset();
     end_run();
 }
@@ -166,15 +154,15 @@ void Fitting::update(double now) {
 
 /// False while the reference is being measured, or where it cannot be.
 bool Fitting::measured() {
-    if (reference_.opening()) return false;
-    if (reference_.video() == nullptr) return fail(because("there is no reference to fit to")), false;
-    if (measuring_.running()) return false;
-    if (measuring_.found() != nullptr && !measuring_.stale()) return true;
-    if (!measuring_.faults().empty() && measuring_asked_) return fail(measuring_.faults()), false;
-    if (measuring_asked_ && measuring_.cancelled())
+    if (parts_.reference.opening()) return false;
+    if (parts_.reference.video() == nullptr) return fail(because("there is no reference to fit to")), false;
+    if (parts_.measuring.running()) return false;
+    if (parts_.measuring.found() != nullptr && !parts_.measuring.stale()) return true;
+    if (!parts_.measuring.faults().empty() && measuring_asked_) return fail(parts_.measuring.faults()), false;
+    if (measuring_asked_ && parts_.measuring.cancelled())
         return fail(because("measuring the reference was cancelled")), false;
     measuring_asked_ = true;  // also again, where the scene now says otherwise how
-    measuring_.start();
+    parts_.measuring.start();
     return false;
 }
 
@@ -183,22 +171,22 @@ FitOf Fitting::of_now() const {
     const auto named = [](const fs::path& file, const std::string& name) {
         return !file.empty() ? file.filename().string() : !name.empty() ? name : "not saved";
     };
-    const Scene& scene = document_.scene();
-    return {.scene = named(document_.scene_file(), scene.name),
-            .preset = named(document_.preset_file(), document_.preset().name),
-            .reference = measuring_.file(),
+    const Scene& scene = parts_.document.scene();
+    return {.scene = named(parts_.document.scene_file(), scene.name),
+            .preset = named(parts_.document.preset_file(), parts_.document.preset().name),
+            .reference = parts_.measuring.file(),
             .aspect = scene.reference.aspect,
-            .notes = measuring_.found()->notes};
+            .notes = parts_.measuring.found()->notes};
 }
 
 /// What a person has chosen, of the document as it is now. `size`: of the pictures.
 match::SceneFit Fitting::fit_now(std::shared_ptr<const PreparedOrgan> organ, glm::ivec2 size) const {
-    const Scene& scene = document_.scene();
+    const Scene& scene = parts_.document.scene();
     const double offset = scene.reference.offset;
-    match::SceneFit fit{.start = document_.content(),
+    match::SceneFit fit{.start = parts_.document.content(),
                         .organ = std::move(organ),
                         .keys = free_keys(look.keys),
-                        .reference = measuring_.found()->frames,
+                        .reference = parts_.measuring.found()->frames,
                         .offset = offset,
                         .to = scene.duration,
                         .tools = look.tools,
@@ -206,7 +194,7 @@ match::SceneFit Fitting::fit_now(std::shared_ptr<const PreparedOrgan> organ, glm
                         .weights = look.weights,
                         .seed = look.seed,
                         .colors = match::ColorsOfFit::compare,
-                        .reference_colors = measuring_.colors()->at_peak(offset, offset + scene.duration)};
+                        .reference_colors = parts_.measuring.colors()->at_peak(offset, offset + scene.duration)};
     fit.color_keys = free_keys(fit.color_keys);
     if (look.colors && !fit.color_keys.empty()) fit.colors = match::ColorsOfFit::match;
     return fit;
@@ -214,29 +202,29 @@ match::SceneFit Fitting::fit_now(std::shared_ptr<const PreparedOrgan> organ, glm
 
 /// False while the organ or the clips are still being loaded, or where it cannot begin.
 bool Fitting::prepare(double now) {
-    const Scene& scene = document_.scene();
+    const Scene& scene = parts_.document.scene();
     if (scene.organ.file.empty()) return fail(because("there is no organ yet: open a mesh or a scene")), false;
-    const std::shared_ptr<const PreparedOrgan> organ = host_.organ_of(scene);
-    if (!organ || host_.loading()) {
-        if (!host_.loading() && !host_.organ_faults().empty()) fail(host_.organ_faults());
+    const std::shared_ptr<const PreparedOrgan> organ = parts_.preview.organ_of(scene);
+    if (!organ || parts_.preview.loading()) {
+        if (!parts_.preview.loading() && !parts_.preview.organ_faults().empty()) fail(parts_.preview.organ_faults());
         due_ = now + look_again;
         return false;
     }
-    if (!document_.preset_faults().empty()) return fail(document_.preset_faults()), false;
-    const glm::ivec2 size =
-        match::preview_size(reference_.video()->info().size, scene.reference.aspect, measured_side_);
-    steps_ = std::make_unique<RenderSteps>([this] { jobs_.wake(); });
-    curve_ = drawn_curve(organ, host_, clip_folders_, exact_ ? nullptr : &steps_,
+    if (!parts_.document.preset_faults().empty()) return fail(parts_.document.preset_faults()), false;
+    const glm::ivec2 size = match::preview_size(parts_.reference.video()->info().size, scene.reference.aspect,
+                                                parts_.options.measured_side);
+    steps_ = std::make_unique<RenderSteps>([this] { parts_.jobs.wake(); });
+    curve_ = drawn_curve(organ, parts_.preview, parts_.options.clip_folders, parts_.options.exact ? nullptr : &steps_,
                          {.size = size, .estimator = match::measure_options(scene.reference.measure).estimator});
-    began_ = now, of_version_ = document_.version();
+    began_ = now, of_version_ = parts_.document.version();
     run_ =
         std::make_unique<FittingRun>(FitWanted{.fit = fit_now(organ, size), .of = of_now(), .proposal_alone = *asked_},
-                                     curve_.get(), *steps_, jobs_, !exact_);
+                                     curve_.get(), *steps_, parts_.jobs, !parts_.options.exact);
     return true;
 }
 
 void Fitting::go_on(double now) {
-    if (software_ && !exact_ && pace_.touched(now))
+    if (parts_.options.software && !parts_.options.exact && parts_.pace.touched(now))
         due_ = now + look_again;
     else
         steps_->serve(frame_budget);
@@ -259,10 +247,10 @@ void Fitting::take() {
     if (!found_ || std::exchange(taken_, true)) return;
     const FitFound& found = *found_;
     const bool moved = !same_tools(found.tuned.scene, found.start.scene);
-    const bool tools = !moved || same_tools(found.start.scene, document_.scene());
+    const bool tools = !moved || same_tools(found.start.scene, parts_.document.scene());
     bool kept_locked = false;
-    const std::uint64_t before = document::newest_step(document_);
-    document_.change(found.result ? "Fit" : "Take proposal", [&](document::Content& content) {
+    const std::uint64_t before = document::newest_step(parts_.document);
+    parts_.document.change(found.result ? "Fit" : "Take proposal", [&](document::Content& content) {
         for (const match::FreeParameter& p : found.parameters)
             if (locked(p.key))
                 kept_locked = true;
@@ -275,12 +263,13 @@ void Fitting::take() {
         content.scene.events = found.tuned.scene.events;
         content.scene.curves.emission = found.tuned.scene.curves.emission;
     });
-    taken_step_ =
-        document::newest_step(document_) != before ? document::WatchedStep(document_) : document::WatchedStep();
+    taken_step_ = document::newest_step(parts_.document) != before ? document::WatchedStep(parts_.document)
+                                                                   : document::WatchedStep();
     if (!tools)
-        notices_.add({.kind = ui::ToastKind::warning,
-                      .text = "The scene has changed since: its tools stay as they are, the parameters are taken"});
-    if (kept_locked) notices_.add({.text = "What has been locked since stays as it is"});
+        parts_.notices.add(
+            {.kind = ui::ToastKind::warning,
+             .text = "The scene has changed since: its tools stay as they are, the parameters are taken"});
+    if (kept_locked) parts_.notices.add({.text = "What has been locked since stays as it is"});
     ++version_;
 }
 

@@ -93,7 +93,7 @@ class Fitting {
     const std::vector<match::FrameAmounts>& frames() const;
     std::uint64_t version() const { return version_; }  ///< changes with frames() and found()
     /// The document is no longer what it started from: its values are taken all the same.
-    bool stale() const { return found_ && !taken_ && document_.version() != of_version_; }
+    bool stale() const { return found_ && !taken_ && parts_.document.version() != of_version_; }
     void take();  ///< one undo step
     void leave();
 
@@ -111,17 +111,7 @@ class Fitting {
     void fail(std::vector<Fault> faults);
     void end_run();
 
-    document::Document& document_;
-    const PreviewHost& host_;
-    const Reference& reference_;
-    Measuring& measuring_;
-    const Tuning& tuning_;
-    const ScenePace& pace_;
-    Jobs& jobs_;
-    Notices& notices_;
-    const std::vector<std::filesystem::path> clip_folders_;
-    const bool exact_, software_;
-    const int measured_side_;
+    const Parts parts_;
     std::optional<bool> asked_;  ///< for a proposal alone; nothing: neither is wanted
     bool measuring_asked_ = false;
     double began_ = 0.0, now_ = 0.0, due_ = std::numeric_limits<double>::infinity();

@@ -2,26 +2,24 @@
 //
 //     FittingRun run(wanted, curve, steps, jobs, true);
 //     each frame:  steps.serve(8e-3); plot(*run.best());
-//     if (run.ended()) show(run.found(), run.faults());
+//     if (run.ended()) show(run.take(), run.faults());
 //
 // UI thread.
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "app/base/thread_work.h"
 #include "lapfx/error.h"
 #include "match/use/fit_scene.h"
 
 namespace lapfx::app {
 
-class Jobs;
 class RenderSteps;
 
 /// What a fit is of, as its report has it.
@@ -50,39 +48,32 @@ class FittingRun {
     using Frames = std::vector<match::FrameAmounts>;
 
     /// `beside`: else all of it is done here, at once. `curve` draws by way of `steps`; all must outlive it.
+    /// Ending it waits for what is being done: a picture, or up to two seconds of a proposal.
     FittingRun(FitWanted wanted, match::PreviewCurve* curve, RenderSteps& steps, Jobs& jobs, bool beside);
-    ~FittingRun();  ///< waits for what is being done: a picture, or up to two seconds of a proposal
     FittingRun(const FittingRun&) = delete;
     FittingRun& operator=(const FittingRun&) = delete;
 
     const FitWanted& wanted() const { return wanted_; }
     /// It ends soon, with the best so far.
-    void cancel() { cancelled_ = true; }
-    bool cancelled() const { return cancelled_; }
-    double progress() const { return progress_; }  ///< 0..1
+    void cancel() { work_.cancel(); }
+    bool cancelled() const { return work_.cancelled(); }
+    double progress() const { return work_.progress(); }  ///< 0..1
     /// What the nearest place so far shows; null: nothing was drawn yet.
     std::shared_ptr<const Frames> best() const;
-    bool ended() const;
+    bool ended() const { return work_.ended(); }
     /// Once it has ended: nothing where it was cancelled before anything was drawn, or faults() say why.
-    std::optional<FitFound> take();
-    std::vector<Fault> faults() const;
+    std::optional<FitFound> take() { return std::move(work_.result()); }
+    std::vector<Fault> faults() const { return work_.faults(); }
 
   private:
-    void work();
-    FitFound find();
+    std::optional<FitFound> find(Job& job);
 
     const FitWanted wanted_;
     match::PreviewCurve* curve_;
-    RenderSteps& steps_;
     Jobs& jobs_;
-    std::atomic<bool> cancelled_ = false;
-    std::atomic<double> progress_ = 0.0;
     mutable std::mutex mutex_;
     std::shared_ptr<const Frames> best_;
-    bool ended_ = false;
-    std::optional<FitFound> found_;
-    std::vector<Fault> faults_;
-    std::thread thread_;
+    ThreadWork<FitFound> work_;  // last: it uses all of the others
 };
 
 }  // namespace lapfx::app

@@ -20,9 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double settled_after = 0.6;   // s without a change
 constexpr double between_looks = 0.25;  // s between two states of a curve that grows
-constexpr double never = std::numeric_limits<double>::infinity();
 
 bool same_object(const std::weak_ptr<const VideoReader>& a, const std::shared_ptr<const VideoReader>& b) {
     return !a.owner_before(b) && !b.owner_before(a);
@@ -97,13 +95,13 @@ void Measuring::update(double now) {
     }
     if (!followed_ || !is_now(*followed_)) {
         followed_ = subject();
-        changed_at_ = now;
+        settling_.change(now);
         rest();
         faults_.clear();
         ++version_;
     }
     if (Measured* const measured = of_now()) take(*measured);
-    due_ = never;
+    due_ = Settling::never;
     if (std::exchange(wanted_, false)) follow(now);
 }
 
@@ -114,8 +112,8 @@ void Measuring::follow(double now) {
         const bool complete = known != nullptr && !known->run;
         const bool stopped = stopped_ && is_now(*stopped_);
         if (!by_itself_ || reference_.video() == nullptr || complete || stopped) return;
-        if (now < changed_at_ + settled_after) {
-            due_ = changed_at_ + settled_after;
+        if (!settling_.due_at(now)) {
+            due_ = settling_.due();
             return;
         }
         start();

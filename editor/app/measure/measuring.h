@@ -12,13 +12,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "app/base/settling.h"
 #include "app/measure/counted_frames.h"
 #include "app/measure/measured_videos.h"
 #include "document/document.h"
@@ -134,7 +134,8 @@ class Measuring {
     std::weak_ptr<const VideoReader> dated_;  ///< the reference that written_ is of
     std::optional<std::filesystem::file_time_type> written_;
     std::optional<Subject> followed_, stopped_;  ///< the last that was seen; the one that is not to begin by itself
-    double changed_at_ = 0, due_ = std::numeric_limits<double>::infinity();
+    Settling settling_{0.6};
+    double due_ = Settling::never;
     std::vector<std::unique_ptr<Measured>> all_;  ///< the one that was wanted last at the end
     std::shared_ptr<Job> running_;
     std::vector<Fault> faults_;

@@ -1,17 +1,17 @@
 #include "app/measure/measuring_run.h"
 
-#include <atomic>
 #include <condition_variable>
 #include <mutex>
-#include <thread>
 #include <utility>
 
-#include "app/base/jobs.h"
+#include "app/base/thread_work.h"
 #include "lapfx/authoring/video.h"
 
 namespace lapfx::app {
 
 struct MeasuringRun::Shared {
+    using Made = std::shared_ptr<const match::MeasuredVideo>;
+
     Shared(std::filesystem::path of, match::MeasureOptions how, Jobs& all)
         : file(std::move(of)), options(std::move(how)), jobs(all) {
         options.measured = [this](const Image&, const match::Estimator* estimator, const match::FrameAmounts& amounts) {
@@ -20,36 +20,24 @@ struct MeasuringRun::Shared {
             frames.push_back(amounts);
             counted.push_back(std::move(packed));
         };
-        thread = std::thread([this] { work(); });
+        work.start([this](Job& own) { return measure(own); },
+                   {.ended = [this] { close(); }, .given_up = [this] { notify(); }});
     }
 
-    void work() {
-        if (!reach(0)) return;
-        std::shared_ptr<const match::MeasuredVideo> made;
-        std::vector<Fault> wrong;
-        try {
-            VideoReader video(file, &stopping);
-            made = std::make_shared<const match::MeasuredVideo>(match::measure_video(
-                video, {.options = options, .colors_over_time = true}, [this](double done) { return reach(done); }));
-        } catch (const Error& error) {
-            wrong = error.faults();
-        } catch (const std::exception& error) {
-            wrong = {{.file = "", .place = "", .reason = error.what()}};
-        }
-        std::unique_lock lock(mutex);
-        found = std::move(made), faults = std::move(wrong);
-        ended = true;
-        const std::shared_ptr<Job> last = job;
-        lock.unlock();
-        if (last) jobs.close(last, {});
+    std::optional<Made> measure(Job& own) {
+        if (!reach(own, 0)) return std::nullopt;
+        VideoReader video(file, &own.stop());
+        return std::make_shared<const match::MeasuredVideo>(match::measure_video(
+            video, {.options = options, .colors_over_time = true}, [&](double done) { return reach(own, done); }));
     }
+    Made made() const { return work.result().value_or(nullptr); }
 
     /// Rests here while it is not wanted; false: it has to end.
-    bool reach(double done) {
+    bool reach(Job& own, double done) {
         std::unique_lock lock(mutex);
-        share = done;
+        own.set_progress(done);
         if (job) job->set_progress(done);
-        while (!stopping && (!job || job->cancelled())) {
+        while (!own.cancelled() && (!job || job->cancelled())) {
             if (const std::shared_ptr<Job> before = std::exchange(job, nullptr)) {
                 lock.unlock();
                 jobs.close(before, {});
@@ -58,51 +46,47 @@ struct MeasuringRun::Shared {
             }
             changed.wait(lock);
         }
-        return !stopping;
+        return !own.cancelled();
+    }
+
+    /// The job that it ends with.
+    void close() {
+        std::unique_lock lock(mutex);
+        const std::shared_ptr<Job> last = std::exchange(job, nullptr);
+        lock.unlock();
+        if (last) jobs.close(last, {});
+    }
+    void notify() {
+        { const std::lock_guard lock(mutex); }  // it does not begin to wait meanwhile
+        changed.notify_all();
     }
 
     const std::filesystem::path file;
     match::MeasureOptions options;
     Jobs& jobs;
-    std::atomic<bool> stopping = false;
     mutable std::mutex mutex;
     std::condition_variable changed;
     std::shared_ptr<Job> job;  ///< null: it rests
-    double share = 0;
     std::vector<match::FrameAmounts> frames;
     std::vector<CountedFrames::Frame> counted;
-    bool ended = false;
-    std::shared_ptr<const match::MeasuredVideo> found;
-    std::vector<Fault> faults;
-    std::thread thread;
+    ThreadWork<Made> work;  // last: it uses all of the others
 };
 
 MeasuringRun::MeasuringRun(std::filesystem::path file, match::MeasureOptions options, Jobs& jobs)
     : shared_(std::make_unique<Shared>(std::move(file), std::move(options), jobs)) {}
-
-MeasuringRun::~MeasuringRun() {
-    {
-        const std::lock_guard lock(shared_->mutex);
-        shared_->stopping = true;
-    }
-    shared_->changed.notify_all();
-    shared_->thread.join();
-    if (shared_->job) shared_->jobs.close(shared_->job, {});
-}
+MeasuringRun::~MeasuringRun() = default;
 
 void MeasuringRun::go_on(std::shared_ptr<Job> job) {
     std::unique_lock lock(shared_->mutex);
     const std::shared_ptr<Job> before = std::exchange(shared_->job, job);
-    const bool ended = shared_->ended;
     lock.unlock();
     if (before) shared_->jobs.close(before, {});
-    if (ended) shared_->jobs.close(job, {});
+    if (ended()) shared_->jobs.close(job, {});
     shared_->changed.notify_all();
 }
 
 double MeasuringRun::progress() const {
-    const std::lock_guard lock(shared_->mutex);
-    return shared_->share;
+    return shared_->work.progress();
 }
 
 void MeasuringRun::take(std::vector<match::FrameAmounts>& frames, CountedFrames& counted) {
@@ -114,23 +98,21 @@ void MeasuringRun::take(std::vector<match::FrameAmounts>& frames, CountedFrames&
 }
 
 bool MeasuringRun::ended() const {
-    const std::lock_guard lock(shared_->mutex);
-    return shared_->ended;
+    return shared_->work.ended();
 }
 
 std::shared_ptr<const match::Measurement> MeasuringRun::found() const {
-    const std::lock_guard lock(shared_->mutex);
-    return shared_->found ? std::shared_ptr<const match::Measurement>(shared_->found, &shared_->found->found) : nullptr;
+    const Shared::Made made = shared_->made();
+    return made ? std::shared_ptr<const match::Measurement>(made, &made->found) : nullptr;
 }
 
 std::shared_ptr<const match::ColorsOverTime> MeasuringRun::colors() const {
-    const std::lock_guard lock(shared_->mutex);
-    return shared_->found ? shared_->found->colors_over_time : nullptr;
+    const Shared::Made made = shared_->made();
+    return made ? made->colors_over_time : nullptr;
 }
 
 std::vector<Fault> MeasuringRun::faults() const {
-    const std::lock_guard lock(shared_->mutex);
-    return shared_->faults;
+    return shared_->work.faults();
 }
 
 }  // namespace lapfx::app

@@ -1,16 +1,14 @@
 #include "app/measure/preview_measuring.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <mutex>
 #include <opencv2/core.hpp>
 #include <optional>
-#include <thread>
 #include <utility>
 
-#include "app/base/jobs.h"
+#include "app/base/thread_work.h"
 #include "app/measure/drawn_curve.h"
 #include "app/measure/measuring.h"
 #include "app/preview/preview_host.h"
@@ -23,9 +21,6 @@
 namespace lapfx::app {
 
 namespace {
-
-constexpr double settled_after = 0.4;  // s without a change
-constexpr double never = std::numeric_limits<double>::infinity();
 
 /// A table without some of its rows and tables.
 struct Fewer {
@@ -68,32 +63,21 @@ std::vector<double> times_of(double duration) {
 /// The measuring of one state of the document, by a thread beside that asks for each picture.
 class PreviewMeasuring::Run {
   public:
-    /// `beside`: else it is done at once, here. Throws Error then.
+    using Colors = std::shared_ptr<const match::ColorsOverTime>;
+
+    /// `beside`: else it is done at once, here.
     Run(std::shared_ptr<const Subject> subject, match::PreviewCurve& curve, RenderSteps& steps, Jobs& jobs, bool beside)
-        : of(std::move(subject)),
-          curve_(curve),
-          steps_(steps),
-          jobs_(jobs),
-          times_(times_of(of->content.scene.duration)) {
+        : of(std::move(subject)), curve_(curve), jobs_(jobs), times_(times_of(of->content.scene.duration)) {
         const EstimatorOptions options = match::measure_options(of->content.scene.reference.measure).estimator;
         if (of->truth) part_ = match::wanted_part({of->size.x, of->size.y}, options.region, options.masks);
         curve_.set_options({.size = of->size, .estimator = options});
-        if (beside)
-            thread_ = std::thread([this] { work(); });
-        else
-            measure(), ended_ = true;
+        work_.start([this](Job& job) { return measure(job); },
+                    {.ended = [&jobs] { jobs.wake(); }, .given_up = [&steps] { steps.stop(); }}, beside);
     }
-    ~Run() {
-        stopping_ = true;
-        steps_.stop();
-        if (thread_.joinable()) thread_.join();
-    }
-    Run(const Run&) = delete;
-    Run& operator=(const Run&) = delete;
 
     const std::shared_ptr<const Subject> of;
 
-    double progress() const { return progress_; }
+    double progress() const { return work_.progress(); }
     /// Adds what was measured since the last call.
     void take(std::vector<match::FrameAmounts>& frames, std::vector<TrueAmounts>& truths) {
         const std::lock_guard lock(mutex_);
@@ -102,44 +86,23 @@ class PreviewMeasuring::Run {
         frames_.clear(), truths_.clear();
     }
     /// Once it is done.
-    std::shared_ptr<const match::ColorsOverTime> colors() const { return colors_; }
-    bool done() const {
-        const std::lock_guard lock(mutex_);
-        return ended_;
-    }
-    std::vector<Fault> faults() const {
-        const std::lock_guard lock(mutex_);
-        return faults_;
-    }
+    const Colors& colors() const { return *work_.result(); }
+    bool done() const { return work_.ended(); }
+    std::vector<Fault> faults() const { return work_.faults(); }
 
   private:
     using EstimatorOptions = match::EstimatorOptions;
 
-    void work() {
-        std::vector<Fault> faults;
-        try {
-            measure();
-        } catch (const Error& error) {
-            faults = error.faults();
-        } catch (const std::exception& error) {
-            faults = {{.file = "", .place = "", .reason = error.what()}};
-        }
-        {
-            const std::lock_guard lock(mutex_);
-            faults_ = std::move(faults);
-            ended_ = true;
-        }
-        jobs_.wake();
-    }
-    void measure() {
+    std::optional<Colors> measure(Job& job) {
+        const auto colors = std::make_shared<match::ColorsOverTime>();
         match::CurveCalls calls;
-        calls.progress = [this](double share) {
-            progress_ = share;
-            return !stopping_;
+        calls.progress = [&job](double share) {
+            job.set_progress(share);
+            return !job.cancelled();
         };
-        calls.measured = [this](const Image& frame, const match::Estimator* estimator,
-                                const match::FrameAmounts& amounts) {
-            colors_->add(frame, estimator, amounts);
+        calls.measured = [&, this](const Image& frame, const match::Estimator* estimator,
+                                   const match::FrameAmounts& amounts) {
+            colors->add(frame, estimator, amounts);
             {
                 const std::lock_guard lock(mutex_);
                 frames_.push_back(amounts);
@@ -153,6 +116,7 @@ class PreviewMeasuring::Run {
                 truths_.push_back(truth);
             };
         curve_.measure(of->content.scene, of->content.preset, times_, calls);
+        return colors;
     }
     /// Over the view without what the scene leaves out.
     TrueAmounts true_amounts(double time, Layers layers) const {
@@ -163,19 +127,13 @@ class PreviewMeasuring::Run {
     }
 
     match::PreviewCurve& curve_;
-    RenderSteps& steps_;
     Jobs& jobs_;
     const std::vector<double> times_;
-    const std::shared_ptr<match::ColorsOverTime> colors_ = std::make_shared<match::ColorsOverTime>();  // of the thread
     cv::Mat part_;  // of the picture, CV_8U, 255
-    std::atomic<double> progress_ = 0;
-    std::atomic<bool> stopping_ = false;
-    mutable std::mutex mutex_;
-    bool ended_ = false;
+    std::mutex mutex_;
     std::vector<match::FrameAmounts> frames_;
     std::vector<TrueAmounts> truths_;
-    std::vector<Fault> faults_;
-    std::thread thread_;
+    ThreadWork<Colors> work_;  // last: it uses all of the others
 };
 
 PreviewMeasuring::PreviewMeasuring(const document::Document& document, const PreviewHost& preview,
@@ -252,7 +210,7 @@ bool PreviewMeasuring::holds(const std::shared_ptr<const Subject>& of) const {
 }
 
 void PreviewMeasuring::update(double now) {
-    due_ = never;
+    due_ = Settling::never;
     if (!std::exchange(wanted_, false)) {  // nobody looks any more: what is known stays
         drop_run();
         curve_.reset();
@@ -275,10 +233,10 @@ void PreviewMeasuring::follow(double now) {
     }
     if (known_) return drop_run();
     if (run_ || !begins_) return;
-    if (now < changed_at_ + settled_after)
-        due_ = changed_at_ + settled_after;
-    else
+    if (settling_.due_at(now))
         start(now);
+    else
+        due_ = settling_.due();
 }
 
 /// Something may be another now: is what is known, or being measured, still of it?
@@ -287,7 +245,7 @@ void PreviewMeasuring::take_change(double now, bool other_truth) {
     known_ = stopped_ = false;
     drop_run();
     known_of_.reset();
-    changed_at_ = now;
+    settling_.change(now);
     if (!holds(complete_of_)) return;
     known_ = true, known_of_ = complete_of_;
     faults_.clear();
@@ -331,7 +289,7 @@ void PreviewMeasuring::draw(double now) {
         return;
     }
     steps_->serve(frame_budget);
-    due_ = never;
+    due_ = Settling::never;
 }
 
 void PreviewMeasuring::take() {

@@ -13,11 +13,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
-#include <limits>
 #include <memory>
 #include <vector>
 
 #include "app/base/editor_options.h"
+#include "app/base/settling.h"
 #include "document/document.h"
 #include "lapfx/error.h"
 #include "match/frame/estimator.h"
@@ -124,7 +124,8 @@ class PreviewMeasuring {
     bool truth_ = false;                          ///< as it was then
     bool known_ = false;                          ///< nothing is to be measured:
     std::shared_ptr<const Subject> known_of_;     ///< that is known, or was stopped, or cannot be measured
-    double changed_at_ = 0, due_ = std::numeric_limits<double>::infinity();
+    Settling settling_{0.4};
+    double due_ = Settling::never;
     std::unique_ptr<RenderSteps> steps_;          ///< of one run
     std::unique_ptr<match::PreviewCurve> curve_;  ///< while somebody looks
     std::unique_ptr<Run> run_;
