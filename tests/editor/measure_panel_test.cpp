@@ -279,6 +279,32 @@ TEST_F(MeasurePanel, TheFirstFrameCanBeTheBaselineToo) {
     EXPECT_EQ(editor().reference().video()->frame_at(measure().baseline), 0);
 }
 
+TEST_F(MeasurePanelOfKnown, TheBaselinesFrameIsDecodedOnce) {
+    const int first = bench().baselines_decoded();
+    const auto measured_in = [this](double width) {
+        editor().document.change("Region",
+                                 [=](document::Content& c) { c.scene.reference.measure.region.width = width; });
+        ui().frame().frame();
+        return bench().amounts();
+    };
+    const match::FrameAmounts narrow = measured_in(0.5), wide = measured_in(0.9), again = measured_in(0.5);
+    EXPECT_NE(narrow.blood.value, wide.blood.value);
+    EXPECT_EQ(narrow.blood.value, again.blood.value);
+    EXPECT_EQ(bench().baselines_decoded(), first) << "another region takes no other frame";
+    bench().measure_again();
+    editor().document.change("Baseline", [](document::Content& c) { c.scene.reference.measure.baseline = 0.5; });
+    go(bloody_time);
+    EXPECT_EQ(bench().baselines_decoded(), first + 1);
+    go(bloody_time + 1);
+    editor().measure_bench().look.left_out = false;
+    editor().document.change("Baseline", [&](document::Content& c) {
+        c.scene.reference.measure.baseline = editor().reference().video()->time_of(bench().frame()) + 1e-3;
+    });
+    ui().frame().frame();
+    EXPECT_EQ(bench().baselines_decoded(), first + 1) << "the frame that is shown has been decoded already";
+    EXPECT_NEAR(bench().amounts().blood.value, 0.0, 1e-6) << "compared with itself";
+}
+
 TEST_F(MeasurePanel, ABaselineOutsideTheVideoIsToldInPlace) {
     editor().document.change("Baseline", [](document::Content& c) { c.scene.reference.measure.baseline = 500; });
     ui().frame().frame();

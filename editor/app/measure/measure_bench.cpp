@@ -1,6 +1,7 @@
 #include "app/measure/measure_bench.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -41,6 +42,7 @@ struct MeasureBench::Request {
     bool blood = true, smoke = true, left_out = true;
     std::optional<double> suggested;  ///< the baseline, where it is known already; changes nothing
     std::shared_ptr<const Image> image;
+    bool good = true;  ///< the file could give it
 
     bool same_video(const Request& o) const { return file == o.file && same_opened(opened, o.opened); }
     /// All but the frame and the qualifier of the blood.
@@ -121,6 +123,8 @@ class MeasureWork {
                 .baseline = baseline_};
     }
 
+    int decoded() const { return decoded_; }  ///< frames of baselines
+
   private:
     void prepare(const Request& request, Job& job) {
         if (estimator_ && done_ && done_->same_estimator(request)) return;
@@ -131,11 +135,24 @@ class MeasureWork {
             opened_ = request.opened;
             suggested_.reset();
             learnt_.reset();
+            clear_ = {};
         }
         find_baseline(request, job);
-        Image clear;
-        reader_->read(reader_->frame_at(baseline_), clear, &job.stop());
-        make_estimator(request, clear, job);
+        find_clear(request, job);
+        make_estimator(request, *clear_.image, job);
+    }
+    /// The baseline's frame is decoded once: not where it is the one that is shown, nor for another region or part.
+    void find_clear(const Request& request, Job& job) {
+        const int frame = reader_->frame_at(baseline_);
+        if (clear_.image && clear_.frame == frame) return;
+        if (request.frame == frame && request.good) {
+            clear_ = {frame, request.image};
+            return;
+        }
+        auto image = std::make_shared<Image>();
+        const bool good = reader_->read(frame, *image, &job.stop());
+        clear_ = {good ? frame : -1, std::move(image)};
+        ++decoded_;
     }
     /// What one knows about the video holds for other regions and parts, too.
     void make_estimator(const Request& request, const Image& clear, Job& job) {
@@ -183,12 +200,18 @@ class MeasureWork {
     struct Suggested {
         double from, to, time;
     };
+    struct Clear {
+        int frame = -1;  ///< -1: to be looked for again
+        std::shared_ptr<const Image> image = nullptr;
+    };
     std::optional<VideoReader> reader_;
     std::weak_ptr<const VideoReader> opened_;
     struct Learnt {
         double baseline, from, to;
         std::shared_ptr<const match::Survey> survey;
     };
+    Clear clear_;  ///< the frame of the baseline
+    std::atomic<int> decoded_ = 0;
     std::optional<Suggested> suggested_;
     std::optional<Learnt> learnt_;
     std::optional<match::Estimator> estimator_;
@@ -222,6 +245,7 @@ const MeasureBench::Request& MeasureBench::request() const {
         wanted.file.clear();
         return wanted;
     }
+    wanted.good = reference_.good();
     wanted.file = reference_.file();
     wanted.opened = reference_.opened();
     wanted.time = video->time_of(std::min(wanted.frame, video->info().frames - 1));
@@ -255,6 +279,10 @@ void MeasureBench::update() {
     start(wanted);
 }
 
+int MeasureBench::baselines_decoded() const {
+    return work_->decoded();
+}
+
 void MeasureBench::measure_again() {
     asked_.reset();
 }
@@ -279,7 +307,7 @@ void MeasureBench::start(const Request& request) {
         return;
     }
     Request served = request;
-    served.image = std::make_shared<const Image>(reference_.image());
+    served.image = reference_.shared_image();
     const auto fail = [this](const std::vector<Fault>& faults) {
         job_.reset();
         ready_ = false;

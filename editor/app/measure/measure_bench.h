@@ -62,6 +62,7 @@ class MeasureBench {
     int frame() const { return frame_; }           ///< of the reference
     double baseline() const { return baseline_; }  ///< s: of the frame that it is compared with
     const std::vector<Fault>& faults() const { return faults_; }
+    int baselines_decoded() const;  ///< how many frames were decoded to be compared with, since it is looked at
 
     // --- tuning: undo steps ------------------------------------------------------------------------------------------
     /// The colour around a pixel of picture() is blood: sets the qualifier so that it counts as such.

@@ -42,16 +42,17 @@ std::string named_in(const fs::path& folder, const fs::path& file) {
 /// The frame that is shown; with a size, it is sampled as if it had that many pixels.
 class Reference::ReferencePixels : public ui::PickSource {
   public:
-    explicit ReferencePixels(const Image& image) : image_(image) {}
+    explicit ReferencePixels(std::function<const Image&()> image) : image_(std::move(image)) {}
     glm::ivec2 size{0};
     glm::vec4 pixel(glm::ivec2 at) const override {
-        if (size.x < 1 || size.y < 1) return pixel_of(image_, at);
-        const glm::dvec2 scale = glm::dvec2(image_.width, image_.height) / glm::dvec2(size);
-        return pixel_of(image_, glm::ivec2((glm::dvec2(at) + 0.5) * scale));
+        const Image& image = image_();
+        if (size.x < 1 || size.y < 1) return pixel_of(image, at);
+        const glm::dvec2 scale = glm::dvec2(image.width, image.height) / glm::dvec2(size);
+        return pixel_of(image, glm::ivec2((glm::dvec2(at) + 0.5) * scale));
     }
 
   private:
-    const Image& image_;
+    const std::function<const Image&()> image_;
 };
 
 fs::path whole_sequence(const fs::path& file) {
@@ -86,9 +87,9 @@ Reference::Reference(document::Document& document, const Timeline& timeline, Pre
       screen_(screen),
       data_folder_(options.data_folder),
       feed_(options.exact),
-      pixels_(std::make_unique<ReferencePixels>(feed_.image())),
-      compared_pixels_(std::make_unique<ReferencePixels>(feed_.image())),
-      placed_pixels_(std::make_unique<ReferencePixels>(placed_)),
+      pixels_(std::make_unique<ReferencePixels>([this]() -> const Image& { return feed_.image(); })),
+      compared_pixels_(std::make_unique<ReferencePixels>([this]() -> const Image& { return feed_.image(); })),
+      placed_pixels_(std::make_unique<ReferencePixels>([this]() -> const Image& { return placed_; })),
       scopes_{PictureScopes(images), PictureScopes(images)} {
     compare.kind = ui::CompareKind::side_by_side;
 }

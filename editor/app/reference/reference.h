@@ -121,8 +121,10 @@ class Reference {
     /// The newest frame that has come.
     ui::Picture picture() const;
     const Image& image() const { return feed_.image(); }  ///< the same, as the file has it
-    int shown_frame() const { return feed_.frame(); }     ///< its number; -1: none has come
-    bool good() const { return feed_.good(); }            ///< the file could give it
+    /// image(), for who keeps it: it stays what it is.
+    const std::shared_ptr<const Image>& shared_image() const { return feed_.shared_image(); }
+    int shown_frame() const { return feed_.frame(); }  ///< its number; -1: none has come
+    bool good() const { return feed_.good(); }         ///< the file could give it
     /// What is compared, the first and the second.
     std::array<CompareSide, 2> sides{CompareSide::preview, CompareSide::reference};
     /// Puts it on that side; what lay there changes places with it if it is on the other.

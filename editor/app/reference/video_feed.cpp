@@ -36,7 +36,7 @@ void VideoFeed::set_wake(std::function<void()> wake) {
 
 void VideoFeed::open(const fs::path& file, std::shared_ptr<VideoReader> reader) {
     shown_ = {.opening = wished_last_.opening + 1, .settled = file.empty(), .video = nullptr, .faults = {}};
-    image_ = {};
+    image_ = std::make_shared<const Image>();
     wished_last_ = {.opening = shown_.opening, .file = file, .frame = -1, .reader = nullptr};
     Wish wish = wished_last_;
     wish.reader = std::move(reader);
@@ -74,7 +74,7 @@ bool VideoFeed::take() {
     if (!std::exchange(fresh_, false)) return false;
     if (ready_.opening != wished_last_.opening) return false;  // of the file before
     shown_ = ready_;
-    if (std::exchange(fresh_image_, false)) std::swap(image_, ready_image_);
+    if (std::exchange(fresh_image_, false)) image_ = std::move(ready_image_);
     return true;
 }
 
@@ -107,6 +107,7 @@ void VideoFeed::open_now(Wish& wish) {
     made_ = {.opening = wish.opening, .settled = true, .video = nullptr, .faults = {}};
     file_ = wish.file;
     reader_.reset();
+    made_image_.reset();
     opened_ = seen_ = stamp_of(file_);
     if (!file_.empty()) try {
             reader_ = wish.reader ? std::move(wish.reader) : std::make_shared<VideoReader>(file_, &give_up_);
@@ -120,9 +121,13 @@ void VideoFeed::open_now(Wish& wish) {
 }
 
 void VideoFeed::read_frame(int frame) {
-    made_.good = reader_->read(frame, made_image_, &give_up_);
+    auto image = std::make_shared<Image>();
+    made_.good = reader_->read(frame, *image, &give_up_);
     if (!made_.good && give_up_) return;
+    if (!image->pixels.empty()) made_image_ = std::move(image);  // without memory the last one stays
+    if (!made_image_) return;
     made_.frame = frame;
+    ++decoded_;
     publish(true);
 }
 
@@ -176,7 +181,7 @@ void VideoFeed::publish(bool with_image) {
     {
         const std::lock_guard lock(mutex_);
         ready_ = made_;
-        if (with_image) std::swap(ready_image_, made_image_);
+        if (with_image) ready_image_ = made_image_;
         fresh_image_ = with_image || (fresh_image_ && made_.frame >= 0);  // never an image of the former file
         fresh_ = true;
         wake = wake_;

@@ -6,6 +6,8 @@
 //     each frame:  feed.take();  if (feed.video()) feed.want(feed.video()->frame_at(time));
 //                  show(feed.image());
 //
+// A frame is decoded once for all who look at it: shared_image() stays what it is while the next one comes.
+//
 // It also looks once a second whether the file is still there and still the same: what vanished is told, what changed
 // is opened again, and meanwhile the last frame stays. UI thread.
 #pragma once
@@ -47,9 +49,11 @@ class VideoFeed {
     const std::shared_ptr<const VideoReader>& video() const { return shown_.video; }
     /// What is wrong: without video() nothing can be shown, else the last frame stays.
     const std::vector<Fault>& faults() const { return shown_.faults; }
-    const Image& image() const { return image_; }
-    int frame() const { return shown_.frame; }  ///< the one in image(); -1: none yet
-    bool good() const { return shown_.good; }   ///< false: the file could not give it, this is the one before it
+    const Image& image() const { return *image_; }  ///< empty: none yet. Valid until the next take(), want() or open()
+    const std::shared_ptr<const Image>& shared_image() const { return image_; }  ///< the same, for who keeps it
+    std::uint64_t decoded() const { return decoded_; }                           ///< frames, since it was made
+    int frame() const { return shown_.frame; }                                   ///< the one in image(); -1: none yet
+    bool good() const { return shown_.good; }  ///< false: the file could not give it, this is the one before it
 
   private:
     /// How a file can be told from what it was.
@@ -86,22 +90,23 @@ class VideoFeed {
     std::condition_variable wished_;
     bool stopping_ = false;
     Wish wish_;
-    Shown ready_;        ///< what take() finds
-    Image ready_image_;  ///< with it
+    Shown ready_;                               ///< what take() finds
+    std::shared_ptr<const Image> ready_image_;  ///< with it
     bool fresh_ = false, fresh_image_ = false;
     std::function<void()> wake_;
+    std::atomic<std::uint64_t> decoded_ = 0;
     std::atomic<bool> give_up_ = false;  ///< another file is wanted: the search for a frame ends
 
     // the thread's own
     Shown made_;
-    Image made_image_;
+    std::shared_ptr<const Image> made_image_;
     std::filesystem::path file_;
     std::shared_ptr<VideoReader> reader_;
     std::optional<Stamp> opened_, seen_;
 
     // the UI's own
     Shown shown_;
-    Image image_;
+    std::shared_ptr<const Image> image_ = std::make_shared<const Image>();
     Wish wished_last_;
     std::thread thread_;
 };

@@ -89,6 +89,23 @@ TEST_F(VideoFeedTest, AReaderThatIsOpenAlreadyIsUsedOnce) {
     EXPECT_TRUE(watched.expired()) << "nobody keeps it";
 }
 
+TEST_F(VideoFeedTest, AFrameIsDecodedOnceForAllWhoKeepIt) {
+    const fs::path file = video();
+    VideoFeed feed(true);
+    feed.open(file);
+    EXPECT_TRUE(feed.image().pixels.empty());
+    feed.want(3);
+    const std::shared_ptr<const Image> kept = feed.shared_image();
+    EXPECT_EQ(kept.get(), &feed.image()) << "nothing is copied";
+    feed.want(3);
+    EXPECT_EQ(feed.shared_image(), kept);
+    EXPECT_EQ(feed.decoded(), 1U);
+    feed.want(4);
+    EXPECT_EQ(feed.decoded(), 2U);
+    EXPECT_EQ(feed.image().pixels, frame_of(file, 4));
+    EXPECT_EQ(kept->pixels, frame_of(file, 3)) << "who keeps it has it while the next one is shown";
+}
+
 TEST_F(VideoFeedTest, AFileThatVanishesKeepsItsLastFrame) {
     const fs::path file = video();
     VideoFeed feed;
