@@ -16,9 +16,6 @@ namespace lapfx::app {
 
 namespace {
 
-constexpr int most_errors = 16;
-constexpr double sample_time = 0.01;  // s between samples of the tool in the hand
-
 bool same_camera(const SceneCamera& a, const SceneCamera& b) {
     return a.eye == b.eye && a.target == b.target && a.up == b.up && a.field_of_view == b.field_of_view &&
            a.exposure == b.exposure && a.vignette == b.vignette;
@@ -40,54 +37,6 @@ void leave_alone(SmokeParameters& smoke, const std::optional<std::size_t>& clip)
 
 }  // namespace
 
-namespace {
-
-/// Null when the job was cancelled. Throws what loading threw.
-std::shared_ptr<const PreparedOrgan> wait_for(EarlyLoad& early, Job& job) {
-    using namespace std::chrono_literals;
-    while (early.organ.wait_for(20ms) != std::future_status::ready) {
-        job.set_progress(early.progress);
-        if (job.cancelled()) early.stopped = true;
-    }
-    std::shared_ptr<const PreparedOrgan> organ = early.organ.get();
-    early.clips_known.wait();  // or they would be looked through twice
-    return organ;
-}
-
-}  // namespace
-
-std::shared_ptr<EarlyLoad> load_early(const Scene& scene, const Preset& preset,
-                                      const std::vector<std::filesystem::path>& clip_folders) {
-    auto early = std::make_shared<EarlyLoad>();
-    early->scene = scene;
-    early->clips = std::make_shared<ClipCache>();
-    // Both end before what they refer to goes: their futures are parts of it.
-    early->organ = std::async(std::launch::async, [scene, vessels = preset.vessels, e = early.get()] {
-        return prepare_organ(scene, vessels, [e](double share) {
-            e->progress = share;
-            return !e->stopped;
-        });
-    });
-    early->clips_known = std::async(std::launch::async, [preset, clip_folders, e = early.get()] {
-        e->clips->look_through(preset, clip_folders, [e](double) { return !e->stopped; });
-    });
-    return early;
-}
-
-std::shared_ptr<EarlyLoad> loaded_already(const Scene& scene, const std::shared_ptr<const PreparedOrgan>& organ,
-                                          const std::shared_ptr<ClipCache>& clips) {
-    auto early = std::make_shared<EarlyLoad>();
-    early->scene = scene;
-    early->clips = clips;
-    std::promise<std::shared_ptr<const PreparedOrgan>> ready;
-    early->organ = ready.get_future();
-    ready.set_value(organ);
-    std::promise<void> known;
-    early->clips_known = known.get_future();
-    known.set_value();
-    return early;
-}
-
 PreviewHost::PreviewHost(const PreviewOptions& options, Jobs& jobs, std::shared_ptr<EarlyLoad> early)
     : options_(options), jobs_(jobs), early_(std::move(early)) {
     options_.clip_cache = early_ ? early_->clips : std::make_shared<ClipCache>();
@@ -105,7 +54,7 @@ glm::ivec2 PreviewHost::size() const {
 // --- following -------------------------------------------------------------------------------------------------------
 
 void PreviewHost::follow(const document::Document& document) {
-    if (tool_on_) return;
+    if (tool_.on()) return;
     if ((organ_job_ && organ_job_->cancelled()) || (clips_job_ && clips_job_->cancelled())) cancel_loading();
     if (document.version() != followed_ || wanted_alone_ != alone_) {
         if (document.scene_changes_since(followed_) != 0) wanted_.scene = document.scene();
@@ -392,26 +341,6 @@ MemoryUse PreviewHost::memory_use() const {
     return use;
 }
 
-// --- the driver ------------------------------------------------------------------------------------------------------
-
-std::optional<Fault> PreviewHost::check_driver(double now) {
-    if (lost_ || !unchecked_ || now - checked_ < 1.0) return std::nullopt;
-    unchecked_ = false;
-    checked_ = now;
-    GLenum error = GL_NO_ERROR;
-    for (int i = 0; i < most_errors; ++i)  // a lost context has no end of them
-        if (const GLenum one = glGetError(); one != GL_NO_ERROR) error = one;
-    lost_ = error == GL_CONTEXT_LOST || glGetGraphicsResetStatus() != GL_NO_ERROR;
-    if (lost_)
-        return Fault{.file = "",
-                     .place = "",
-                     .reason = "the graphics driver was reset and the picture is lost; start lapfx again to continue"};
-    if (error == GL_NO_ERROR || error == told_error_) return std::nullopt;
-    told_error_ = error;
-    const std::string what = error == GL_OUT_OF_MEMORY ? "has run out of memory" : "reports " + std::to_string(error);
-    return Fault{.file = "", .place = "", .reason = "OpenGL " + what + "; the picture may be wrong"};
-}
-
 // --- drawing ---------------------------------------------------------------------------------------------------------
 
 void PreviewHost::resize(glm::ivec2 size) {
@@ -441,14 +370,14 @@ bool PreviewHost::draw_into(PreviewCopy& copy, const Shot& shot) {
 }
 
 bool PreviewHost::draw_into(const Target& target, const Shot& wanted, Shot& last, std::uint64_t& drawn) {
-    if (!preview_ || lost_ || target.texture() == 0) return false;
+    if (!preview_ || driver_.lost() || target.texture() == 0) return false;
     // The camera that is set may already be that of the organ on its way.
     Shot shot = wanted;
     if (organ_job_ && drawn != 0) shot.camera = last.camera;
     if (std::exchange(changed_, false)) ++revision_;
     const bool same = shot.time == last.time && same_camera(shot.camera, last.camera) && shot.overlay == last.overlay &&
                       shot.haze == last.haze && shot.scale <= last.scale;
-    if (same && drawn == revision_ && !tool_on_ && !late()) return false;
+    if (same && drawn == revision_ && !tool_.on() && !late()) return false;
     if (std::exchange(overlay_, shot.overlay) != shot.overlay) preview_->set_overlay(shot.overlay);
     preview_->set_camera(shot.camera);
     preview_->set_haze_shown(shot.haze);
@@ -458,7 +387,7 @@ bool PreviewHost::draw_into(const Target& target, const Shot& wanted, Shot& last
         preview_->draw(shot.time, target.size(), target.framebuffer());
     last = shot;
     drawn = revision_;
-    unchecked_ = true;
+    driver_.drawn();
     return true;
 }
 
@@ -479,7 +408,7 @@ Image PreviewHost::picture_with(const std::function<void(document::Content&)>& c
     auto as_before = [&](const void*) {
         if (other_scene) preview_->set_scene(scene);
         preview_->set_parameters(shown_preset());
-        unchecked_ = true;
+        driver_.drawn();
     };
     const std::unique_ptr<const PreviewHost, decltype(as_before)> restore(this, as_before);
     preview_->set_parameters(tried.preset);
@@ -493,50 +422,33 @@ Image PreviewHost::picture_with(const std::function<void(document::Content&)>& c
 }
 
 bool PreviewHost::late() const {
-    return preview_ && !lost_ && preview_->late();
-}
-
-void PreviewHost::push_sample(double time, glm::dvec3 place, bool touching) {
-    tool_.time = time;
-    tool_.position = place;
-    tool_.touching = touching;
-    preview_->tool_queue().push(tool_);
+    return preview_ && !driver_.lost() && preview_->late();
 }
 
 void PreviewHost::put_tool(ToolAction action, double power, double strength, double time, glm::dvec3 place) {
-    if (!preview_) return;
-    // Samples go forwards in time. Setting the log allows time to start again.
-    const std::vector<ToolContact> log(preview_->contacts().begin(), preview_->contacts().end());
-    preview_->set_contacts(log);
-    contacts_before_ = log.size();
-    tool_ = {.time = time, .position = place, .touching = true, .action = action, .power = power, .strength = strength};
-    tool_on_ = true;
-    push_sample(time, place, true);
+    if (preview_)
+        tool_.put(*preview_, {.time = time,
+                              .position = place,
+                              .touching = true,
+                              .action = action,
+                              .power = power,
+                              .strength = strength});
 }
 
 void PreviewHost::move_tool(double time, glm::dvec3 place) {
-    if (!tool_on_) return;
-    const double begin = tool_.time;
-    const glm::dvec3 from = tool_.position;
-    while (tool_.time + sample_time <= time) {
-        const double next = tool_.time + sample_time;
-        push_sample(next, glm::mix(from, place, (next - begin) / (time - begin)), true);
-    }
+    if (tool_.on()) tool_.move(*preview_, time, place);
 }
 
 std::vector<ToolContact> PreviewHost::take_tool_off(double time) {
-    if (!tool_on_) return {};
-    tool_on_ = false;
+    if (!tool_.on()) return {};
+    tool_.take_off(*preview_, time);
     changed_ = true;
-    push_sample(std::max(time, tool_.time + 1e-3), tool_.position, false);
     // The queue is emptied by seeking.
     if (target_.texture() != 0) preview_->draw(time, target_.size(), target_.framebuffer());
     pixels_known_ = false;
-    const std::span<const ToolContact> all = preview_->contacts();
-    const std::size_t first = std::min(contacts_before_, all.size());
     shown_scene_.reset();  // the document decides what stays, also where it has not changed
     stale_ = true;
-    return {all.begin() + static_cast<std::ptrdiff_t>(first), all.end()};
+    return tool_.done(*preview_);
 }
 
 }  // namespace lapfx::app

@@ -6,15 +6,16 @@
 // until they are done.
 #pragma once
 
-#include <atomic>
 #include <functional>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/base/jobs.h"
+#include "app/preview/driver_watch.h"
+#include "app/preview/early_load.h"
+#include "app/preview/held_tool.h"
 #include "app/preview/target.h"
 #include "document/document.h"
 #include "lapfx/authoring/preview.h"
@@ -38,27 +39,6 @@ struct PreviewCopy {
     Shot shot;
     std::uint64_t revision = 0;  ///< of the host; 0: nothing yet
 };
-
-/// Organ and clips of the first document, which are loaded while the window and the Editor are still being made. Any
-/// thread.
-struct EarlyLoad {
-    EarlyLoad() = default;
-    EarlyLoad(const EarlyLoad&) = delete;
-    EarlyLoad& operator=(const EarlyLoad&) = delete;
-    ~EarlyLoad() { stopped = true; }  // what is still on its way ends soon, and is waited for
-
-    Scene scene;                       ///< whose organ and tool it is
-    std::shared_ptr<ClipCache> clips;  ///< gets the facts about the clips
-    std::atomic<bool> stopped = false;
-    std::atomic<double> progress = 0;                         ///< of the organ, 0..1
-    std::future<std::shared_ptr<const PreparedOrgan>> organ;  ///< what it throws is told when it is asked for
-    std::future<void> clips_known;
-};
-std::shared_ptr<EarlyLoad> load_early(const Scene& scene, const Preset& preset,
-                                      const std::vector<std::filesystem::path>& clip_folders);
-/// For a host that begins with an organ and clips that another one has loaded; they are shared.
-std::shared_ptr<EarlyLoad> loaded_already(const Scene& scene, const std::shared_ptr<const PreparedOrgan>& organ,
-                                          const std::shared_ptr<ClipCache>& clips);
 
 /// What is being loaded for the preview.
 struct Loading {
@@ -95,7 +75,7 @@ class PreviewHost {
     /// other clips. Only where can_try(): there is a preview of a scene without a fault, and no
     /// tool works in it.
     Image picture_with(const std::function<void(document::Content&)>& change, const Shot& shot, glm::ivec2 size);
-    bool can_try() const { return preview_ && !lost_ && !tool_on_ && !scene_fault_; }
+    bool can_try() const { return preview_ && !driver_.lost() && !tool_.on() && !scene_fault_; }
     /// The shot of the last draw().
     const Shot& shown() const { return last_; }
     /// While time stands, a clip may still be late: whether another draw() could give a better picture.
@@ -134,8 +114,8 @@ class PreviewHost {
     const std::vector<Fault>& organ_faults() const { return organ_faults_; }
     /// Looks, at most once a second and only when there was something to draw, whether the driver still works. Gives a
     /// fault the first time that it does not; then nothing is drawn any more. `now`: s.
-    std::optional<Fault> check_driver(double now);
-    bool lost() const { return lost_; }
+    std::optional<Fault> check_driver(double now) { return driver_.check(now); }
+    bool lost() const { return driver_.lost(); }
 
     /// Bytes of the preview and of the picture that it is drawn into.
     MemoryUse memory_use() const;
@@ -160,7 +140,7 @@ class PreviewHost {
     void move_tool(double time, glm::dvec3 place);  ///< straight from where it was, at 100 Hz
     /// What it has done since put_tool(): contacts for the scene's events.
     std::vector<ToolContact> take_tool_off(double time);
-    bool tool_on() const { return tool_on_; }
+    bool tool_on() const { return tool_.on(); }
 
   private:
     void load_organ();
@@ -176,7 +156,6 @@ class PreviewHost {
     void show_parameters(const Preset& preset);
     bool draw_into(const Target& target, const Shot& shot, Shot& last, std::uint64_t& drawn);
     void draw_stretched(const Target& target, const Shot& shot);
-    void push_sample(double time, glm::dvec3 place, bool touching);
 
     PreviewOptions options_;
     Jobs& jobs_;
@@ -211,13 +190,8 @@ class PreviewHost {
     Shot last_;
     Overlay overlay_ = Overlay::none;  ///< that the preview has
 
-    bool unchecked_ = false, lost_ = false;  // it has been drawn since the last check; the context is lost
-    double checked_ = 0;                     // s
-    unsigned told_error_ = 0;
-
-    bool tool_on_ = false;
-    ToolSample tool_;
-    std::size_t contacts_before_ = 0;
+    DriverWatch driver_;
+    HeldTool tool_;
 };
 
 }  // namespace lapfx::app

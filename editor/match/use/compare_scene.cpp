@@ -10,7 +10,7 @@ std::optional<ComparedScene> compare_scene(const SceneToCompare& what, PreviewCu
     PeakColors colors;
     CurveCalls calls{.progress = progress};
     if (what.colors != nullptr)
-        calls.measured = [&colors](auto& frame, const Estimator* estimator, const FrameAmounts& amounts) {
+        calls.measured = [&colors](const Image& frame, const Estimator* estimator, const FrameAmounts& amounts) {
             colors.add(frame, estimator, amounts);
         };
     std::optional<std::vector<FrameAmounts>> frames = curve.measure(what.scene, what.preset, what.times, calls);

@@ -33,8 +33,8 @@ MeasuredVideo measure_video(VideoReader& video, VideoMeasuring how, const Progre
     if (how.colors_of) peaks = PeakColors(how.colors_of->from, how.colors_of->to);
     const auto over_time = how.colors_over_time ? std::make_shared<ColorsOverTime>() : nullptr;
     if (how.colors_of || over_time)
-        how.options.measured = [&, also = std::move(how.options.measured)](auto& frame, const Estimator* estimator,
-                                                                           const FrameAmounts& amounts) {
+        how.options.measured = [&, also = std::move(how.options.measured)](
+                                   const Image& frame, const Estimator* estimator, const FrameAmounts& amounts) {
             if (how.colors_of) peaks.add(frame, estimator, amounts);
             if (over_time) over_time->add(frame, estimator, amounts);
             if (also) also(frame, estimator, amounts);
