@@ -1,6 +1,7 @@
 // Makes a folder of shipped files that are light: the editor's tests open the sample scene some three hundred times,
-// and without a GPU most of that goes to textures and videos of full size, at which few tests look. Names, geometry,
-// times and contents are those of the shipped files; textures and videos have a quarter of their width and height.
+// and without a GPU most of that goes to textures and videos of full size, at which few tests look, and to
+// the parts of the organ that no picture shows. Names, times and contents are those of the shipped files; textures and
+// videos have a quarter of their width and height, and of the organ there is what the scene's camera sees.
 //
 //     lapfx_light_samples SOURCE_FOLDER OUTPUT_FOLDER
 #include <cstdint>
@@ -16,6 +17,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "support/seen_part.h"
 
 namespace {
 
@@ -44,7 +47,8 @@ void pad(Bytes& bytes, std::uint8_t with) {
     while (bytes.size() % 4 != 0) bytes.push_back(with);
 }
 
-/// A .glb with smaller images. Each of them is a buffer view of its own, as the generator of the samples writes them.
+/// A .glb with smaller images, and of an organ what the camera of its scene sees. Each image is a buffer view of its
+/// own, as the generator of the samples writes them.
 void lighten_organ(const fs::path& from, const fs::path& to) {
     std::ifstream in(from, std::ios::binary);
     const Bytes file(std::istreambuf_iterator<char>(in), {});
@@ -64,6 +68,8 @@ void lighten_organ(const fs::path& from, const fs::path& to) {
         if (picture.empty()) throw std::runtime_error(from.string() + ": an image cannot be decoded");
         cv::imencode(".jpg", smaller(picture), view, {cv::IMWRITE_JPEG_QUALITY, 95});
     }
+    const fs::path scene = fs::path(from).replace_extension(".scene.json");
+    if (fs::exists(scene)) lapfx::test::keep_seen_part(json, views, nlohmann::json::parse(std::ifstream(scene)));
     Bytes binary;
     for (std::size_t i = 0; i < views.size(); ++i) {
         json["bufferViews"][i]["byteOffset"] = binary.size();
