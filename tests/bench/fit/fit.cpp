@@ -40,13 +40,14 @@ namespace lapfx::bench {
 
 namespace {
 
-constexpr glm::ivec2 size(320, 256);
-constexpr double rate = 6.0;             // frames per second of the reference
 constexpr double truth_step = 1.0;       // s
 constexpr std::uint32_t film_part = 41;  // of the random numbers (random.h)
 constexpr double begins_at = 0.3;        // s: where tools of the fitted scene begin before the fit
 
 struct Drawing {
+    glm::ivec2 size{320, 256};
+    double rate = 6.0;  ///< frames per second of the reference
+    int curve_side = match::preview_side;
     std::shared_ptr<ClipCache> clips = std::make_shared<ClipCache>();
     PreviewOptions options() const {
         return {.clip_folders = commands::clip_folders(), .wait_for_clips = true, .clip_cache = clips};
@@ -66,7 +67,7 @@ Filmed film(const CaseScene& hidden, Random random, const Drawing& drawing) {
     const double noise = draw_noise(random);
     const auto picture = [&](double time) {
         cv::Mat bgr;
-        output::to_bgr(preview.image(time, size), bgr);
+        output::to_bgr(preview.image(time, drawing.size), bgr);
         Image image = filmed(random, bgr, cv::Scalar::all(1.0), noise);
         compress(random, image);
         return image;
@@ -76,16 +77,16 @@ Filmed film(const CaseScene& hidden, Random random, const Drawing& drawing) {
     told.round_view = match::round_view_of(hidden.tuned.scene.camera, case_aspect);  // as with --view
     match::Estimator estimator(picture(0.0), told);
     preview.set_contacts(hidden.tuned.scene.events);
-    const auto count = static_cast<int>(case_duration * rate);
+    const auto count = static_cast<int>(case_duration * drawing.rate);
     std::vector<Image> pictures;
-    for (int i = 0; i < count; ++i) pictures.push_back(picture(i / rate));
+    for (int i = 0; i < count; ++i) pictures.push_back(picture(i / drawing.rate));
     for (int i = 0; i < match::surveyed_frames; ++i)
         estimator.survey(pictures[static_cast<std::size_t>(i * count / match::surveyed_frames)]);
     estimator.forget();
     Filmed filmed;
     for (int i = 0; i < count; ++i) {
         const Image& shown = pictures[static_cast<std::size_t>(i)];
-        filmed.frames.push_back(estimator.measure(shown, i / rate));
+        filmed.frames.push_back(estimator.measure(shown, i / drawing.rate));
         filmed.colors.add(shown, &estimator, filmed.frames.back());
     }
     return filmed;
@@ -95,7 +96,7 @@ std::vector<ShownAmounts> truth_of(const CaseScene& scene, const Drawing& drawin
     Preview preview = drawing.preview(scene);
     std::vector<ShownAmounts> truth;
     for (double time = 0.0; time <= case_duration; time += truth_step)
-        truth.push_back(amounts_of(preview.layers(time, size)));
+        truth.push_back(amounts_of(preview.layers(time, drawing.size)));
     return truth;
 }
 
@@ -129,7 +130,7 @@ std::optional<double> haze_factor(const CaseScene& scene, const std::vector<Show
 }
 
 /// The frames of the reference at the times of truth_of(); null where there is none.
-std::vector<const match::FrameAmounts*> frames_at(const Filmed& reference, std::size_t times) {
+std::vector<const match::FrameAmounts*> frames_at(const Filmed& reference, double rate, std::size_t times) {
     std::vector<const match::FrameAmounts*> frames(times, nullptr);
     for (const match::FrameAmounts& frame : reference.frames) {
         const auto i = static_cast<std::size_t>(std::lround(frame.time / truth_step));
@@ -222,14 +223,15 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& referenc
                               .rounds = effort.rounds,
                               .colors = match::ColorsOfFit::match,
                               .reference_colors = reference.colors.at_peak()};
-    match::PreviewCurve curve(scene.organ, drawing.options(), {.size = match::preview_size(glm::dvec2(size))});
+    match::PreviewCurve curve(scene.organ, drawing.options(),
+                              {.size = match::preview_size(drawing.size, 0.0, drawing.curve_side)});
     outcome.result = *match::fit_scene(fit, curve).result;
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     scene.tuned = outcome.result.tuned;
     const std::vector<ShownAmounts> after = truth_of(scene, drawing);
     outcome.blood_rms = rms(after, hidden_truth, &ShownAmounts::blood);
     outcome.veil_rms = rms(after, hidden_truth, &ShownAmounts::veil);
-    const std::vector<const match::FrameAmounts*> frames = frames_at(reference, hidden_truth.size());
+    const std::vector<const match::FrameAmounts*> frames = frames_at(reference, drawing.rate, hidden_truth.size());
     const std::vector<ShownAmounts> measured = measured_at(frames);
     const std::vector<bool> blood_told = told_at(frames, match::Curve::blood),
                             veil_told = told_at(frames, match::Curve::veil);
@@ -411,11 +413,11 @@ BenchReport bench_fit(const BenchOptions& options) {
     const Context context = Context::create(Backend::automatic);
     BenchReport report{.bench = "fit", .renderer = context.renderer(), .rows = {}, .ratios = {}, .table = {}};
     PreparedViews prepared;
-    const Drawing drawing;
+    const Drawing drawing = options.short_form ? Drawing{.size = {160, 128}, .rate = 2.0, .curve_side = 96} : Drawing{};
     const auto seed = static_cast<std::uint32_t>(options.seed);
     const int first = options.short_form ? 0 : std::min(options.first, commands::fit_cases) - 1;
     const int end = options.short_form ? 1 : std::min(options.last, commands::fit_cases);
-    const Effort effort = options.short_form ? Effort{.seed = seed, .step = 1.0, .rounds = 1} : Effort{.seed = seed};
+    const Effort effort = options.short_form ? Effort{.seed = seed, .step = 2.0, .rounds = 1} : Effort{.seed = seed};
     std::vector<Outcome> outcomes;
     commands::Progress progress("fitting", 2 * (end - first));
     for (int i = first; i < end; ++i) {
