@@ -13,6 +13,7 @@ struct Shape {
 
 class ShapedTest : public SampleTest {
   protected:
+    ShapedTest() { scene_scale = 0.02; }  // windows are large, and nobody looks at the scene in them
     void SetUp() override {
         SampleTest::SetUp();
         if (IsSkipped()) return;
