@@ -7,6 +7,7 @@
 #include <set>
 
 #include "lapfx/tool.h"
+#include "support/contacts.h"
 #include "support/meshes.h"
 
 namespace lapfx {
@@ -22,9 +23,7 @@ Preset plain() {
     return preset;
 }
 
-ToolContact at(ToolAction action, double time, double duration, glm::dvec3 place = glm::dvec3(0.0)) {
-    return {.action = action, .time = time, .duration = duration, .position = place, .to = place};
-}
+using test::contact;
 
 class AmountsOnAPlane : public testing::Test {
   protected:
@@ -72,7 +71,7 @@ TEST(AmountRows, MakeTheColumnsOfTheTable) {
 }
 
 TEST_F(AmountsOnAPlane, AWoundThatFillsAClearedPlaceAgainIsBleeding) {
-    model().set(plain(), std::vector{at(ToolAction::cut, 0.0, 0.0), at(ToolAction::irrigation, 6.0, 2.0)});
+    model().set(plain(), std::vector{contact(ToolAction::cut, 0.0, 0.0), contact(ToolAction::irrigation, 6.0, 2.0)});
     EXPECT_EQ(bleeding(3.9), 1);
     EXPECT_EQ(bleeding(5.0), 0) << "at its largest extent";
     EXPECT_EQ(bleeding(7.0), 1) << "it flows, and is rinsed away";
@@ -93,7 +92,8 @@ TEST_F(AmountsOnAPlane, AWoundThatFillsAClearedPlaceAgainIsBleeding) {
 
 TEST_F(AmountsOnAPlane, WhatIsClearedElsewhereReopensNothing) {
     const glm::dvec3 aside{32.0, 0.0, 0.0};  // suction reaches 8 mm, the blood 16 mm
-    model().set(plain(), std::vector{at(ToolAction::cut, 0.0, 0.0), at(ToolAction::suction, 6.0, 1.0, aside)});
+    model().set(plain(),
+                std::vector{contact(ToolAction::cut, 0.0, 0.0), contact(ToolAction::suction, 6.0, 1.0, aside)});
     for (const double time : {5.0, 6.5, 7.5, 9.0}) EXPECT_EQ(bleeding(time), 0) << time;
 }
 
@@ -101,16 +101,16 @@ TEST_F(AmountsOnAPlane, OnlyTheWoundWhoseBloodWasTakenBleedsAgain) {
     const glm::dvec3 a{-20.0, 0.0, 0.0}, b{20.0, 0.0, 0.0};
     Preset preset = plain();
     preset.bleeding.max_extent = 8.0;
-    model().set(preset, std::vector{at(ToolAction::cut, 0.0, 0.0, a), at(ToolAction::cut, 0.0, 0.0, b),
-                                    at(ToolAction::suction, 4.0, 1.0, b)});
+    model().set(preset, std::vector{contact(ToolAction::cut, 0.0, 0.0, a), contact(ToolAction::cut, 0.0, 0.0, b),
+                                    contact(ToolAction::suction, 4.0, 1.0, b)});
     EXPECT_EQ(bleeding(3.0), 0);
     EXPECT_EQ(bleeding(5.5), 1);
     EXPECT_EQ(bleeding(7.5), 0);
 }
 
 TEST_F(AmountsOnAPlane, AClosedWoundFillsNothingAgain) {
-    model().set(plain(), std::vector{at(ToolAction::cut, 0.0, 0.0), at(ToolAction::coagulate, 6.0, 1.0),
-                                     at(ToolAction::irrigation, 7.0, 1.0)});
+    model().set(plain(), std::vector{contact(ToolAction::cut, 0.0, 0.0), contact(ToolAction::coagulate, 6.0, 1.0),
+                                     contact(ToolAction::irrigation, 7.0, 1.0)});
     EXPECT_EQ(bleeding(7.4), 1) << "clotting: what still flows comes to where it was rinsed away";
     const double left = area(9.0);
     EXPECT_EQ(bleeding(9.0), 0);
@@ -132,11 +132,11 @@ TEST_F(AmountsOnAPlane, BloodSpreadsOnlyWhileAWoundIsToldAsBleeding) {
         preset.bleeding.noise_strength = log % 3 == 0 ? 2.0 : 0.0;
         preset.bleeding.pulse_rate = log % 4 == 1 ? 1.2 : 0.0;
         preset.bleeding.pulse_strength = 0.6;
-        std::vector<ToolContact> contacts{at(ToolAction::cut, 0.0, 0.0)};
+        std::vector<ToolContact> contacts{contact(ToolAction::cut, 0.0, 0.0)};
         double time = 0.0;
         for (int i = 0; i < 9; ++i) {
             time += chance(0.2, 2.5);
-            ToolContact c = at(actions[random() % 6], time, chance(0.3, 2.5), {chance(-9, 9), 0.0, chance(-9, 9)});
+            ToolContact c = contact(actions[random() % 6], time, chance(0.3, 2.5), {chance(-9, 9), 0.0, chance(-9, 9)});
             if (random() % 2 == 0) c.to = {chance(-12, 12), 0.0, chance(-12, 12)};
             contacts.push_back(c);
         }
@@ -166,7 +166,7 @@ TEST_F(AmountsOnAPlane, BloodSpreadsOnlyWhileAWoundIsToldAsBleeding) {
 TEST_F(AmountsOnAPlane, TheBurntAreaIsThatOfItsDisc) {
     Preset preset = plain();
     preset.cautery = {};
-    model().set(preset, std::vector{at(ToolAction::cauterise, 1.0, 3.0)});
+    model().set(preset, std::vector{contact(ToolAction::cauterise, 1.0, 3.0)});
     EXPECT_EQ(model().at(0.9).burnt_area, 0.0);
     const double half = model().at(2.5).burnt_area, whole = model().at(4.0).burnt_area;
     EXPECT_GT(half, 3.0);
@@ -182,8 +182,8 @@ TEST_F(AmountsOnAPlane, TheBurntAreaIsThatOfItsDisc) {
 TEST_F(AmountsOnAPlane, SmokeComesWhileTissueBurnsTimesItsPowerAndTheScenesFactor) {
     Preset preset = plain();
     preset.smoke.clips.push_back({.file = "any.mp4"});
-    std::vector contacts{at(ToolAction::cauterise, 1.0, 2.0), at(ToolAction::coagulate, 2.0, 2.0, {20, 0, 0}),
-                         at(ToolAction::cauterise, 1.0, 9.0, {0, 60, 0})};
+    std::vector contacts{contact(ToolAction::cauterise, 1.0, 2.0), contact(ToolAction::coagulate, 2.0, 2.0, {20, 0, 0}),
+                         contact(ToolAction::cauterise, 1.0, 9.0, {0, 60, 0})};
     contacts[1].power = 0.5;
     model().set(preset, contacts);
     for (const auto& [time, expected] : {std::pair{0.5, 0.0}, {1.5, 1.0}, {2.5, 1.5}, {3.5, 0.5}, {4.5, 0.0}})
@@ -199,7 +199,8 @@ TEST_F(AmountsOnAPlane, SmokeComesWhileTissueBurnsTimesItsPowerAndTheScenesFacto
 }
 
 TEST_F(AmountsOnAPlane, WoundsTellWhatTheyDo) {
-    model().set(plain(), std::vector{at(ToolAction::cut, 1.0, 0.0), at(ToolAction::cut, 3.0, 0.0, {20, 0, 0})});
+    model().set(plain(),
+                std::vector{contact(ToolAction::cut, 1.0, 0.0), contact(ToolAction::cut, 3.0, 0.0, {20, 0, 0})});
     model().at(2.0);
     ASSERT_EQ(model().wounds().size(), 2u);
     EXPECT_EQ(model().wounds()[0].state, WoundState::bleeding);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cautery/cautery.h"
+#include "support/contacts.h"
 #include "support/logged.h"
 #include "support/meshes.h"
 
@@ -27,12 +28,12 @@ inline CauteryParameters simple_parameters() {
 }
 
 inline ToolContact at(glm::dvec3 place, double time, double duration, ToolAction action = ToolAction::cauterise) {
-    return {.action = action, .time = time, .duration = duration, .position = place, .to = place};
+    return test::contact(action, time, duration, place);
 }
 
 inline ToolContact along(glm::dvec3 from, glm::dvec3 to, double time, double duration,
                          ToolAction action = ToolAction::cauterise) {
-    return {.action = action, .time = time, .duration = duration, .position = from, .to = to};
+    return test::contact(action, time, duration, from, to);
 }
 
 /// The same path as `pieces` contacts that continue each other.

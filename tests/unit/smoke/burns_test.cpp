@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "support/contacts.h"
 #include "tool/recorder.h"
 #include "unit/smoke/support.h"
 
@@ -13,7 +14,7 @@ namespace lapfx::smoke {
 namespace {
 
 ToolContact contact(double from, double to, double x_from, double x_to, ToolAction action = ToolAction::cauterise) {
-    return {.action = action, .time = from, .duration = to - from, .position = {x_from, 0, 0}, .to = {x_to, 0, 0}};
+    return test::contact(action, from, to - from, {x_from, 0, 0}, {x_to, 0, 0});
 }
 
 std::vector<std::pair<double, double>> spans(const std::vector<ToolContact>& contacts, double after = -1e9) {

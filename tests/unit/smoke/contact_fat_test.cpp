@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "support/contacts.h"
+
 namespace lapfx::smoke {
 namespace {
 
@@ -18,7 +20,7 @@ struct Tissue {
 };
 
 ToolContact contact(glm::dvec3 from, glm::dvec3 to, ToolAction action = ToolAction::cauterise) {
-    return {.action = action, .time = 1.0, .duration = 2.0, .position = from, .to = to};
+    return test::contact(action, 1.0, 2.0, from, to);
 }
 
 double fat_of(const ToolContact& c) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "support/contacts.h"
 #include "unit/smoke/support.h"
 
 namespace lapfx::smoke {
@@ -20,7 +21,7 @@ ParticleParameters parameters() {
 }
 
 ToolContact contact(double time = 1.0, double duration = 4.0, glm::dvec3 place = {3, 4, 5}) {
-    return {.action = ToolAction::cauterise, .time = time, .duration = duration, .position = place, .to = place};
+    return test::contact(ToolAction::cauterise, time, duration, place);
 }
 
 std::vector<Particle> at(double time, const std::vector<ToolContact>& contacts = {contact()}, double fat = 1.0,

@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "support/contacts.h"
+
 namespace lapfx::smoke {
 namespace {
 
@@ -14,7 +16,7 @@ bool tissue(const glm::dvec3& place) {
 }
 
 ToolContact burn(double from, double to, double time = 1.0, double duration = 4.0) {
-    return {.time = time, .duration = duration, .position = {from, 0, 0}, .to = {to, 0, 0}};
+    return test::contact(ToolAction::cauterise, time, duration, {from, 0, 0}, {to, 0, 0});
 }
 
 std::vector<ToolContact> parts_of(const std::vector<ToolContact>& contacts) {

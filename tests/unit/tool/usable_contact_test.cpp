@@ -4,13 +4,15 @@
 
 #include <limits>
 
+#include "support/contacts.h"
+
 namespace lapfx::tool {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
 
 ToolContact along(glm::dvec3 from, glm::dvec3 to, double time, double duration) {
-    return {.time = time, .duration = duration, .position = from, .to = to};
+    return test::contact(ToolAction::cauterise, time, duration, from, to);
 }
 ToolContact at(glm::dvec3 place, double time, double duration) {
     return along(place, place, time, duration);

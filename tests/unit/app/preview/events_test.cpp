@@ -4,12 +4,12 @@
 
 #include <cmath>
 
+#include "support/contacts.h"
+
 namespace lapfx::app {
 namespace {
 
-ToolContact contact(ToolAction action, double time, double duration, glm::dvec3 from, glm::dvec3 to) {
-    return {.action = action, .time = time, .duration = duration, .position = from, .to = to};
-}
+using lapfx::test::contact;
 
 /// A path of three pieces, with another event between them in the list.
 std::vector<ToolContact> path_and_cut() {
