@@ -29,7 +29,9 @@ std::array<double, tool_action_count> reaches_of(const BleedingParameters& param
 }  // namespace
 
 Clearing::Clearing(const Surface& surface, glm::dvec3 down)
-    : surface_(surface), down_(down), reaches_(reaches_of(BleedingParameters{})) {}
+    : surface_(surface), down_(down), reaches_(reaches_of(BleedingParameters{})) {
+    for (Layer* layer : {&over_, &running_}) layer->heads = organ::Zeroed<std::uint32_t>(surface.positions.size());
+}
 
 Clearing::Sweep Clearing::sweep_of(const ToolContact& contact, std::size_t piece) const {
     const bool water = row_of(contact.action).rinses;
@@ -105,8 +107,6 @@ bool Clearing::update(double time) noexcept {
     changed_.clear();
     anew_ = all_stale_;
     if (!changes) return anew_ = false;
-    for (Layer* layer : {&over_, &running_})
-        if (layer->heads.empty()) layer->heads.assign(surface_.positions.size(), -1);
     changed_ = running_.vertices;
     running_.clear();
     if (all_stale_) {
@@ -141,18 +141,18 @@ void Clearing::lay(const Sweep& sweep, double time, Layer& layer) {
 }
 
 void Clearing::Layer::clear() noexcept {
-    for (const std::uint32_t v : vertices) heads[v] = -1;
+    for (const std::uint32_t v : vertices) heads[v] = 0;
     vertices.clear();
     caps.clear();
 }
 
 /// Keeps the list of a vertex in order of time with rising caps: a cap is dropped when a later one is not above it.
 void Clearing::Layer::insert(std::uint32_t vertex, double time, float cap) {
-    std::int32_t* link = &heads[vertex];
-    std::int32_t free = -1;  // index in caps of a dropped one
-    if (*link < 0) vertices.push_back(vertex);
-    while (*link >= 0) {
-        Cap& other = caps[static_cast<std::size_t>(*link)];
+    std::uint32_t* link = &heads[vertex];
+    std::uint32_t free = 0;  // to a dropped one
+    if (*link == 0) vertices.push_back(vertex);
+    while (*link != 0) {
+        Cap& other = caps[*link - 1];
         if (other.time <= time) {
             if (other.cap >= cap) {
                 free = *link;
@@ -165,10 +165,10 @@ void Clearing::Layer::insert(std::uint32_t vertex, double time, float cap) {
         }
         link = &other.next;
     }
-    const std::int32_t after = *link, at = free >= 0 ? free : static_cast<std::int32_t>(caps.size());
+    const std::uint32_t after = *link, at = free != 0 ? free : static_cast<std::uint32_t>(caps.size()) + 1;
     *link = at;  // before the list grows, because the link may be inside it
-    if (free < 0) caps.emplace_back();
-    caps[static_cast<std::size_t>(at)] = {time, cap, after};
+    if (free == 0) caps.emplace_back();
+    caps[at - 1] = {time, cap, after};
 }
 
 }  // namespace lapfx::bleeding

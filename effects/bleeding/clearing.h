@@ -13,6 +13,7 @@
 #include "lapfx/bleeding_parameters.h"
 #include "lapfx/tool.h"
 #include "organ/surface.h"
+#include "organ/zeroed.h"
 #include "tool/log.h"
 
 namespace lapfx::bleeding {
@@ -26,9 +27,9 @@ class Clearing {
     /// A clearing at one place. Several at one place are in order of time, with rising caps: a cap is left out when a
     /// later one is lower.
     struct Cap {
-        double time;        ///< time at which it ended, s
-        float cap;          ///< highest bleed value that earlier blood keeps, mm
-        std::int32_t next;  ///< next cap of the same place, in the list of its layer; -1: none
+        double time;         ///< time at which it ended, s
+        float cap;           ///< highest bleed value that earlier blood keeps, mm
+        std::uint32_t next;  ///< link to the next cap of the same place, in the list of its layer
     };
 
     /// Keeps a reference to `surface`. `down`: unit; water runs that way.
@@ -54,9 +55,8 @@ class Clearing {
     template <class Visit>
     void for_each(std::uint32_t vertex, Visit visit) const {
         for (const Layer* layer : {&over_, &running_}) {
-            if (layer->heads.empty()) continue;
-            for (std::int32_t i = layer->heads[vertex]; i >= 0; i = layer->caps[static_cast<std::size_t>(i)].next)
-                visit(layer->caps[static_cast<std::size_t>(i)]);
+            for (std::uint32_t link = layer->heads[vertex]; link != 0; link = layer->caps[link - 1].next)
+                visit(layer->caps[link - 1]);
         }
     }
 
@@ -75,8 +75,9 @@ class Clearing {
         double latest_end = 0.0;  // the latest end of this sweep and all before, s
         bool is_over = false;     // and is in the layer over_
     };
+    /// A link is 1 + an index into caps, or 0: none.
     struct Layer {
-        std::vector<std::int32_t> heads;  // per surface vertex, into caps; empty until there is a sweep
+        organ::Zeroed<std::uint32_t> heads;  // per surface vertex, a link
         std::vector<Cap> caps;
         std::vector<std::uint32_t> vertices;  // places that have a cap
         void clear() noexcept;

@@ -37,18 +37,17 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
 }  // namespace
 
 void Diffusion::restore(const Field& field) {
-    slot_.resize(surface_.positions.size(), none);
-    for (const std::uint32_t p : field_.points) slot_[p] = none;
+    for (const std::uint32_t p : field_.points) link_[p] = 0;
     field_ = field;
-    for (std::uint32_t i = 0; i < field_.points.size(); ++i) slot_[field_.points[i]] = i;
+    for (std::uint32_t i = 0; i < field_.points.size(); ++i) link_[field_.points[i]] = i + 1;
     source_.assign(field_.points.size(), 0.0);
     stale_ = true;
 }
 
 void Diffusion::join(std::uint32_t point) {
-    if (slot_[point] != none) return;
-    slot_[point] = static_cast<std::uint32_t>(field_.points.size());
+    if (slot_of(point) != none) return;
     field_.points.push_back(point);
+    link_[point] = static_cast<std::uint32_t>(field_.points.size());
     field_.now.push_back(0.0);
     field_.before.push_back(0.0);
     source_.push_back(0.0);
@@ -56,16 +55,16 @@ void Diffusion::join(std::uint32_t point) {
     assemble_row(point);
     // From now on the rows of its neighbours include it.
     for (const std::uint32_t other : surface_.neighbours_of(point)) {
-        if (slot_[other] == none || other == point) continue;
+        if (slot_of(other) == none || other == point) continue;
         const auto around = surface_.neighbours_of(other);
         const auto at = std::lower_bound(around.begin(), around.end(), point) - around.begin();
-        entries_[row_start_[slot_[other]] + static_cast<std::size_t>(at)].column = slot_[point];
+        entries_[row_start_[slot_of(other)] + static_cast<std::size_t>(at)].column = slot_of(point);
     }
 }
 
 void Diffusion::heat(std::uint32_t point, double rate) {
     join(point);
-    source_[slot_[point]] += rate;
+    source_[slot_of(point)] += rate;
 }
 
 void Diffusion::drop_cool() {
@@ -112,7 +111,7 @@ void Diffusion::assemble_row(std::uint32_t point) {
     // Points of triangles without area have no mass; this small mass keeps the matrix regular.
     mass_.push_back(std::max(mass, 1e-12));
     stiffness_.push_back(stiffness);
-    for (std::size_t e = first; e < entries_.size(); ++e) entries_[e].column = slot_[entries_[e].column];
+    for (std::size_t e = first; e < entries_.size(); ++e) entries_[e].column = slot_of(entries_[e].column);
     row_start_.push_back(static_cast<std::uint32_t>(entries_.size()));
 }
 
@@ -212,7 +211,7 @@ void Diffusion::step(double dt, double diffusivity, double perfusion) {
 
 /// The logarithm is interpolated: around a tip rises are close to a Gaussian, whose logarithm is a paraboloid.
 double Diffusion::level_of(std::uint32_t point, const std::vector<double>& rises) const {
-    return slot_[point] == none ? 0.0 : std::log1p(std::max(rises[slot_[point]], 0.0));
+    return slot_of(point) == none ? 0.0 : std::log1p(std::max(rises[slot_of(point)], 0.0));
 }
 
 /// Slope of the levels on the surface at a point: of the paraboloid through the point that fits its neighbours best

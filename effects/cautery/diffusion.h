@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "organ/surface.h"
+#include "organ/zeroed.h"
 
 namespace lapfx::cautery {
 
@@ -20,7 +21,7 @@ class Diffusion {
         0.02;  ///< degrees below which a point leaves when its neighbours are also below
 
     /// Keeps a reference.
-    explicit Diffusion(const Surface& surface) : surface_(surface) { clear(); }
+    explicit Diffusion(const Surface& surface) : surface_(surface), link_(surface.positions.size()) { clear(); }
 
     /// Points in play, in the order in which they joined; their rises now and before the last step.
     struct Field {
@@ -47,8 +48,9 @@ class Diffusion {
         double mass, stiffness;
     };
 
+    std::uint32_t slot_of(std::uint32_t point) const { return link_[point] - 1; }  // 0 - 1 is none
     double rise_of(std::uint32_t point, const std::vector<double>& rises) const {
-        return slot_[point] == none ? 0.0 : rises[slot_[point]];
+        return slot_of(point) == none ? 0.0 : rises[slot_of(point)];
     }
     double level_of(std::uint32_t point, const std::vector<double>& rises) const;
     glm::dvec3 slope_at(std::uint32_t point, const std::vector<double>& rises) const;
@@ -60,7 +62,7 @@ class Diffusion {
     void solve(double a, double b, const std::vector<double>& right, std::vector<double>& x);
 
     const Surface& surface_;
-    std::vector<std::uint32_t> slot_;  // per point
+    organ::Zeroed<std::uint32_t> link_;  // per point: 1 + its slot, 0 while it is not in play
     Field field_;
     std::vector<double> source_;  // per slot, for the next step
     bool stale_ = true;           // the rows belong to an earlier set of points
