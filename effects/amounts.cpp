@@ -1,8 +1,8 @@
 #include "lapfx/amounts.h"
 
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "foundation.h"
 #include "inputs.h"
@@ -13,10 +13,12 @@ namespace lapfx {
 
 namespace {
 
+/// With a point, whatever the locale of the host.
 void add_number(std::string& line, double value, int decimals) {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-    line += text.data();
+    std::array<char, 512> text;
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals).ptr;
+    line.append(text.data(), end);
 }
 
 }  // namespace

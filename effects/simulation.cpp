@@ -204,18 +204,17 @@ SmokeAmounts Simulation::smoke(double time, bool smokes) const noexcept {
 }
 
 Amounts Simulation::amounts(bool smokes) const noexcept {
-    const SmokeAmounts smoke = this->smoke(time_, smokes);
     const bleeding::BloodAmount blood = tissue_->blood->amount();
     const std::span<const WoundStatus> wounds = tissue_->blood->wounds();
-    return {.blood_area = blood.area,
-            .blood_volume = blood.volume,
-            .wounds = static_cast<int>(wounds.size()) - waiting_wounds(wounds),
-            .bleeding_wounds = bleeding::bleeding_wounds(wounds),
-            .left_out_wounds = static_cast<int>(tissue_->cautery.left_out()),
-            .lost_samples = recorder_.dropped(),
-            .haze = smoke.haze,
-            .emission = smoke.emission,
-            .burnt_area = tissue_->cautery.burnt_area()};
+    Amounts amounts{.blood_area = blood.area,
+                    .blood_volume = blood.volume,
+                    .wounds = static_cast<int>(wounds.size()) - waiting_wounds(wounds),
+                    .bleeding_wounds = bleeding::bleeding_wounds(wounds),
+                    .left_out_wounds = static_cast<int>(tissue_->cautery.left_out()),
+                    .lost_samples = recorder_.dropped(),
+                    .burnt_area = tissue_->cautery.burnt_area()};
+    smoke(time_, smokes).put_into(amounts);
+    return amounts;
 }
 
 }  // namespace lapfx

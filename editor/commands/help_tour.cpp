@@ -1,5 +1,7 @@
 #include "commands/help_tour.h"
 
+#include "lapfx/tool.h"
+
 namespace lapfx::commands {
 
 namespace {
@@ -29,12 +31,21 @@ HelpSection tuning() {
          "power, bleeding and smoke over time."});
 }
 
+/// "1 to cauterise (2 cut, 3 coagulate, 0 look around)"
+std::string tool_keys() {
+    std::string keys;
+    for (const ToolActionRow& row : tool_actions) {
+        const bool first = &row == &tool_actions[0];
+        keys += std::string(1, row.shortcut) + (first ? " to " : " ") + std::string(row.key) + (first ? " (" : ", ");
+    }
+    return keys + "0 look around)";
+}
+
 HelpSection working() {
-    return section(
-        "Work on the organ",
-        {"Press 1 to cauterise (2 cut, 3 coagulate, 4 tear, 5 suction, 6 irrigation, 7 clip, 0 look around) and hold "
-         "the left button on the organ. Each stroke becomes an event on the timeline, where it can be moved and "
-         "stretched, and its values typed. What each tool does: lapfx help tool."});
+    return section("Work on the organ",
+                   {"Press " + tool_keys() +
+                    " and hold the left button on the organ. Each stroke becomes an event on the timeline, where it "
+                    "can be moved and stretched, and its values typed. What each tool does: lapfx help tool."});
 }
 
 HelpSection bringing() {

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "commands/inspect.h"
+#include "lapfx/authoring/clip_roles.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/printable.h"

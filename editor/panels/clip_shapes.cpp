@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/clips/keying_bench.h"
+#include "lapfx/authoring/clip_roles.h"
 #include "panels/clip_parameters.h"
 #include "panels/parts.h"
 #include "panels/place_handle.h"

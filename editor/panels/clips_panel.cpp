@@ -10,6 +10,7 @@
 #include "app/clips/keying_bench.h"
 #include "app/editor.h"
 #include "app/files/files.h"
+#include "lapfx/authoring/clip_roles.h"
 #include "lapfx/authoring/smoke_notes.h"
 #include "panels/clip_parameters.h"
 #include "panels/panels.h"

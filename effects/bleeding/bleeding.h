@@ -3,7 +3,8 @@
 // bleeding_gpu.h is the other side, which draws it.
 //
 // A model is a function of what is set and of the time: any order of calls gives the same to the last bit. To add one,
-// write a class of each side and a row for it in models.cpp and in bleeding_gpu.cpp. One thread at a time.
+// write its enumerator, a class of each side and a row for it in models.cpp and in bleeding_gpu.cpp, and say in
+// model_of() which presets ask for it. One thread at a time.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +25,7 @@ namespace lapfx::bleeding {
 enum class Model {
     spread,  ///< the paper's: a front runs from each wound (bleed_cpu.h)
 };
-inline constexpr std::size_t model_count = 1;
+inline constexpr std::size_t model_count = 1;  ///< enumerators
 
 /// The model that a preset asks for. There is one, and presets have no row for it yet.
 inline Model model_of(const BleedingParameters&) {

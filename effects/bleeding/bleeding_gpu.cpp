@@ -1,6 +1,7 @@
 #include "bleeding/bleeding_gpu.h"
 
 #include "bleeding/bleed_gpu.h"
+#include "lapfx/rows.h"
 
 namespace lapfx::bleeding {
 
@@ -12,15 +13,15 @@ std::unique_ptr<BleedingGpu> made(std::size_t vertices) {
 }
 
 struct Row {
+    Model model;
     ModelShaders shaders;
     std::unique_ptr<BleedingGpu> (*make)(std::size_t vertices);
 };
 
-/// In the order of Model.
 constexpr Row rows[] = {
-    {{"wounded.vert", "wounded.frag", "bleeding.glsl"}, made<BleedGpu>},
+    {.model = Model::spread, .shaders = {"wounded.vert", "wounded.frag", "bleeding.glsl"}, .make = made<BleedGpu>},
 };
-static_assert(std::size(rows) == model_count);
+static_assert(rows_follow<&Row::model>(rows) && std::size(rows) == model_count);
 
 }  // namespace
 

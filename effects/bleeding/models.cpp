@@ -2,6 +2,7 @@
 
 #include "bleeding/bleed_cpu.h"
 #include "bleeding/bleeding.h"
+#include "lapfx/rows.h"
 
 namespace lapfx::bleeding {
 
@@ -12,14 +13,20 @@ std::unique_ptr<Bleeding> made(const Surface& surface, const glm::dvec3& down) {
     return std::make_unique<Made>(surface, down);
 }
 
-/// In the order of Model.
-constexpr std::unique_ptr<Bleeding> (*makers[])(const Surface&, const glm::dvec3&) = {made<BleedField>};
-static_assert(std::size(makers) == model_count);
+struct Row {
+    Model model;
+    std::unique_ptr<Bleeding> (*make)(const Surface& surface, const glm::dvec3& down);
+};
+
+constexpr Row rows[] = {
+    {.model = Model::spread, .make = made<BleedField>},
+};
+static_assert(rows_follow<&Row::model>(rows) && std::size(rows) == model_count);
 
 }  // namespace
 
 std::unique_ptr<Bleeding> make_bleeding(Model model, const Surface& surface, const glm::dvec3& down) {
-    return makers[static_cast<std::size_t>(model)](surface, down);
+    return rows[static_cast<std::size_t>(model)].make(surface, down);
 }
 
 int bleeding_wounds(std::span<const WoundStatus> wounds) noexcept {

@@ -44,7 +44,7 @@ class WoundList {
     std::span<const Wound> wounds() const { return wounds_; }
     /// How many were left out because there were already `most` of them. The first ones stay.
     std::size_t left_out() const { return left_out_.size(); }
-    /// Changes whenever the wounds do.
+    /// Changes whenever add() or truncating changes the wounds; what seal() does to them shows in the clips' version.
     std::uint64_t version() const { return version_; }
 
     /// False when there is no new wound: it has no strength, there are too many, or it is closer than `closest` to a

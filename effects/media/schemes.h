@@ -2,6 +2,7 @@
 // for no enumerator, so a scheme that does what others do is a row alone.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 
@@ -51,6 +52,8 @@ inline constexpr SchemeRow scheme_rows[] = {
      .otherwise = Scheme::buffered_planar},
 };
 static_assert(rows_follow<&SchemeRow::scheme>(scheme_rows));
+static_assert(std::ranges::all_of(scheme_rows, [](const SchemeRow& row) { return !row.buffers || row.textures >= 4; }),
+              "two frames are sent in a cycle while two others may still be shown");
 
 constexpr const SchemeRow& row_of(Scheme scheme) noexcept {
     return scheme_rows[static_cast<std::size_t>(scheme)];

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gl/srgb.h"
+#include "lapfx/authoring/clip_roles.h"
 #include "smoke/keying.h"
 #include "smoke/window.h"
 

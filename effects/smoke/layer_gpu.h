@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "lapfx/authoring/clip_roles.h"
 #include "lapfx/smoke_parameters.h"
 #include "media/clip_frame.h"
 

@@ -1,6 +1,7 @@
 // smoke_notes(): what the clips of a preset leave out.
 #include <algorithm>
 
+#include "lapfx/authoring/clip_roles.h"
 #include "lapfx/authoring/smoke_notes.h"
 
 namespace lapfx {

@@ -30,6 +30,7 @@
 // - colours and extinction: haze over a dark cavity measures 96, 83, 99 (8-bit sRGB) against 43, 1, 3 without: it adds
 //   about 55, 82, 96, bluish grey before a red cavity. The smoke itself is lit by lamp and tissue, a warm grey of 96,
 //   83, 99 where nothing shows through. Red passes more than blue, so extinction rises from red to blue.
+#include "lapfx/authoring/clip_roles.h"
 #include "lapfx/preset.h"
 #include "preset/tables.h"
 #include "preset/text.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lapfx/authoring/clip_roles.h"
 #include "lapfx/preset.h"
 #include "media/playhead.h"
 #include "media/schemes.h"
@@ -71,11 +72,8 @@ void Smoke::set_preset(const Preset& preset, std::span<const std::filesystem::pa
 }
 
 void Smoke::set_parameters(const SmokeParameters& parameters) {
-    wanted_.keying = parameters.keying;
-    wanted_.plume = parameters.plume;
-    wanted_.haze = parameters.haze;
-    wanted_.particles = parameters.particles;
-    wanted_.clips = parameters_.clips;
+    wanted_ = parameters;
+    wanted_.clips = parameters_.clips;  // those that play go on
     used_.assign(parameters.clips.size(), false);
     for (SmokeClip& clip : wanted_.clips) {
         for (std::size_t i = 0; i < parameters.clips.size(); ++i) {
@@ -195,7 +193,8 @@ void Smoke::add_plumes(std::size_t clip, double share, const View& view, const S
         drawn.widening = static_cast<float>(state.widening);
         drawn.below = 1.0 - settings.crop.bottom - settings.source_y;
         const glm::vec4 bounds = view_bounds(corners, view.projection);
-        add_shown(*shown, drawn, state.density * share, [&](const Layer& one) { gpu_.plume(one, corners, bounds); });
+        add_shown(*shown, drawn, state.density * share,
+                  [&](const Layer& one) { gpu_.standing(settings.role, one, corners, bounds); });
     }
 }
 
@@ -223,7 +222,8 @@ bool Smoke::add_haze(std::size_t clip, double time, double density, media::Polic
     drawn.mirrored = turn.mirrored;
     drawn.angle = turn.angle;
     const Shown shown = show(clip, time, policy);
-    add_shown(shown, drawn, density, [&](const Layer& one) { gpu_.haze(one, parameters_.haze.unevenness); });
+    add_shown(shown, drawn, density,
+              [&](const Layer& one) { gpu_.filling(ClipRole::haze, one, parameters_.haze.unevenness); });
     return there(shown.frame) || (shown.fading && there(*shown.fading));
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gl/srgb.h"
+#include "lapfx/authoring/clip_roles.h"
 #include "lapfx/error.h"
 #include "smoke/window.h"
 
@@ -167,20 +168,21 @@ void SmokeGpu::add(ClipRole which, const Layer& layer, const LayerBlock& block) 
     roles_[which].blocks.push_back(block);
 }
 
-void SmokeGpu::plume(const Layer& layer, const std::array<glm::vec3, 4>& corners, glm::vec4 bounds) noexcept {
+void SmokeGpu::standing(ClipRole which, const Layer& layer, const std::array<glm::vec3, 4>& corners,
+                        glm::vec4 bounds) noexcept {
     if (!(bounds.z > bounds.x && bounds.w > bounds.y)) return;  // out of sight
-    Role& r = roles_[ClipRole::plume];
+    Role& r = roles_[which];
     LayerBlock block = layer_block(layer, r.medium, softness_);
     for (std::size_t i = 0; i < corners.size(); ++i) block.corners[i] = glm::vec4(corners[i], 1.0f);
-    add(ClipRole::plume, layer, block);
+    add(which, layer, block);
     r.bounds = {glm::min(glm::vec2(r.bounds), glm::vec2(bounds)),
                 glm::max(glm::vec2(r.bounds.z, r.bounds.w), glm::vec2(bounds.z, bounds.w))};
 }
 
-void SmokeGpu::haze(const Layer& layer, double unevenness) noexcept {
-    LayerBlock block = layer_block(layer, roles_[ClipRole::haze].medium, unevenness);
+void SmokeGpu::filling(ClipRole which, const Layer& layer, double unevenness) noexcept {
+    LayerBlock block = layer_block(layer, roles_[which].medium, unevenness);
     turn_block(block, layer, viewport_.z / std::max(viewport_.w, 1.0f));
-    add(ClipRole::haze, layer, block);
+    add(which, layer, block);
 }
 
 /// The shader sums up layers that fill the view, which saves reading and writing the target in between. Others are at

@@ -2,8 +2,8 @@
 // current, the view block bound at 0.
 //
 //     gpu.begin(media, softness);
-//     gpu.plume(layer, corners, bounds);   // any number, drawn in this order
-//     gpu.haze(layer, unevenness);         // comes over all plumes
+//     gpu.standing(role, layer, corners, bounds);  // any number, drawn in this order
+//     gpu.filling(role, layer, unevenness);        // roles lie over each other in their order
 //     gpu.draw(scene_depth);
 #pragma once
 
@@ -15,6 +15,7 @@
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "gl/timer.h"
+#include "lapfx/authoring/clip_roles.h"
 #include "lapfx/streaming.h"
 #include "smoke/layer_gpu.h"
 #include "smoke/noise_tiles_gpu.h"
@@ -34,9 +35,11 @@ class SmokeGpu {
 
     /// Forgets the layers of the last frame. `softness`: mm over which smoke in the scene fades where it meets things.
     void begin(const PerRole<SmokeMedium>& media, double softness) noexcept;
-    /// `corners`: camera space; `bounds`: of them in the view (view_bounds()).
-    void plume(const Layer& layer, const std::array<glm::vec3, 4>& corners, glm::vec4 bounds) noexcept;
-    void haze(const Layer& layer, double unevenness) noexcept;
+    /// A layer that stands in the scene. `corners`: camera space; `bounds`: of them in the view (view_bounds()).
+    void standing(ClipRole which, const Layer& layer, const std::array<glm::vec3, 4>& corners,
+                  glm::vec4 bounds) noexcept;
+    /// A layer that fills the view.
+    void filling(ClipRole which, const Layer& layer, double unevenness) noexcept;
     /// Without a clip: the same thickness, at the focus distance, everywhere.
     void even_haze(double thickness) noexcept { even_ = static_cast<float>(thickness); }
 

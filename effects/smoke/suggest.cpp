@@ -1,6 +1,7 @@
 // Suggests keying for a file: decoding for keying_survey.h.
 #include <algorithm>
 
+#include "lapfx/authoring/clip_roles.h"
 #include "lapfx/error.h"
 #include "media/decoder.h"
 #include "smoke/keying_survey.h"

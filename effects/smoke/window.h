@@ -7,6 +7,7 @@
 #include <array>
 #include <glm/glm.hpp>
 
+#include "lapfx/authoring/clip_roles.h"
 #include "lapfx/smoke_parameters.h"
 
 namespace lapfx::smoke {

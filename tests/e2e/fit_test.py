@@ -26,7 +26,7 @@ def run(lapfx, *arguments):
 
 def render_hidden(lapfx, scene, folder):
     video = os.path.join(folder, "hidden.mp4")
-    code, _, told = run(lapfx, "render", scene, *VIDEO, "--to", "5", "--set",
+    code, _, told = run(lapfx, "render", scene, *VIDEO, "--to", "6", "--set",
                         f"smoke.haze.accumulation={ACCUMULATION}", "-o", video)
     assert code == 0, told
     return video
@@ -55,7 +55,7 @@ def check_scene(lapfx, scene, video, folder):
     """The scene's tools begin when the reference smokes, and the scene that is written names preset and reference."""
     fitted, written = os.path.join(folder, "s.json"), os.path.join(folder, "fitted.scene.json")
     report = os.path.join(folder, "s.html")
-    code, said, told = run(lapfx, "fit", scene, "--reference", video, "--offset", "0.5", "--window", "0,4",
+    code, said, told = run(lapfx, "fit", scene, "--reference", video, "--offset", "0.5", "--window", "0,5",
                            "--parameters", "smoke.haze.accumulation", "-o", fitted, "--fitted-scene", written,
                            "--report", report)
     assert code == 0, told
@@ -70,7 +70,7 @@ def check_scene(lapfx, scene, video, folder):
     begins = min(event["time"] for event in given["events"]) - 0.5
     assert abs(first - begins) < 0.6, (first, said)
     for event in given["events"]:  # what the reference does not reach stays
-        if event["time"] > 4.5:
+        if event["time"] > 5.5:
             assert event in found["events"], (event, found["events"])
     start = json.load(open(os.path.join(os.path.dirname(scene), given["preset"])))
     end = json.load(open(fitted))
@@ -167,7 +167,7 @@ def check_refused(lapfx, scene, video, folder):
         (["--window", "0,1000"], "--window"),
         (["--window", "now"], "--window"),
         (["--offset", "50"], "has no time in common"),
-        (["--offset", "4.99"], "fewer than two measured moments"),
+        (["--offset", "5.99"], "fewer than two measured moments"),
         (["--offset", "nan"], "--offset"),
         (["--budget", "0"], "--budget"),
         (["--seed", "x"], "--seed"),

@@ -3,6 +3,7 @@
 
 man_test.py LAPFX SAMPLES PART: pages | completion. SAMPLES: the folder of samples, which completion looks into.
 """
+import glob
 import os
 import re
 import shutil
@@ -19,12 +20,12 @@ COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1))
 _lapfx
 printf '%s\\n' "${COMPREPLY[@]}"
 """
-# What is typed, up to the key, and what is offered.
+# What is typed, up to the key, and what is offered: a pattern stands for the files that are there.
 CASES = (
     ("re", ["render"]),
     ("f", ["fit"]),
     ("cli", ["clips"]),
-    ("render ", ["clips", "host", "lagb.scene.json", "organs", "pictures", "reference"]),
+    ("render ", ["*.scene.json", "clips", "host", "organs", "pictures", "reference"]),
     ("render --ba", ["--backend"]),
     ("render lagb.scene.json --backend ", ["auto", "egl", "osmesa"]),
     ("render lagb.scene.json --backend = o", ["osmesa"]),
@@ -112,6 +113,7 @@ def completion_faults(lapfx, samples):
         for typed, offered in CASES:
             done = run("bash", "-c", COMPLETE, "bash", script, "lapfx", *typed.split(" "), cwd=samples)
             found = sorted(set(done.stdout.split("\n")) - {""})
+            offered = sorted(name for pattern in offered for name in glob.glob(pattern, root_dir=samples) or [pattern])
             if done.returncode != 0 or done.stderr or found != offered:
                 yield f"lapfx {typed}: offers {found}, not {offered}; {done.stderr}"
         if shutil.which("shellcheck"):

@@ -25,7 +25,7 @@ from install_test import run
 
 PACKAGES = ("lapfx", "liblapfx", "liblapfx-dev", "python3-lapfx")
 LOADED_LATER = ("fonts-inter", "fonts-dejavu-core", "libgl1-mesa-dri", "libosmesa6")
-SAMPLES = ("lagb.scene.json", "lagb.glb", "hook_cautery.glb", "liver_lobe.glb", "reference/operation.mp4")
+SAMPLES = ("lagb.glb", "hook_cautery.glb", "liver_lobe.glb", "reference/operation.mp4")
 # What hosts are built with, as a stranger has to install it.
 FOR_HOSTS = ("g++", "cmake", "ninja-build", "pkg-config", "libglfw3-dev", "python3-glad", "libegl-dev", "libvtk9-dev")
 DESKTOP = ("applications/lapfx.desktop", "mime/packages/lapfx.xml", "icons/hicolor/scalable/apps/lapfx.svg",
@@ -70,6 +70,7 @@ def expected_names(source, program, libraries):
     names = {
         "lapfx": ["bin/lapfx", *(f"share/man/{page}.gz" for page in pages), *(f"share/{name}" for name in DESKTOP),
                   *(f"{data}/samples/{name}" for name in SAMPLES),
+                  *names_below(f"{source}/samples", f"{data}/samples", r"samples/[^/]*\.scene\.json$"),
                   *names_below(f"{source}/samples/clips", f"{data}/samples/clips", r"\.mp4$"),
                   *names_below(f"{source}/presets", f"{data}/presets", r"\.(json|md)$"),
                   *names_below(f"{source}/shaders", f"{data}/shaders", r"\.(glsl|vert|frag)$")],

@@ -16,7 +16,7 @@ inline std::filesystem::path source_folder() {
     return std::filesystem::canonical(build_folder() / "share" / "lapfx");
 }
 
-/// The shipped files with smaller textures and videos (light_samples.cpp).
+/// The shipped files with smaller textures and videos, and of the organ what the camera sees (light_samples.cpp).
 inline std::filesystem::path light_folder() {
     return build_folder() / "light";
 }

@@ -7,7 +7,7 @@
 //     each frame:  if (work.ended()) work.faults().empty() ? show(work.result()) : tell(work.faults());
 //
 // Unlike a job of Jobs it waits for no other, and may wait for the window: for steps of drawing, or to go on. All but
-// the work itself is called by the thread that made it.
+// the work itself is called by the thread that made it; `ended` may ask for the result and the faults, too.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ namespace lapfx::app {
 class ThreadWorkBase {
   public:
     struct Calls {
-        std::function<void()> ended = {};  ///< the thread of the work, once there is a result
+        std::function<void()> ended = {};  ///< the thread of the work, however it has ended
         /// Nobody wants its result any more, and it is cancelled and going to be waited for: lets go what it waits for.
         std::function<void()> given_up = {};
     };

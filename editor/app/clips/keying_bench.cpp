@@ -12,6 +12,7 @@
 #include "app/preview/timeline.h"
 #include "app/tuning/parameters.h"
 #include "document/tables.h"
+#include "lapfx/authoring/clip_roles.h"
 #include "lapfx/authoring/compare.h"
 
 namespace lapfx::app {

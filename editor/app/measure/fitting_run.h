@@ -62,7 +62,7 @@ class FittingRun {
     std::shared_ptr<const Frames> best() const;
     bool ended() const { return work_.ended(); }
     /// Once it has ended: nothing where it was cancelled before anything was drawn, or faults() say why.
-    std::optional<FitFound> take() { return std::move(work_.result()); }
+    std::optional<FitFound> take() { return std::exchange(work_.result(), std::nullopt); }
     std::vector<Fault> faults() const { return work_.faults(); }
 
   private:

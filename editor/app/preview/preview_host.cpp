@@ -9,6 +9,7 @@
 
 #include "app/base/paths.h"
 #include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/clip_roles.h"
 #include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/prepared_scene.h"
 

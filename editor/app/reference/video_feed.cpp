@@ -11,10 +11,17 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::seconds between_looks{1};
+constexpr std::size_t most_spare = 3;  // images: one is shown, one has come and one is being read
 
 }  // namespace
 
-VideoFeed::VideoFeed(bool exact) : exact_(exact) {
+struct VideoFeed::Spare {
+    std::mutex mutex;
+    std::vector<std::unique_ptr<Image>> images;
+};
+
+VideoFeed::VideoFeed(bool exact) : exact_(exact), spare_(std::make_shared<Spare>()) {
+    spare_->images.reserve(most_spare);
     if (!exact_) thread_ = std::thread([this] { run(); });
 }
 
@@ -120,8 +127,28 @@ void VideoFeed::open_now(Wish& wish) {
     publish(false);
 }
 
+/// Empty, with the memory of one that nobody holds any more: while a video plays nothing is allocated, or given back by
+/// the thread of the window.
+std::shared_ptr<Image> VideoFeed::spare_image() const {
+    std::unique_ptr<Image> image;
+    {
+        const std::lock_guard lock(spare_->mutex);
+        if (!spare_->images.empty()) {
+            image = std::move(spare_->images.back());
+            spare_->images.pop_back();
+        }
+    }
+    if (!image) image = std::make_unique<Image>();
+    image->pixels.clear();
+    return {image.release(), [spare = spare_](Image* done) {
+                std::unique_ptr<Image> back(done);
+                const std::lock_guard lock(spare->mutex);
+                if (spare->images.size() < most_spare) spare->images.push_back(std::move(back));
+            }};
+}
+
 void VideoFeed::read_frame(int frame) {
-    auto image = std::make_shared<Image>();
+    std::shared_ptr<Image> image = spare_image();
     made_.good = reader_->read(frame, *image, &give_up_);
     if (!made_.good && give_up_) return;
     if (!image->pixels.empty()) made_image_ = std::move(image);  // without memory the last one stays

@@ -77,12 +77,16 @@ class VideoFeed {
         bool good = true;
     };
 
+    /// Images that nobody holds any more; any thread.
+    struct Spare;
+
     static std::optional<Stamp> stamp_of(const std::filesystem::path& file);
     void run();
     void serve(Wish wish);
     void open_now(Wish& wish);
     void look_after_file();
     void read_frame(int frame);
+    std::shared_ptr<Image> spare_image() const;
     void publish(bool with_image);
 
     const bool exact_;
@@ -98,6 +102,7 @@ class VideoFeed {
     std::atomic<bool> give_up_ = false;  ///< another file is wanted: the search for a frame ends
 
     // the thread's own
+    const std::shared_ptr<Spare> spare_;
     Shown made_;
     std::shared_ptr<const Image> made_image_;
     std::filesystem::path file_;

@@ -60,10 +60,7 @@ std::vector<Amounts> CoreAmounts::at(const document::Content& tuned, std::span<c
     BloodInputs inputs = inputs_of(tuned, times);
     if (!known(inputs)) keep({.of = std::move(inputs), .amounts = amounts_of(model, times)});
     std::vector<Amounts> amounts = known_.front().amounts;
-    for (std::size_t i = 0; i < amounts.size(); ++i) {
-        const SmokeAmounts smoke = model.smoke_at(times[i]);
-        amounts[i].haze = smoke.haze, amounts[i].emission = smoke.emission;
-    }
+    for (std::size_t i = 0; i < amounts.size(); ++i) model.smoke_at(times[i]).put_into(amounts[i]);
     return amounts;
 }
 

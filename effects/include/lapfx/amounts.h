@@ -132,13 +132,16 @@ inline constexpr AmountRow amount_rows[] = {
 };
 inline constexpr std::size_t amount_count = std::size(amount_rows);
 
-/// The table that `lapfx render --amounts` writes, with one line for each time. Both end their line.
+/// The table that `lapfx render --amounts` writes, with one line for each time, s. Both end their line and have points
+/// in their numbers, whatever the locale. Any thread; they make strings, and so are not for each frame.
 LAPFX_API std::string amounts_head();
 LAPFX_API std::string amounts_line(double time, const Amounts& amounts);
 
 /// The part of Amounts that is known in closed form.
 struct SmokeAmounts {
     double haze = 0.0, emission = 0.0;  ///< as in Amounts
+
+    void put_into(Amounts& amounts) const { amounts.haze = haze, amounts.emission = emission; }
 };
 
 class PreparedOrgan;

@@ -60,8 +60,9 @@ class EditorTest : public GpuTest {
     bool shares_organ = true;
 
     /// Whether textures and videos of the sample are those that are shipped, or those of a quarter of their width and
-    /// height (support/light_samples.cpp), which take a fraction of the time. Tests whose pictures are compared with
-    /// what `lapfx` makes of the sample ask for true in the constructor of their fixture.
+    /// height, and of the organ the part that the scene's camera sees (support/light_samples.cpp), which take a
+    /// fraction of the time. Tests whose pictures are compared with what `lapfx` makes of the sample ask for true in
+    /// the constructor of their fixture.
     bool whole_sample = false;
     std::filesystem::path own_shipped = {};  ///< of the test's own, in place of both; from the next start() on
     std::filesystem::path shipped() const;   ///< the folder of shipped files that these say

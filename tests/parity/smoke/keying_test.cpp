@@ -83,8 +83,9 @@ class KeyingPictureParity : public SmokeGpuTest {
         glEnable(GL_SCISSOR_TEST);
         glScissor(from.x, from.y, extent.x, extent.y);
         const std::vector<glm::vec4> pixels = draw(gpu, [&] {
-            gpu.plume({.frame = clip.frame(), .keying = &tested.keying, .clip = &tested.window, .density = 1.0},
-                      filling, glm::vec4(0.0f, 0.0f, 1.0f, 1.0f));
+            gpu.standing(ClipRole::plume,
+                         {.frame = clip.frame(), .keying = &tested.keying, .clip = &tested.window, .density = 1.0},
+                         filling, glm::vec4(0.0f, 0.0f, 1.0f, 1.0f));
         });
         glDisable(GL_SCISSOR_TEST);
         return pixels;

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "gl/objects.h"
+#include "lapfx/authoring/clip_roles.h"
 #include "lapfx/view.h"
 #include "render/view_block.h"
 #include "smoke/keying_pixel.h"

@@ -75,12 +75,13 @@ TEST_P(SmokeLayers, HazeIsThatOfTheReferences) {
     const double unevenness = 0.7, density = 1.3 / count;
     const auto pixels = draw(gpu, [&] {
         for (const HandMade& clip : clips)
-            gpu.haze({.frame = clip.frame(),
-                      .keying = &tested.keying,
-                      .polarity = tested.polarity,
-                      .mirrored = tested.mirrored,
-                      .density = density},
-                     unevenness);
+            gpu.filling(ClipRole::haze,
+                        {.frame = clip.frame(),
+                         .keying = &tested.keying,
+                         .polarity = tested.polarity,
+                         .mirrored = tested.mirrored,
+                         .density = density},
+                        unevenness);
     });
     double worst = 0.0;
     for (int y = 0; y < size.y; ++y)
@@ -170,7 +171,8 @@ TEST_F(SmokeGpuHaze, NoiseIsEachLayersOwnHoweverTheyAreDrawn) {
         gpu.set_clip_pixels({{0, size.x * size.y}});
         return draw(gpu, [&] {
             for (const std::uint32_t seed : {5u, 60u, 700u, last_seed})
-                gpu.haze({.frame = clip.frame(), .keying = &keying, .density = 0.5, .time = 2.0, .seed = seed}, 1.0);
+                gpu.filling(ClipRole::haze,
+                            {.frame = clip.frame(), .keying = &keying, .density = 0.5, .time = 2.0, .seed = seed}, 1.0);
         });
     };
     const auto largest = [](const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
@@ -196,7 +198,8 @@ TEST_F(SmokeGpuHaze, ATurnedClipShowsNoBorder) {
     gpu.set_clip_pixels({{0, 1600}});
     for (const float quarter : {1.0f, -1.0f}) {
         const auto pixels = draw(gpu, [&] {
-            gpu.haze({.frame = clip.frame(), .keying = &keying, .angle = quarter * glm::radians(90.0f)}, 1.0);
+            gpu.filling(ClipRole::haze,
+                        {.frame = clip.frame(), .keying = &keying, .angle = quarter * glm::radians(90.0f)}, 1.0);
         });
         // Counter-clockwise, the right half is on top.
         const float above = pixels[index({5, 30})].r, below = pixels[index({33, 9})].r;
@@ -207,7 +210,8 @@ TEST_F(SmokeGpuHaze, ATurnedClipShowsNoBorder) {
     // At any angle its mirror image continues beyond the clip: it is never clear and shows no line.
     std::fill(clip.planes[0].begin(), clip.planes[0].end(), std::uint8_t{180});
     clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
-    const auto pixels = draw(gpu, [&] { gpu.haze({.frame = clip.frame(), .keying = &keying, .angle = 0.6f}, 1.0); });
+    const auto pixels =
+        draw(gpu, [&] { gpu.filling(ClipRole::haze, {.frame = clip.frame(), .keying = &keying, .angle = 0.6f}, 1.0); });
     for (const glm::vec4& pixel : pixels) ASSERT_NEAR(pixel.r, pixels[0].r, 1e-4f);
 }
 
@@ -245,7 +249,8 @@ TEST_F(SmokeGpuPlume, HasNoHaloAtTheEdgeOfAnInstrument) {
         SmokeGpu gpu(resolution, false);
         gpu.set_clip_pixels({{60 * 40, 0}});
         const auto pixels = draw(gpu, [&] {
-            gpu.plume({.frame = clip.frame(), .keying = &keying, .density = 1.5}, corners(100.0f), everywhere);
+            gpu.standing(ClipRole::plume, {.frame = clip.frame(), .keying = &keying, .density = 1.5}, corners(100.0f),
+                         everywhere);
         });
         if (resolution == SmokeResolution::screen) direct = pixels;
         for (int y = 30; y < 90; ++y)
@@ -271,7 +276,8 @@ TEST_F(SmokeGpuPlume, FadesOverItsSoftnessWhereItMeetsTheScene) {
             SmokeGpu gpu(SmokeResolution::clip, false);
             gpu.set_clip_pixels({{size.x * size.y, 0}});
             const auto pixels = draw(gpu, [&] {
-                gpu.plume({.frame = clip.frame(), .keying = &keying, .density = 0.9}, corners(100.0f), everywhere);
+                gpu.standing(ClipRole::plume, {.frame = clip.frame(), .keying = &keying, .density = 0.9},
+                             corners(100.0f), everywhere);
             });
             const auto soft = static_cast<float>(std::clamp(behind / wanted, 0.0, 1.0));
             SmokeSum sum;
@@ -296,8 +302,9 @@ TEST_F(SmokeGpuPlume, ThickSmokeFadesEvenlyTowardsTheBorder) {
     const float whole = static_cast<float>(-std::log(0.002) * density);
     for (const float below : {0.5f, 0.08f, 0.0f}) {
         const auto pixels = draw(gpu, [&] {
-            gpu.plume({.frame = clip.frame(), .keying = &keying, .density = density, .below = below}, filling(),
-                      everywhere);
+            gpu.standing(ClipRole::plume,
+                         {.frame = clip.frame(), .keying = &keying, .density = density, .below = below}, filling(),
+                         everywhere);
         });
         const auto thickness = [&](glm::ivec2 pixel) {
             return -std::log(pixels[index(pixel)].r / background.r) / static_cast<float>(plume.extinction.r);
@@ -326,7 +333,7 @@ TEST_F(SmokeGpuPlume, WhiteWithItsOwnOpacityIsAsBrightAsKeyedFromBlack) {
         SmokeGpu gpu(SmokeResolution::clip, false);
         gpu.set_clip_pixels({{size.x * size.y, 0}});
         return draw(gpu, [&] {
-            gpu.plume({.frame = clip.frame(), .keying = &keying}, corners(100.0f), everywhere);
+            gpu.standing(ClipRole::plume, {.frame = clip.frame(), .keying = &keying}, corners(100.0f), everywhere);
         })[index(size / 2)];
     };
     const glm::vec4 keyed = middle_of(false), own = middle_of(true);
@@ -346,8 +353,9 @@ TEST_F(SmokeGpuPlume, WidensUpwardsAndGetsThinner) {
     SmokeGpu gpu(SmokeResolution::clip, false);
     gpu.set_clip_pixels({{size.x * size.y, 0}});
     const auto pixels = draw(gpu, [&] {
-        gpu.plume({.frame = clip.frame(), .keying = &keying, .source = {0.5f, 1.0f}, .widening = 2.0f}, filling(),
-                  everywhere);
+        gpu.standing(ClipRole::plume,
+                     {.frame = clip.frame(), .keying = &keying, .source = {0.5f, 1.0f}, .widening = 2.0f}, filling(),
+                     everywhere);
     });
     const auto thickness = [&](int x, int y) {
         return -std::log(pixels[index({x, y})].r / background.r) / static_cast<float>(plume.extinction.r);
@@ -374,8 +382,9 @@ TEST_F(SmokeGpuPlume, LeavesTheRestOfTheFrameAlone) {
     for (const SmokeResolution resolution : {SmokeResolution::screen, SmokeResolution::clip}) {
         SmokeGpu gpu(resolution, false);
         gpu.set_clip_pixels({{size.x * size.y / 4, 0}});
-        const auto pixels =
-            draw(gpu, [&] { gpu.plume({.frame = clip.frame(), .keying = &keying, .density = 3.0}, small, bounds); });
+        const auto pixels = draw(gpu, [&] {
+            gpu.standing(ClipRole::plume, {.frame = clip.frame(), .keying = &keying, .density = 3.0}, small, bounds);
+        });
         int changed = 0;
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x) {

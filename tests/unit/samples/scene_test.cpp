@@ -1,9 +1,12 @@
 // The sample scene is the paper's operation: fat and ligament, each a part of the organ, and strokes on both.
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <set>
+#include <string>
 
 #include "bleeding/tissue_density.h"
+#include "lapfx/preset.h"
 #include "lapfx/scene.h"
 #include "support/folders.h"
 #include "unit/organ/fixtures.h"
@@ -24,6 +27,26 @@ Nearest nearest_to(const Organ& organ, const glm::dvec3& place) {
             if (distance < nearest.distance) nearest = {part.name, distance};
         }
     return nearest;
+}
+
+/// Also of those that come later: whatever lies in samples/ is installed and shown as a sample.
+TEST(SampleScenes, AllAreWholeAndTheirStrokesTouch) {
+    int scenes = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "samples")) {
+        const std::string name = entry.path().filename().string();
+        if (!name.ends_with(".scene.json")) continue;
+        ++scenes;
+        const Scene scene = load_scene(entry.path());
+        const Organ organ = load_organ(scene.folder / scene.organ.file);
+        EXPECT_FALSE(load_preset(scene.folder / scene.preset).description.empty()) << name;
+        EXPECT_FALSE(scene.name.empty()) << name;
+        for (const std::string& file : {scene.tool.file, scene.reference.file})
+            EXPECT_TRUE(file.empty() || std::filesystem::exists(scene.folder / file)) << name << ": " << file;
+        EXPECT_FALSE(scene.events.empty()) << name;
+        for (const ToolContact& event : scene.events)
+            EXPECT_LT(nearest_to(organ, event.position).distance, 5.0) << name << ", " << event.time << " s";
+    }
+    EXPECT_GE(scenes, 1);
 }
 
 TEST(SampleScene, HasStrokesOnFatAndOnTheLigament) {

@@ -35,13 +35,9 @@ std::vector<Amounts> anew(const document::Content& tuned, std::span<const double
 
 void expect_same(const std::vector<Amounts>& told, const std::vector<Amounts>& expected, const std::string& of) {
     ASSERT_EQ(told.size(), expected.size()) << of;
-    for (std::size_t i = 0; i < told.size(); ++i) {
-        EXPECT_EQ(told[i].blood_area, expected[i].blood_area) << of << ", " << i;
-        EXPECT_EQ(told[i].wounds, expected[i].wounds) << of << ", " << i;
-        EXPECT_EQ(told[i].burnt_area, expected[i].burnt_area) << of << ", " << i;
-        EXPECT_EQ(told[i].haze, expected[i].haze) << of << ", " << i;
-        EXPECT_EQ(told[i].emission, expected[i].emission) << of << ", " << i;
-    }
+    for (std::size_t i = 0; i < told.size(); ++i)
+        for (const AmountRow& row : amount_rows)
+            EXPECT_EQ(row.member.of(told[i]), row.member.of(expected[i])) << row.key << " of " << of << ", " << i;
 }
 
 TEST(CoreAmounts, WhatIsKeptIsTheSameAsWorkedOutAnew) {
