@@ -33,6 +33,12 @@ class ViewPanelTest : public SampleTest {
     }
 };
 
+/// With the whole organ: a camera that stands farther away sees what the scene's own does not.
+class WholeViewTest : public ViewPanelTest {
+  protected:
+    WholeViewTest() { whole_sample = true; }
+};
+
 TEST_F(ViewPanelTest, DraggingTurnsPansAndZooms) {
     editor().commands.run("view.endoscope");
     ui().frame();
@@ -235,7 +241,7 @@ double mean_luma(const Image& image) {
     return sum / static_cast<double>(image.pixels.size() / 4);
 }
 
-TEST_F(ViewPanelTest, TheLampComesAlongWithTheEndoscope) {
+TEST_F(WholeViewTest, TheLampComesAlongWithTheEndoscope) {
     editor().document.change("No round picture", [](document::Content& c) { c.scene.camera.vignette = 0; });
     const double focus = editor().document.scene().light.focus_distance;
     for (const double nearer : {0.3, 0.6, 1.5}) {
