@@ -43,7 +43,7 @@ BleedField::BleedField(const Surface& surface, glm::dvec3 down)
       anew_(surface.positions),
       settled_anew_(surface.positions),
       values_(surface.weld.size(), glm::vec2(dry_, 0.0f)),
-      is_touched_(surface.positions.size(), false),
+      touched_(surface.positions.size()),
       changed_(surface.weld.size()),
       amount_(surface, down) {
     changed_.mark_all();
@@ -143,7 +143,7 @@ void BleedField::set_strength(const FactorCurve& strength) {
 void BleedField::keep(KeptBlood kept) {
     kept_ = std::move(kept);
     for (std::uint32_t v = 0; v < kept_.values.size(); ++v)
-        if (kept_.values[v].x > none) touch(v);
+        if (kept_.values[v].x > none) touched_.add(v);
     stale_ = true;
 }
 
@@ -221,7 +221,7 @@ void BleedField::update(double time) noexcept {
 void BleedField::write_anew(double time) noexcept {
     anew_.clear();
     settled_anew_.clear();
-    for (const std::uint32_t v : touched_) settled_values_[v] = kept_at(v);
+    for (const std::uint32_t v : touched_.points()) settled_values_[v] = kept_at(v);
     active_.clear();
     for (std::uint32_t i = 0; i < bleeders_.size(); ++i) {
         Bleeder& b = bleeders_[i];
@@ -235,8 +235,8 @@ void BleedField::write_anew(double time) noexcept {
         else
             active_.push_back(i);
     }
-    for (const std::uint32_t v : touched_) surface_values_[v] = settled_values_[v];
-    written_.assign(touched_.begin(), touched_.end());
+    for (const std::uint32_t v : touched_.points()) surface_values_[v] = settled_values_[v];
+    written_.assign(touched_.points().begin(), touched_.points().end());
     for (const std::uint32_t i : active_) write(bleeders_[i], surface_values_);
     for (std::uint32_t i = 0; i < bleeders_.size(); ++i) tell(i, time);
 }
@@ -244,7 +244,7 @@ void BleedField::write_anew(double time) noexcept {
 /// The tool has removed blood at some places; settled wounds whose blood was there may fill them again.
 void BleedField::unsettle_cleared(double time) noexcept {
     for (const std::uint32_t v : clearing_.changed())
-        if (is_touched_[v]) {
+        if (touched_.has(v)) {
             settled_anew_.add(v);
             anew_.add(v);
         }
@@ -318,7 +318,6 @@ void BleedField::tell(std::uint32_t number, double time) noexcept {
 
 /// No blood is left: the places that it touched need not be examined again.
 void BleedField::forget() noexcept {
-    for (const std::uint32_t v : touched_) is_touched_[v] = false;
     touched_.clear();
     amount_.clear();
 }
@@ -375,7 +374,7 @@ void BleedField::march(Bleeder& b) noexcept {
         b.boxed = b.rings;
         for (const Reached& at : ring) {
             b.box.add(surface_.positions[at.vertex]);
-            touch(at.vertex);
+            touched_.add(at.vertex);
         }
     }
 }
@@ -416,12 +415,6 @@ float BleedField::value_at(Bleeder& b, const Reached& at) const noexcept {
         if (cap.cap < whole) b.cleared = std::max(b.cleared, cap.time);
     });
     return value;
-}
-
-void BleedField::touch(std::uint32_t vertex) noexcept {
-    if (is_touched_[vertex]) return;
-    is_touched_[vertex] = true;
-    touched_.push_back(vertex);
 }
 
 void BleedField::publish() noexcept {

@@ -24,6 +24,7 @@
 #include "bleeding/front.h"
 #include "bleeding/region.h"
 #include "bleeding/wound.h"
+#include "organ/point_set.h"
 
 namespace lapfx::bleeding {
 
@@ -115,7 +116,6 @@ class BleedField final : public Bleeding {
     void put_value(Bleeder& bleeder, const Reached& at, Layer& layer) noexcept;
     float value_at(Bleeder& bleeder, const Reached& at) const noexcept;
     void tell(std::uint32_t bleeder, double time) noexcept;
-    void touch(std::uint32_t vertex) noexcept;
     void publish() noexcept;
 
     float driest() const noexcept;
@@ -139,8 +139,7 @@ class BleedField final : public Bleeding {
     KeptBlood kept_;  // or empty
     float kept_clot_ = 0.0f;
     bool kept_shown_ = false;
-    std::vector<char> is_touched_;  // per surface vertex: blood has come near
-    std::vector<std::uint32_t> touched_;
+    organ::PointSet touched_;             // vertices that blood has come near
     std::vector<std::uint32_t> written_;  // surface vertices since the last publish, some more than once
     ChangedVertices changed_;
     bool stale_ = true;  // everything has to be written again

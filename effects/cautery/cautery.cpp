@@ -21,7 +21,7 @@ Cautery::Cautery(const Surface& surface, StrengthAt strength_at)
       track_(surface),
       radial_(strength_at_, sealed_at()),
       clips_(surface),
-      is_dirty_(surface.positions.size(), false),
+      dirty_(surface.positions.size()),
       marks_(surface.weld.size(), glm::vec2(0.0f)),
       changed_(surface.weld.size()),
       peaks_(surface.positions.size(), 0.0f),
@@ -38,7 +38,7 @@ void Cautery::set_parameters(const CauteryParameters& parameters, unsigned chang
 void Cautery::choose_model() {
     radial_.reset(parameters_);
     if (bioheat_)
-        for (const std::uint32_t point : bioheat_->touched()) touch(point);
+        for (const std::uint32_t point : bioheat_->touched()) dirty_.add(point);
     const std::uint64_t before = heat_version();
     if (parameters_.model != HeatModel::bioheat)
         bioheat_.reset();
@@ -94,7 +94,7 @@ void Cautery::update(double time) noexcept {
     const auto stays = track_.stays();
     if (bioheat_) {
         bioheat_->seek(track_, time);
-        for (const std::uint32_t point : bioheat_->changed()) touch(point);
+        for (const std::uint32_t point : bioheat_->changed()) dirty_.add(point);
         bioheat_->take_changed();
     }
     const bool back = time < updated_;
@@ -125,7 +125,7 @@ void Cautery::clear(Layer& layer) {
     work_ += layer.points.size();
     for (const std::uint32_t point : layer.points) {
         layer.values[point] = glm::vec2(0.0f);
-        touch(point);
+        dirty_.add(point);
     }
     layer.points.clear();
 }
@@ -166,18 +166,11 @@ void Cautery::raise(Layer& layer, std::uint32_t point, glm::vec2 value) {
     if (higher == known) return;
     if (known == glm::vec2(0.0f)) layer.points.push_back(point);
     known = higher;
-    touch(point);
-}
-
-void Cautery::touch(std::uint32_t point) {
-    if (is_dirty_[point]) return;
-    is_dirty_[point] = true;
-    dirty_.push_back(point);
+    dirty_.add(point);
 }
 
 void Cautery::publish() {
-    for (const std::uint32_t point : dirty_) {
-        is_dirty_[point] = false;
+    for (const std::uint32_t point : dirty_.points()) {
         glm::vec2 mark = glm::max(settled_.values[point], last_.values[point]);
         if (bioheat_)
             mark = glm::max(mark,

@@ -18,6 +18,7 @@
 #include "cautery/radial.h"
 #include "cautery/track.h"
 #include "organ/changed_vertices.h"
+#include "organ/point_set.h"
 
 namespace lapfx::cautery {
 
@@ -83,7 +84,6 @@ class Cautery {
     void contribute(std::uint32_t contact, double time, Layer& layer);
     void raise(Layer& layer, std::uint32_t point, glm::vec2 value);
     void divide_around(const glm::dvec3& place, ToolAction action, Layer& layer);
-    void touch(std::uint32_t point);
     void publish();
 
     const Surface& surface_;
@@ -100,8 +100,7 @@ class Cautery {
     Layer settled_, last_;
     bool all_stale_ = true, last_stale_ = true;
     double updated_ = 0.0;
-    std::vector<std::uint32_t> dirty_;  // points whose marks may have changed
-    std::vector<char> is_dirty_;        // per point
+    organ::PointSet dirty_;  // points whose marks may have changed
     std::vector<glm::vec2> marks_;
     ChangedVertices changed_;
 
