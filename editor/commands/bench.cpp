@@ -57,14 +57,23 @@ Verb bench_verb(RunBench run) {
                    "Lay known smoke and blood over these videos and pictures of clear tissue, too. Files of one folder "
                    "whose names are the same up to the last _ count as one operation, and one at a time is left out",
                    &measure_options->over);
+    measure.option("--labelled", "FOLDER",
+                   "Measure real frames whose blood a person labelled, too: frame_S_0.png before the bleeding of "
+                   "sequence S, its baseline; frame_S_N.png later, with its blood white in blood_S_N.png",
+                   &measure_options->labelled);
+    measure.flag("--quick",
+                 "Measure the main classes in two or three minutes: an eighth of the renders, half as "
+                 "many pictures over each file, and not how fast that is",
+                 &measure_options->quick, {.excludes = {"--short"}});
     measure.option("--pairs", "SMOKY CLEAR",
                    "Rank real recordings instead: pictures and videos with smoke in the first folder, the same with "
                    "less of it in the second, paired in the order of their names",
-                   &measure_options->pairs, {.count = 2, .excludes = {"--seed", "--over", "--frames"}});
+                   &measure_options->pairs,
+                   {.count = 2, .excludes = {"--seed", "--over", "--labelled", "--quick", "--frames"}});
     measure.option("--learn", "FILE",
                    "Learn the model of the mean veil from the renders of this seed instead (with --over, over those "
                    "files), and write it; the shipped one is editor/match/veil_model.json",
-                   &measure_options->learn, {.excludes = {"--frames", "--pairs"}});
+                   &measure_options->learn, {.excludes = {"--frames", "--pairs", "--labelled", "--quick"}});
     measure.option("--model", "FILE", "Measure with this model of the mean veil", &measure_options->model,
                    {.excludes = {"--learn", "--pairs"}});
     add(std::move(measure));

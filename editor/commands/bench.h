@@ -20,9 +20,11 @@ struct BenchOptions {
     int first = 1, last = 1'000'000;  ///< cases that are measured, from 1 on
     std::vector<std::string> pairs;   ///< two folders of recordings, ranked instead of renders; none: renders
     std::vector<std::string> over;    ///< videos and pictures of clear tissue that known amounts are laid over
+    std::string labelled;             ///< folder of real frames whose blood a person labelled; none: no such frames
     std::string learn;                ///< file that a model of the veil is written to, learned instead; none: not
     std::string model;                ///< file of the model of the veil that is measured with; none: the shipped one
     std::string frames;               ///< CSV that each frame's figures are written to, unless empty
+    bool quick = false;               ///< measures the main classes of few pictures, to judge a change by
     /// Does everything in a few seconds, for tests: it shows that the benchmark works, but its figures mean nothing.
     bool short_form = false;
 };

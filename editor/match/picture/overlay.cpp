@@ -83,8 +83,10 @@ cv::Mat filled(const cv::Mat& strokes, const Extremes& seen, int across) {
 
 void OverlaySurvey::add(const Image& frame) {
     const double scale = std::min(1.0, static_cast<double>(largest_side) / std::max(frame.width, frame.height));
-    const cv::Size size(std::max(1, static_cast<int>(std::lround(frame.width * scale))),
-                        std::max(1, static_cast<int>(std::lround(frame.height * scale))));
+    // Pictures of a folder may differ by a pixel; all are laid over the first.
+    const cv::Size own(std::max(1, static_cast<int>(std::lround(frame.width * scale))),
+                       std::max(1, static_cast<int>(std::lround(frame.height * scale)))),
+        size = frames_ == 0 ? own : least_.size();
     cv::Mat code;
     shrink(frame, size, code);
     if (frames_++ == 0) {

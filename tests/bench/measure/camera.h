@@ -40,6 +40,7 @@ struct KnownView {
     std::map<std::string, std::string> labels;  ///< organ, light and camera of renders; operation of real frames
     std::optional<glm::dvec3> round_view = {};  ///< EstimatorOptions::round_view, where it is known
     bool real = false;
+    bool labelled = false;  ///< by a person, who says where the blood is; the veil is not known
     bool moves = false;     ///< the baseline is 1 to 4 s older, and the scene moved since
     bool in_order = false;  ///< each picture follows the one before it
 };

@@ -9,6 +9,7 @@ namespace lapfx::bench {
 namespace {
 
 constexpr double covered = 0.9;    // share of true amounts that intervals are meant to hold
+constexpr double mostly = 0.95;    // share of the pictures without an amount
 constexpr double rounding = 1e-9;  // of a true amount against the end of an interval
 
 struct Named {
@@ -19,7 +20,9 @@ constexpr Named short_names[] = {{"mean_absolute_error", "MAE"},
                                  {"correlation", "r"},
                                  {"dice", "Dice"},
                                  {"error_over_zero", "of zero's"},
+                                 {"raw_error_over_zero", "raw of zero's"},
                                  {"false_area", "false area"},
+                                 {"false_area_95", "its 95 %"},
                                  {"told", "told"},
                                  {"coverage", "coverage"}};
 
@@ -53,9 +56,9 @@ void add_mean(Figures& figures, const char* name, std::span<const Reading> readi
     if (count > 0.0) figures[name] = sum / count;
 }
 
-double quantile(std::vector<double> scores) {
-    const double rank = std::ceil(covered * static_cast<double>(scores.size() + 1));
-    const std::size_t index = std::min(static_cast<std::size_t>(rank), scores.size()) - 1;
+/// The score of this rank, 1 the least; ranks between two are those of the larger.
+double at_rank(std::vector<double> scores, double rank) {
+    const std::size_t index = std::min(static_cast<std::size_t>(std::ceil(rank)), scores.size()) - 1;
     std::nth_element(scores.begin(), scores.begin() + static_cast<std::ptrdiff_t>(index), scores.end());
     return scores[index];
 }
@@ -76,6 +79,11 @@ Figures figures_of(std::span<const Reading> readings) {
     add_mean(figures, "dice", readings, [](const Reading& r) { return r.dice; });
     add_mean(figures, "false_area", readings,
              [](const Reading& r) { return r.truth <= next_to_nothing ? Value(r.measured.value) : Value(); });
+    std::vector<double> false_areas;
+    for (const Reading& r : readings)
+        if (r.truth <= next_to_nothing) false_areas.push_back(r.measured.value);
+    if (const auto count = static_cast<double>(false_areas.size()); count > 0.0)
+        figures["false_area_95"] = at_rank(std::move(false_areas), mostly * count);
     if (const Value correlation = correlation_of(readings)) figures["correlation"] = *correlation;
     if (!readings.empty() && figures["zero_error"] > 0.0)
         figures["error_over_zero"] = figures["mean_absolute_error"] / figures["zero_error"];
@@ -109,7 +117,8 @@ std::vector<LeftOut> leave_one_out(const std::map<std::string, std::vector<Readi
         for (const auto& [other, others] : groups)
             for (const Reading& r : others)
                 if (other != name) scores.push_back(error_of(r) / half_width(r.measured));
-        LeftOut left{.group = name, .count = readings.size(), .factor = quantile(std::move(scores))};
+        const double rank = covered * static_cast<double>(scores.size() + 1);
+        LeftOut left{.group = name, .count = readings.size(), .factor = at_rank(std::move(scores), rank)};
         for (const Reading& r : readings)
             left.coverage += error_of(r) <= left.factor * half_width(r.measured) + rounding ? 1.0 : 0.0;
         left.coverage /= static_cast<double>(readings.size());

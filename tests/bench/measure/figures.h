@@ -26,7 +26,7 @@ using Figures = std::map<std::string, double>;
 
 /// count, and of at least one reading mean_absolute_error, bias (measured minus true), zero_error (mean absolute error
 /// of the answer "none"), error_over_zero, interval_coverage, interval_width; of two that differ correlation; dice, the
-/// mean; false_area, the mean of what is measured where there is nothing.
+/// mean; false_area, the mean of what is measured where there is nothing, and false_area_95, its 95th percentile.
 Figures figures_of(std::span<const Reading> readings);
 
 /// Most that a true amount may be to count as nothing.

@@ -36,6 +36,15 @@ TEST(Figures, OfReadingsByHand) {
 TEST(Figures, FalseAreaIsThatOfPicturesWithNothingInThem) {
     const std::vector<Reading> readings{reading(0.0, 0.02), reading(0.0, 0.04), reading(0.3, 0.9)};
     EXPECT_NEAR(figures_of(readings).at("false_area"), 0.03, exact);
+    EXPECT_NEAR(figures_of(readings).at("false_area_95"), 0.04, exact);
+}
+
+TEST(Figures, OneInTwentyFalseAreasMayBeLarger) {
+    std::vector<Reading> readings(20, reading(0.0, 0.01));
+    readings[7].measured.value = 0.5;
+    EXPECT_NEAR(figures_of(readings).at("false_area_95"), 0.01, exact);
+    readings[8].measured.value = 0.3;
+    EXPECT_NEAR(figures_of(readings).at("false_area_95"), 0.3, exact);
 }
 
 TEST(Figures, WithoutReadingsThereIsOnlyTheirCount) {

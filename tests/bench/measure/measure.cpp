@@ -2,17 +2,19 @@
 //
 // Method: 200 stills, each another view, and 20 clips, drawn at random from a seed (views.cpp): organ,
 // its colour, camera, light, preset, wounds and burns; shift, gain, white balance, noise, compression
-// (camera.cpp). With --over known veils and blood are laid over real clear frames as well
-// (over.cpp). The true amounts of renders come from their layers (Preview::layers), before noise and
-// compression: blood is each pixel whose light blood changes by more than a tenth, veil the mean of 1 - transmission,
-// both over the view without the instrument. Each picture is measured by the estimator with a clear picture of the same
-// view as baseline, as `lapfx measure` does. Classes, bounds and figures: classes.cpp.
+// (camera.cpp). --quick draws an eighth of them. With --over known veils and blood are laid over real clear frames as
+// well (over.cpp), and with --labelled real frames are measured in which a person said where the blood is
+// (labelled.cpp). The true amounts of renders come from their layers (Preview::layers), before noise and compression:
+// blood is each pixel whose light blood changes by more than a tenth, veil the mean of 1 - transmission, both over the
+// view without the instrument. Each picture is measured by the estimator with a clear picture of the same view as
+// baseline, as `lapfx measure` does. Classes, bounds and figures: classes.cpp.
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
 
 #include "bench/benches.h"
 #include "bench/measure/classes.h"
 #include "bench/measure/each.h"
+#include "bench/measure/labelled.h"
 #include "bench/measure/over.h"
 #include "bench/measure/renders.h"
 #include "bench/measure/speed.h"
@@ -29,7 +31,7 @@ namespace {
 struct Extent {
     int stills, clips, pictures_of_clip, composites, timed_frames;
 };
-constexpr Extent whole{200, 20, 40, 4, 200}, least{4, 1, 8, 2, 5};
+constexpr Extent whole{200, 20, 40, 4, 200}, quick{24, 3, 12, 2, 40}, least{4, 1, 8, 2, 5};
 
 constexpr std::size_t longest_model = 1 << 20;  // bytes
 constexpr double least_area = 0.005;            // of the view: of less blood the Dice is chance
@@ -54,6 +56,7 @@ void measure_view(const KnownView& view, int index, const match::EstimatorOption
                                 .real = view.real,
                                 .moves = view.moves,
                                 .shifted = known.shifted,
+                                .labelled = view.labelled,
                                 .labels = view.labels,
                                 .true_blood = known.blood,
                                 .true_veil = known.veil,
@@ -82,11 +85,13 @@ std::string classes_of(const MeasuredPicture& picture) {
 
 void write_frames(const std::string& file, const std::vector<MeasuredPicture>& pictures) {
     std::string text =
-        "view,real,shifted,classes,organ,light,camera,operation,true_blood,blood,blood_low,blood_high,dice,true_veil,"
+        "view,real,labelled,shifted,classes,organ,light,camera,operation,true_blood,blood,blood_low,blood_high,dice,"
+        "true_veil,"
         "veil,veil_low,veil_high,hazeness,valid,likeness,rest,hidden,flags\n";
     for (const MeasuredPicture& p : pictures) {
         const match::FrameAmounts& m = p.measured;
-        text += std::to_string(p.view) + (p.real ? ",1," : ",0,") + (p.shifted ? "1," : "0,") + classes_of(p) + ",";
+        text += std::to_string(p.view) + (p.real ? ",1," : ",0,") + (p.labelled ? "1," : "0,") +
+                (p.shifted ? "1," : "0,") + classes_of(p) + ",";
         for (const char* label : {"organ", "light", "camera", "operation"}) text += quoted(p, label) + ",";
         char line[320];
         std::snprintf(line, sizeof line, "%.5f,%.5f,%.5f,%.5f,", p.true_blood, m.blood.value, m.blood.low,
@@ -140,9 +145,11 @@ BenchReport bench_measure(const BenchOptions& options) {
     if (!options.model.empty())
         estimator.veil_model = std::make_shared<match::VeilModel>(
             match::VeilModel::read(read_file(options.model, longest_model), options.model));
-    const Extent& extent = options.short_form ? least : whole;
+    const Extent& extent = options.short_form ? least : options.quick ? quick : whole;
     for (const std::string& file : options.over)
         const VideoReader opened(file);  // those that cannot be read are told at once
+    const std::vector<KnownView> labelled =
+        options.labelled.empty() ? std::vector<KnownView>{} : known_labelled(options.labelled);
     const Context context = Context::create(Backend::automatic);
     std::vector<MeasuredPicture> pictures;
     KnownRenders renders(static_cast<std::uint32_t>(options.seed));
@@ -154,6 +161,8 @@ BenchReport bench_measure(const BenchOptions& options) {
     }
     std::vector<MeasuredPicture> over;
     const std::string left_out = options.over.empty() ? "" : measure_over(options, estimator, extent.composites, over);
+    for (int index = 0; const KnownView& view : labelled)
+        measure_view(view, extent.stills + extent.clips + index++, estimator, over);
     if (!options.frames.empty()) {
         std::vector<MeasuredPicture> all = pictures;
         all.insert(all.end(), over.begin(), over.end());
@@ -163,12 +172,12 @@ BenchReport bench_measure(const BenchOptions& options) {
     BenchReport report{.bench = "measure", .renderer = context.renderer(), .rows = {}, .ratios = {}, .table = {}};
     report.table = "seed " + std::to_string(options.seed) + "; shares of the view, 0 to 1\n\n";
     add_classes(report, pictures, false);
-    if (!options.over.empty()) {
+    if (!over.empty()) {
         report.table += left_out;
         add_classes(report, over, true);
     }
     report.ratios["classes_within_bounds"] = met_of_all(report);
-    report.ratios["measure_over_playback_720x480"] = measure_over_playback(extent.timed_frames);
+    if (!options.quick) report.ratios["measure_over_playback_720x480"] = measure_over_playback(extent.timed_frames);
     return report;
 }
 

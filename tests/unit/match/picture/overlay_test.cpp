@@ -54,6 +54,22 @@ TEST(Overlay, IsNothingWithoutTextOrMotionOrFrames) {
     EXPECT_EQ(cv::countNonZero(found_in(true, true, 3)), 0);
 }
 
+/// Pictures of a folder may be cut a pixel narrower.
+TEST(Overlay, IsFoundInPicturesThatDifferByAPixel) {
+    OverlaySurvey survey;
+    for (int i = 0; i < 6; ++i) {
+        Image picture = frame(i, true, true);
+        if (i == 3) {
+            const cv::Mat whole(picture.height, picture.width, CV_8UC4, picture.pixels.data());
+            const cv::Mat cut = whole.rowRange(0, whole.rows - 1).clone();
+            picture = {.width = cut.cols, .height = cut.rows, .pixels = {cut.datastart, cut.dataend}, .name = ""};
+        }
+        survey.add(picture);
+    }
+    const cv::Mat found = survey.found({test::width, test::height}), truth = burnt_pixels();
+    EXPECT_GT(cv::countNonZero(found & truth), 0.5 * cv::countNonZero(truth));
+}
+
 /// Pale tissue keeps its value under smoke that is as bright; an instrument that lies above it, then below it, darkens
 /// what is around it.
 TEST(Overlay, IsNoTissueBetweenTwoPlacesOfAnInstrument) {
