@@ -115,7 +115,7 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options, std::shared_p
       hot_reload_(std::make_unique<HotReload>(document, preview, jobs, toasts, options_.data_folder)),
       meter_(std::make_unique<Meter>()) {
     chooser_->dialog().show_pictures(file_previews_.get());
-    reference_->set_counted([this](double time, Image* picture) { return measuring_->counted(time, picture); });
+    reference_->shown().set_counted([this](double time, Image* picture) { return measuring_->counted(time, picture); });
     document.set_clip_folders(options_.clip_folders);
 }
 
@@ -141,7 +141,7 @@ void Editor::forget_document(bool scene_too) {
     snapshots_->forget_before();
     if (!scene_too) return;
     reference_->give_up_choosing();
-    reference_->leave_look();
+    reference_->look().leave();
     measuring_->forget();
     fitting_->forget();
     selected.clear();
@@ -260,7 +260,7 @@ void Editor::check_driver(double now) {
 bool Editor::draw_pictures() {
     const bool compared = snapshot_previews_->draw() | reference_->draw(scene_scale());
     // The view is not drawn while it is hidden and the comparison is drawn: amounts follow the picture drawn last.
-    if (reference_->compares() && !layouts_->seen("View")) return compared;
+    if (reference_->comparison().wanted() && !layouts_->seen("View")) return compared;
     return preview.draw(shot()) || compared;
 }
 

@@ -32,7 +32,7 @@ std::array<MemoryPart, 9> memory_parts(const PreviewHost& preview, const Referen
              {"Their pixels, to be sent", use.pixels, false},
              {"Maps of vessels and fat", use.densities, false},
              {"Organ's surface", use.surface + use.geometry, false},
-             {"Pictures of the scene", use.targets + reference.memory() + measured.memory(), true},
+             {"Pictures of the scene", use.targets + reference.comparison().memory() + measured.memory(), true},
              {"Keying, reference, thumbnails", 2 * pictures, false},  // here and as textures
              {"What was counted in the reference", measuring.memory(), false},
              {"Undo", document.step_memory(), false}}};

@@ -125,7 +125,7 @@ struct Curves {
 };
 
 void take_curves(Curves& curves, const app::Reference& reference, const app::ScopesLook& look) {
-    const ComparedRegions& regions = reference.regions();
+    const ComparedRegions& regions = reference.comparison().regions();
     if (curves.version == regions.version() + 1 && curves.region == look.region && curves.figure == look.figure) return;
     curves.version = regions.version() + 1, curves.region = look.region, curves.figure = look.figure;
     const VideoReader* const video = reference.video();
@@ -189,13 +189,14 @@ void region_tools(ui::Ui& ui, app::ScopesLook& look, const Edited& edited, float
 
 void region_figures(ui::Ui& ui, app::Reference& reference, const Edited& edited,
                     const std::array<std::string_view, 2>& names, float room) {
-    app::ScopesLook& look = reference.scopes_look;
+    app::ReferenceComparison& comparison = reference.comparison();
+    app::ScopesLook& look = comparison.scopes_look;
     const std::size_t count = std::min(edited.document.scene().reference.regions.size(), most_compared_regions);
     if (count == 0)
         return ui::label(ui, "No region yet. Add one, and drag it over what shows the same tissue in both pictures.",
                          {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
     look.region = std::min(look.region, count - 1);
-    const Figures of{reference.regions(), reference.way == app::CompareWay::reference};
+    const Figures of{comparison.regions(), comparison.way == app::CompareWay::reference};
     const bool small = room > 0 && room < ui.em(narrow);
     const auto lists = [&](ui::Size width, ui::Size height) {
         const ui::Column column(ui, {.width = width, .height = height, .gap = 0.3F});

@@ -91,11 +91,12 @@ void cell(ui::Ui& ui, const Counted& picture, ScopesLook& look, int kind, float 
 }  // namespace
 
 void compared_scopes(ui::Ui& ui, Reference& reference, const Edited& edited, glm::vec2 room) {
-    ScopesLook& look = reference.scopes_look;
-    const std::array<PictureScopes, 2>& scopes = reference.scopes();
-    const bool alone = reference.way == app::CompareWay::reference;
+    app::ReferenceComparison& comparison = reference.comparison();
+    ScopesLook& look = comparison.scopes_look;
+    const std::array<PictureScopes, 2>& scopes = comparison.scopes();
+    const bool alone = comparison.way == app::CompareWay::reference;
     const auto name = [&](std::size_t side) {
-        return app::side_titles[static_cast<std::size_t>(alone ? app::CompareSide::reference : reference.sides[side])];
+        return app::side_titles[static_cast<std::size_t>(alone ? app::CompareSide::reference : comparison.sides[side])];
     };
     const std::array<Counted, 2> both = {{{name(0), scopes[0]}, {name(1), scopes[1]}}};
     const auto pictures = std::span(both).subspan(alone ? 1 : 0);

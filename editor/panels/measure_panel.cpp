@@ -151,7 +151,7 @@ void measured_picture(ui::Ui& ui, const MeasureParts& on) {
         return;
     }
     // Until the first frame is measured, it is shown as it is.
-    const ui::Picture picture = bench.ready() ? bench.picture() : on.reference.picture();
+    const ui::Picture picture = bench.ready() ? bench.picture() : on.reference.shown().whole();
     MeasureShapes shapes{bench, on.edited};
     const ui::ImageViewResult result =
         ui::image_view(ui, "Measured", picture, look.state,

@@ -39,6 +39,7 @@ class OrganChoice;
 class PreviewHost;
 class PreviewMeasuring;
 class Reference;
+class ReferenceComparison;
 class Settings;
 class SnapshotPreviews;
 class Snapshots;
@@ -125,8 +126,8 @@ struct FitParts {
 void fit_panel(ui::Ui& ui, const FitParts& parts);
 void presets_panel(ui::Ui& ui, app::Browser& browser, const document::Document& document, app::Files& files,
                    app::FileChooser& chooser, ui::Toasts& notices);
-void snapshots_panel(ui::Ui& ui, app::Snapshots& snapshots, app::SnapshotPreviews& previews, app::Reference& reference,
-                     app::Layouts& layouts, document::Document& document);
+void snapshots_panel(ui::Ui& ui, app::Snapshots& snapshots, app::SnapshotPreviews& previews,
+                     app::ReferenceComparison& comparison, app::Layouts& layouts, document::Document& document);
 void history_panel(ui::Ui& ui, document::Document& document, ui::CommandTable& commands);
 void scene_panel(ui::Ui& ui, const Edited& edited, const app::PreviewHost& preview, ui::CommandTable& commands,
                  ui::Toasts& toasts);

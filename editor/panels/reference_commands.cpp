@@ -48,7 +48,7 @@ void add_reference_commands(app::Editor& editor) {
     using ui::key_of;
     using ui::Mods;
     const auto compared = [&editor] {
-        return editor.reference().video() != nullptr || !editor.reference().compares_video();
+        return editor.reference().video() != nullptr || !editor.reference().comparison().compares_video();
     };
     editor.commands.add({.id = "reference.open",
                          .title = "Open reference video",
@@ -75,7 +75,8 @@ void add_reference_commands(app::Editor& editor) {
                          .chord = {key_of('M'), Mods::none},
                          .run =
                              [&editor] {
-                                 if (editor.layouts().seen("Reference")) return editor.reference().next_way();
+                                 if (editor.layouts().seen("Reference"))
+                                     return editor.reference().comparison().next_way();
                                  editor.layouts().bring_to_front("Reference");
                              },
                          .enabled = compared,
@@ -87,12 +88,12 @@ void add_reference_commands(app::Editor& editor) {
                          .chord = {key_of('M'), Mods::shift},
                          .run =
                              [&editor] {
-                                 bool& on = editor.reference().scopes_look.on;
+                                 bool& on = editor.reference().comparison().scopes_look.on;
                                  on = !on || !editor.layouts().seen("Reference");
                                  editor.layouts().bring_to_front("Reference");
                              },
                          .enabled = compared,
-                         .checked = [&editor] { return editor.reference().scopes_look.on; },
+                         .checked = [&editor] { return editor.reference().comparison().scopes_look.on; },
                          .tip = "Levels, waveform and colours of the pictures that are compared, next to each other",
                          .missing = "there is no reference that can be shown"});
     editor.commands.add({.id = "reference.counted",
@@ -100,12 +101,12 @@ void add_reference_commands(app::Editor& editor) {
                          .group = "Reference",
                          .run =
                              [&editor] {
-                                 bool& on = editor.reference().shows_counted;
+                                 bool& on = editor.reference().shown().shows_counted;
                                  on = !on || !editor.layouts().seen("Reference");
                                  editor.layouts().bring_to_front("Reference");
                              },
                          .enabled = [&editor] { return editor.reference().video() != nullptr; },
-                         .checked = [&editor] { return editor.reference().shows_counted; },
+                         .checked = [&editor] { return editor.reference().shown().shows_counted; },
                          .tip = "Draws over the reference what was measured in it, as it plays",
                          .missing = "there is no reference that can be shown"});
     editor.commands.add({.id = "reference.align",
@@ -134,24 +135,24 @@ void add_reference_commands(app::Editor& editor) {
          .run =
              [&editor] {
                  editor.layouts().bring_to_front("Reference");
-                 editor.reference().propose_look();
+                 editor.reference().look().propose();
              },
          .enabled = [&editor] { return editor.reference().video() != nullptr; },
          .tip = "Finds vignette, exposure and colours by the frame of the reference that is shown; nothing changes "
                 "until they are taken. Best on a clear frame of tissue",
          .missing = "there is no reference that can be shown"});
-    const auto proposed = [&editor] { return editor.reference().look_proposed(); };
+    const auto proposed = [&editor] { return editor.reference().look().proposed(); };
     editor.commands.add({.id = "reference.take_look",
                          .title = "Take look",
                          .group = "Reference",
-                         .run = [&editor] { editor.reference().take_look(); },
+                         .run = [&editor] { editor.reference().look().take(); },
                          .enabled = proposed,
                          .tip = "Takes the look that is proposed into scene and preset, as one undo step",
                          .missing = "no look is proposed"});
     editor.commands.add({.id = "reference.leave_look",
                          .title = "Leave look",
                          .group = "Reference",
-                         .run = [&editor] { editor.reference().leave_look(); },
+                         .run = [&editor] { editor.reference().look().leave(); },
                          .enabled = proposed,
                          .tip = "Forgets the look that is proposed; scene and preset stay as they are",
                          .missing = "no look is proposed"});
@@ -159,7 +160,7 @@ void add_reference_commands(app::Editor& editor) {
         {.id = "reference.take_circle",
          .title = "Take the circle",
          .group = "Reference",
-         .run = [&editor] { editor.reference().take_circle(); },
+         .run = [&editor] { editor.reference().look().take_circle(); },
          .enabled = [&editor] { return editor.reference().video() != nullptr; },
          .tip = "Places the reference so that the round view of its endoscope lies on the preview's, and turns the "
                 "vignette on",

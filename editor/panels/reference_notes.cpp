@@ -13,10 +13,10 @@ namespace lapfx::panels {
 
 namespace {
 
-using app::Reference;
+using app::ReferenceLook;
 
-void plate_on_its_way(ui::Ui& ui, const Reference& reference, document::Document& document) {
-    const std::optional<double> share = reference.plate_progress();
+void plate_on_its_way(ui::Ui& ui, const ReferenceLook& look, document::Document& document) {
+    const std::optional<double> share = look.plate_progress();
     if (share && ui::progress(ui, "Making the plate", *share, {.cancellable = true})) app::show_plate(document, false);
 }
 
@@ -33,39 +33,39 @@ std::string_view aspect_name(ui::Ui& ui, double aspect) {
     return ui.copy(text);
 }
 
-void proposed_aspect(ui::Ui& ui, Reference& reference) {
-    if (!reference.proposed_aspect()) return;
-    const std::string_view name = aspect_name(ui, *reference.proposed_aspect());
+void proposed_aspect(ui::Ui& ui, ReferenceLook& look) {
+    if (!look.proposed_aspect()) return;
+    const std::string_view name = aspect_name(ui, *look.proposed_aspect());
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     ui::label(ui, ui.join({"The endoscope's view is squeezed: shown at ", name, " it is round."}),
               {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
     if (ui::button(ui, ui.join({"Use ", name}), {.tip = "Shows the reference so; the scene keeps it"}))
-        return reference.take_aspect();
+        return look.take_aspect();
     if (ui::button(ui, "Leave as stored", {.tip = "Leaves the reference as it is stored", .quiet = true}))
-        reference.leave_aspect();
+        look.leave_aspect();
 }
 
 /// What a proposal found, or why there is none.
-void look_notes(ui::Ui& ui, Reference& reference, ui::CommandTable& commands) {
-    if (reference.look_notes().empty()) return;
+void look_notes(ui::Ui& ui, ReferenceLook& look, ui::CommandTable& commands) {
+    if (look.notes().empty()) return;
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::start});
     {
         const ui::Column lines(ui, {.width = ui::grow(), .gap = 0.1F});
-        for (const std::string& note : reference.look_notes())
+        for (const std::string& note : look.notes())
             ui::label(ui, note, {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
     }
-    if (reference.look_proposed())
+    if (look.proposed())
         for (const char* id : {"reference.take_look", "reference.leave_look"}) ui::command_button(ui, commands, id);
     else if (ui::icon_button(ui, ui::Icon::cross, "Dismiss", {.quiet = true}))
-        reference.forget_look_notes();
+        look.forget_notes();
 }
 
 }  // namespace
 
-void reference_notes(ui::Ui& ui, Reference& reference, const Edited& edited, ui::CommandTable& commands) {
-    plate_on_its_way(ui, reference, edited.document);
-    proposed_aspect(ui, reference);
-    look_notes(ui, reference, commands);
+void reference_notes(ui::Ui& ui, ReferenceLook& look, const Edited& edited, ui::CommandTable& commands) {
+    plate_on_its_way(ui, look, edited.document);
+    proposed_aspect(ui, look);
+    look_notes(ui, look, commands);
 }
 
 }  // namespace lapfx::panels

@@ -32,6 +32,7 @@ namespace {
 
 using app::CompareWay;
 using app::Reference;
+using app::ReferenceComparison;
 
 constexpr float low_panel = 14, least_pictures = 5, low_scopes = 18;                                     // em of height
 constexpr float ways_width = 27, list_width = 8, number_width = 9, aspect_width = 7, offset_width = 10;  // em
@@ -77,10 +78,10 @@ void invite(ui::Ui& ui, Reference& reference, app::FileChooser& chooser) {
     ui::label(ui, "It follows the timeline; its offset aligns it with the scene.", {.tone = ui::Tone::dim});
     ui::label(ui, "M changes how it is compared with the preview.", {.tone = ui::Tone::dim});
     ui::space(ui, 0.4F);
-    if (const std::size_t slot = reference.first_kept(); slot < app::Snapshots::count) {
+    if (const std::size_t slot = reference.comparison().first_kept(); slot < app::Snapshots::count) {
         if (ui::button(ui, ui.join({"Preview next to snapshot ", app::Snapshots::names[slot]}),
                        {.tip = "Snapshots are compared without a video, too", .quiet = true}))
-            reference.sides = {app::CompareSide::preview, app::side_of(slot)};
+            reference.comparison().sides = {app::CompareSide::preview, app::side_of(slot)};
     }
     const ui::Row buttons(ui);
     if (ui::button(ui, "Open...", {.icon = ui::Icon::folder, .tip = "Opens a video or images", .primary = true}))
@@ -157,8 +158,8 @@ void aspect_choice(ui::Ui& ui, document::Document& document) {
 }
 
 /// The choice of how to compare: buttons if `in_a_row`, else a list.
-void choose_way(ui::Ui& ui, Reference& reference, bool in_a_row) {
-    int way = static_cast<int>(reference.way);
+void choose_way(ui::Ui& ui, ReferenceComparison& comparison, bool in_a_row) {
+    int way = static_cast<int>(comparison.way);
     bool chosen = false;
     if (in_a_row) {
         const Room room(ui, ways_width);
@@ -169,11 +170,11 @@ void choose_way(ui::Ui& ui, Reference& reference, bool in_a_row) {
                             .width = ui::px(ui.em(list_width))})
                      .changed;
     }
-    if (chosen) reference.way = static_cast<CompareWay>(way);
+    if (chosen) comparison.way = static_cast<CompareWay>(way);
 }
 
-void gain_field(ui::Ui& ui, Reference& reference) {
-    ui::number_field(ui, "Gain", reference.compare.gain,
+void gain_field(ui::Ui& ui, ReferenceComparison& comparison) {
+    ui::number_field(ui, "Gain", comparison.state.gain,
                      {.minimum = 1,
                       .maximum = 100,
                       .hard_minimum = 1,
@@ -184,16 +185,16 @@ void gain_field(ui::Ui& ui, Reference& reference) {
                       .width = ui::px(ui.em(number_width))});
 }
 
-void mix_field(ui::Ui& ui, Reference& reference) {
+void mix_field(ui::Ui& ui, ReferenceComparison& comparison) {
     ui::ParamOptions options = ui::percent();
     options.hard_minimum = 0, options.hard_maximum = 100;
     options.standard = 50.0, options.tip = "Share of the second picture", options.width = ui::px(ui.em(number_width));
-    ui::number_field(ui, "Mix", reference.compare.mix, options);
+    ui::number_field(ui, "Mix", comparison.state.mix, options);
 }
 
-void plate_toggle(ui::Ui& ui, const Reference& reference, document::Document& document) {
+void plate_toggle(ui::Ui& ui, const app::ReferenceLook& look, document::Document& document) {
     bool on = document.scene().plate.use;
-    const bool coming = reference.plate_progress().has_value();
+    const bool coming = look.plate_progress().has_value();
     ui.push_disabled(coming);  // a second click would take it away: its progress has a button for that
     if (ui::toggle(ui, "Plate", on,
                    {.tip = coming ? "The plate is being made; the cross beside its progress ends that"
@@ -204,20 +205,21 @@ void plate_toggle(ui::Ui& ui, const Reference& reference, document::Document& do
 }
 
 /// What lies on the first or the second side.
-void side_choice(ui::Ui& ui, Reference& reference, std::size_t side) {
-    int chosen = static_cast<int>(reference.sides[side]);
+void side_choice(ui::Ui& ui, ReferenceComparison& comparison, std::size_t side) {
+    int chosen = static_cast<int>(comparison.sides[side]);
     if (ui::combo(ui, side == 0 ? "First picture" : "Second picture", chosen, app::side_titles,
                   {.tip = side == 0 ? "What is compared: the preset as it is, the video, or a snapshot"
                                     : "What it is compared with. The one that is on the other side changes places",
                    .width = ui::px(ui.em(side_width))}))
-        reference.put(side, static_cast<app::CompareSide>(chosen));
+        comparison.put(side, static_cast<app::CompareSide>(chosen));
 }
 
 /// `room`: px.
 void way_of_comparing(ui::Ui& ui, Reference& reference, const Edited& edited, ui::CommandTable& commands, float room) {
+    ReferenceComparison& comparison = reference.comparison();
     app::FileChooser& chooser = edited.chooser;
-    const bool two = reference.way != CompareWay::reference;
-    const bool gain = reference.way == CompareWay::difference, mix = reference.way == CompareWay::onion;
+    const bool two = comparison.way != CompareWay::reference;
+    const bool gain = comparison.way == CompareWay::difference, mix = comparison.way == CompareWay::onion;
     const bool video = reference.video() != nullptr;
     const std::string name = reference.file().filename().string();
     const bool in_a_row = room == 0 || room >= ui.em(ways_width + number_width + aspect_width + 2 * side_width + 8);
@@ -234,19 +236,19 @@ void way_of_comparing(ui::Ui& ui, Reference& reference, const Edited& edited, ui
     items[title] = {.width = video ? std::min(ui.text_width(name), ui.em(14)) : 0, .rank = 5, .end = true};
     items[open] = {.width = ui.row_height(), .rank = 4};
     ui::toolbar(ui, "Compare tools", room, items, [&](std::size_t item) {
-        if (item == compare) choose_way(ui, reference, in_a_row);
-        if (item == first) side_choice(ui, reference, 0);
-        if (item == second) side_choice(ui, reference, 1);
-        if (item == number && gain) gain_field(ui, reference);
-        if (item == number && mix) mix_field(ui, reference);
+        if (item == compare) choose_way(ui, comparison, in_a_row);
+        if (item == first) side_choice(ui, comparison, 0);
+        if (item == second) side_choice(ui, comparison, 1);
+        if (item == number && gain) gain_field(ui, comparison);
+        if (item == number && mix) mix_field(ui, comparison);
         if (item == swap)
             ui::toggle(
-                ui, "Swap", reference.compare.swapped,
+                ui, "Swap", comparison.state.swapped,
                 {.tip = "Swaps the two pictures (X over the picture). Hold F over it to see the second one alone"});
         if (item == scopes)
-            ui::toggle(ui, "Scopes", reference.scopes_look.on,
+            ui::toggle(ui, "Scopes", comparison.scopes_look.on,
                        {.tip = "Levels, waveform and colours of both pictures, next to each other"});
-        if (item == plate) plate_toggle(ui, reference, edited.document);
+        if (item == plate) plate_toggle(ui, reference.look(), edited.document);
         if (item == aspect) aspect_choice(ui, edited.document);
         if (item == measure &&
             ui::button(ui, "Measure...", {.tip = "Shows the Measure panel: how much blood and smoke there is"}))
@@ -317,13 +319,15 @@ PlaceInTime place_in_time(ui::Ui& ui, const Reference& reference) {
     const std::string_view warning = time < 0                                ? "Before its start"
                                      : time >= duration && !reference.held() ? "After its end"
                                      : !reference.good()                     ? "Frame missing: the one before is shown"
-                                     : reference.shows_counted && !reference.counted_shown() ? "Not measured yet"
-                                                                                             : "";
+                                     : reference.shown().shows_counted && !reference.shown().counted_shown()
+                                         ? "Not measured yet"
+                                         : "";
     return {warning, ui.copy(text)};
 }
 
 /// `room`: px. Only with a video.
 void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, ui::CommandTable& commands, float room) {
+    ReferenceComparison& comparison = reference.comparison();
     if (reference.video() == nullptr) return;
     const PlaceInTime place = place_in_time(ui, reference);
     enum : std::size_t { before, frame, after, hold, align, offset, counted, look, places, warning, text, count };
@@ -335,9 +339,9 @@ void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, ui::Comman
     items[offset] = {.width = ui.em(offset_width), .rank = 2};
     items[counted] = {.width = ui::tool_width(ui, "Counted"), .rank = 2};
     items[look] = {.width = ui::tool_width(ui, "Propose look"), .rank = 3};
-    const bool two = reference.way != CompareWay::reference;
+    const bool two = comparison.way != CompareWay::reference;
     // Once on, it stays in sight as long as anything does: it is switched off here.
-    items[places] = {.width = two ? ui::tool_width(ui, "Move reference") : 0, .rank = reference.placing ? 1 : 3};
+    items[places] = {.width = two ? ui::tool_width(ui, "Move reference") : 0, .rank = comparison.placing ? 1 : 3};
     items[warning] = {.width = place.warning.empty() ? 0 : ui.text_width(place.warning), .rank = 2, .end = true};
     items[text] = {.width = ui.text_width(place.text) + ui.em(1), .rank = 4, .end = true};
     ui::toolbar(ui, "Reference time tools", room, items, [&](std::size_t item) {
@@ -355,12 +359,12 @@ void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, ui::Comman
         if (item == offset) offset_field(ui, edited);
         if (item == counted)
             ui::toggle(
-                ui, "Counted", reference.shows_counted,
+                ui, "Counted", reference.shown().shows_counted,
                 {.tip = "Draws over the reference what was measured in it, as it plays: blood yellow, smoke blue, "
                         "what is left out hatched"});
         if (item == look) ui::command_button(ui, commands, "reference.propose_look");
         if (item == places)
-            ui::toggle(ui, "Move reference", reference.placing,
+            ui::toggle(ui, "Move reference", comparison.placing,
                        {.tip = "Moves, scales and turns the reference until the same tissue lies at the same place in "
                                "both pictures: by handles, by numbers, or by the endoscope's circle"});
         if (item == warning) ui::label(ui, place.warning, {.tone = ui::Tone::warning});
@@ -369,24 +373,25 @@ void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, ui::Comman
             if (!reference.video()->info().warning.empty()) ui.last().tip = ui.copy(reference.video()->info().warning);
         }
     });
-    if (reference.placing && two) placement_row(ui, edited, commands, room);
+    if (comparison.placing && two) placement_row(ui, edited, commands, room);
 }
 
 /// The preview is to show it at the same place, as the scene's camera sees it.
-void take_color(const Edited& edited, const Reference& reference, const ui::Picture& picture, glm::ivec2 at) {
+void take_color(const Edited& edited, const ReferenceComparison& comparison, const ui::Picture& picture,
+                glm::ivec2 at) {
     edited.eyedropper.picked = app::color_around(*picture.pixels, picture.size, at);
-    edited.seen.clicked({.shot = reference.compared_shot(),
-                         .size = reference.compared_size(),
+    edited.seen.clicked({.shot = comparison.shot(),
+                         .size = comparison.size(),
                          .place = (glm::dvec2(at) + 0.5) / glm::dvec2(picture.size)});
 }
 
 /// Takes it from the picture that is seen at that place; where both are mixed, from the second.
-void take_color(const Edited& edited, const Reference& reference, const ui::CompareResult& result,
+void take_color(const Edited& edited, const ReferenceComparison& comparison, const ui::CompareResult& result,
                 const ui::Picture& first, const ui::Picture& second) {
-    const bool mixed = reference.way == CompareWay::onion || reference.way == CompareWay::difference;
+    const bool mixed = comparison.way == CompareWay::onion || comparison.way == CompareWay::difference;
     const ui::Picture& picture = (mixed && !result.flicker) || result.under == 1 ? second : first;
     if (picture.pixels == nullptr) return;
-    take_color(edited, reference, picture, result.pick);
+    take_color(edited, comparison, picture, result.pick);
 }
 
 void tell_empty(ui::Ui& ui, std::size_t slot) {
@@ -396,24 +401,24 @@ void tell_empty(ui::Ui& ui, std::size_t slot) {
     ui::label(ui, ui.join({"Shift+", letter, " keeps the preset there as it is now."}), {.tone = ui::Tone::dim});
 }
 
-void comparison(ui::Ui& ui, Reference& reference, const Edited& edited, const ui::Rect& keep_off) {
+void compared(ui::Ui& ui, ReferenceComparison& comparison, const Edited& edited, const ui::Rect& keep_off) {
     ui::Eyedropper& eyedropper = edited.eyedropper;
     constexpr std::array kinds = {ui::CompareKind::side_by_side, ui::CompareKind::side_by_side, ui::CompareKind::wipe,
                                   ui::CompareKind::difference, ui::CompareKind::onion};
-    reference.compare.kind = kinds[static_cast<std::size_t>(reference.way)];
+    comparison.state.kind = kinds[static_cast<std::size_t>(comparison.way)];
     // The comparison takes letters before any command.
     ui.events_of(ui.id_of("Comparison"), [&](const ui::Event& event) {
-        if (event.kind == ui::EventKind::key && event.key == ui::key_of('M') && !event.repeat) reference.next_way();
+        if (event.kind == ui::EventKind::key && event.key == ui::key_of('M') && !event.repeat) comparison.next_way();
     });
     const bool picks = eyedropper.wanted_by != 0;
-    const auto [one, other] = reference.sides;
-    const ui::Picture first = reference.compared(one), second = reference.compared(other);
-    RegionShapes regions{reference.scopes_look, edited};
+    const auto [one, other] = comparison.sides;
+    const ui::Picture first = comparison.picture(one), second = comparison.picture(other);
+    RegionShapes regions{comparison.scopes_look, edited};
     PlacementHandles handles{edited};
-    const bool places = reference.placing && reference.compares_video() && !picks;
-    const bool shapes = reference.scopes_look.shows_regions() && !picks && !places;
+    const bool places = comparison.placing && comparison.compares_video() && !picks;
+    const bool shapes = comparison.scopes_look.shows_regions() && !picks && !places;
     const ui::CompareResult result =
-        ui::compare_view(ui, "Comparison", first, second, reference.compare,
+        ui::compare_view(ui, "Comparison", first, second, comparison.state,
                          {.first_label = app::side_titles[static_cast<std::size_t>(one)],
                           .second_label = app::side_titles[static_cast<std::size_t>(other)],
                           .magnifier = picks,
@@ -425,28 +430,29 @@ void comparison(ui::Ui& ui, Reference& reference, const Edited& edited, const ui
                           .over_with = places ? static_cast<void*>(&handles) : &regions,
                           .keep_off = keep_off,
                           .tip = "Wheel: zoom. Hold F: the second alone. X: swap. M: next way of comparing"});
-    if (result.picked) take_color(edited, reference, result, first, second);
-    if (reference.show_at(result.zoom) || result.picked) ui.build_again();
+    if (result.picked) take_color(edited, comparison, result, first, second);
+    if (comparison.show_at(result.zoom) || result.picked) ui.build_again();
 }
 
 /// `keep_off`: what lies over them.
 void pictures(ui::Ui& ui, Reference& reference, const Edited& edited, const ui::Rect& keep_off) {
+    ReferenceComparison& comparison = reference.comparison();
     ui::Eyedropper& eyedropper = edited.eyedropper;
-    const bool alone = reference.way == CompareWay::reference;
-    if ((alone || reference.compares_video()) && reference.picture().image == 0) {
+    const bool alone = comparison.way == CompareWay::reference;
+    if ((alone || comparison.compares_video()) && reference.shown().whole().image == 0) {
         const Notice notice(ui);
         ui::label(ui, "Decoding...", {.tone = ui::Tone::dim});
         return;
     }
-    if (const std::size_t slot = reference.empty_side(); !alone && slot < app::Snapshots::count)
+    if (const std::size_t slot = comparison.empty_side(); !alone && slot < app::Snapshots::count)
         return tell_empty(ui, slot);
-    if (!alone) return comparison(ui, reference, edited, keep_off);
+    if (!alone) return compared(ui, comparison, edited, keep_off);
     const bool picks = eyedropper.wanted_by != 0;
-    const ui::Picture video = reference.picture();
-    RegionShapes regions{reference.scopes_look, edited};
-    const bool shapes = reference.scopes_look.shows_regions() && !picks;
+    const ui::Picture video = reference.shown().whole();
+    RegionShapes regions{comparison.scopes_look, edited};
+    const bool shapes = comparison.scopes_look.shows_regions() && !picks;
     const ui::ImageViewResult result =
-        ui::image_view(ui, "Video", video, reference.compare.view,
+        ui::image_view(ui, "Video", video, comparison.state.view,
                        {.magnifier = picks,
                         .eyedropper = picks,
                         .sample_box = picks ? app::picked_side : 1,
@@ -455,13 +461,13 @@ void pictures(ui::Ui& ui, Reference& reference, const Edited& edited, const ui::
                         .keep_off = keep_off,
                         .tip = "Wheel: zoom. 0: whole picture. 1: pixel by pixel. M: next way of comparing"});
     if (!result.picked) return;
-    take_color(edited, reference, video, result.pick);
+    take_color(edited, comparison, video, result.pick);
     ui.build_again();
 }
 
 /// The pictures and, where they are wanted, their scopes below. `room`: px.
 void pictures_and_scopes(ui::Ui& ui, Reference& reference, const Edited& edited, glm::vec2 room) {
-    app::ScopesLook& look = reference.scopes_look;
+    app::ScopesLook& look = reference.comparison().scopes_look;
     const ui::Rect keep_off = pick_hint_rect(ui, edited.eyedropper);
     if (!look.on) return pictures(ui, reference, edited, keep_off);
     ui::Splitter split(ui, "Pictures and scopes", ui::Axis::y, look.pictures,
@@ -484,13 +490,13 @@ void low(ui::Ui& ui, Reference& reference, const Edited& edited, ui::CommandTabl
         pick_hint(ui, edited.eyedropper);
     }
     time_row(ui, reference, edited, commands, std::max(1.0F, room - ui.em(1)));
-    if (reference.scopes_look.on) {
+    if (reference.comparison().scopes_look.on) {
         const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(ui.em(low_scopes))});
         compared_scopes(ui, reference, edited, {std::max(1.0F, room - ui.em(1)), ui.em(low_scopes)});
     }
     warn_of_refused(ui, reference, edited.chooser);
     warn_of_faults(ui, reference, edited.chooser);
-    reference_notes(ui, reference, edited, commands);
+    reference_notes(ui, reference.look(), edited, commands);
 }
 
 void without_video(ui::Ui& ui, Reference& reference, app::FileChooser& chooser) {
@@ -514,15 +520,16 @@ void ask_for_video(Reference& reference, app::FileChooser& chooser) {
 
 void reference_panel(ui::Ui& ui, Reference& reference, app::Measuring& measuring, const Edited& edited,
                      app::Files& files, ui::CommandTable& commands) {
+    ReferenceComparison& comparison = reference.comparison();
     accept_drops(ui, files);
     reference.follow();
-    if (reference.shows_counted) {
+    if (reference.shown().shows_counted) {
         measuring.want();
         if (measuring.due() < ui::never) ui.wake_at(measuring.due(), "the reference is being measured");
     }
     if (reference.video() == nullptr) {
-        if (reference.compares_video()) return without_video(ui, reference, edited.chooser);
-        if (reference.way == CompareWay::reference) reference.way = CompareWay::beside;  // there is nothing else
+        if (comparison.compares_video()) return without_video(ui, reference, edited.chooser);
+        if (comparison.way == CompareWay::reference) comparison.way = CompareWay::beside;  // there is nothing else
     }
     const ui::Rect panel = ui.rect_before(ui.parent().id);
     const float room = panel.w > 0 ? std::max(1.0F, panel.w - 2 * ui.em(0.6F)) : 0.0F;
@@ -532,7 +539,7 @@ void reference_panel(ui::Ui& ui, Reference& reference, app::Measuring& measuring
     time_row(ui, reference, edited, commands, room);
     warn_of_refused(ui, reference, edited.chooser);
     warn_of_faults(ui, reference, edited.chooser);
-    reference_notes(ui, reference, edited, commands);
+    reference_notes(ui, reference.look(), edited, commands);
     pictures_and_scopes(ui, reference, edited, {room, panel.h - 2 * ui.row_height() - ui.em(1.6F)});
     pick_hint(ui, edited.eyedropper);
 }

@@ -1,6 +1,6 @@
 // The scene's regions over the pictures that are compared: frames, and handles to move, resize and remove them.
 //
-//     RegionShapes shapes{reference.scopes_look, edited};
+//     RegionShapes shapes{comparison.scopes_look, edited};
 //     ui::compare_view(ui, ..., {.over = RegionShapes::build, .over_with = &shapes});
 #pragma once
 

@@ -209,7 +209,7 @@ void difference_table(ui::Ui& ui, const Snapshots& snapshots, document::Document
 }
 
 /// Lays the two beside each other in the Reference panel.
-void pictures_button(ui::Ui& ui, const SnapshotsState& s, app::Reference& reference, app::Layouts& layouts) {
+void pictures_button(ui::Ui& ui, const SnapshotsState& s, app::ReferenceComparison& comparison, app::Layouts& layouts) {
     const auto side = [](int chosen) {
         return chosen == now ? app::CompareSide::preview : app::side_of(static_cast<std::size_t>(chosen));
     };
@@ -219,8 +219,7 @@ void pictures_button(ui::Ui& ui, const SnapshotsState& s, app::Reference& refere
             {.icon = ui::Icon::image,
              .tip = "Shows the two next to each other, in the Reference panel; there either can also be compared "
                     "with the reference"})) {
-        reference.sides = {side(s.left), side(s.right)};
-        if (reference.way == app::CompareWay::reference) reference.way = app::CompareWay::beside;
+        comparison.show({side(s.left), side(s.right)});
         layouts.bring_to_front("Reference");
     }
     ui.pop_disabled();
@@ -247,7 +246,7 @@ void sides_row(ui::Ui& ui, SnapshotsState& s, float room) {
 struct On {
     Snapshots& snapshots;
     app::SnapshotPreviews& previews;
-    app::Reference& reference;
+    app::ReferenceComparison& comparison;
     app::Layouts& layouts;
     document::Document& document;
 };
@@ -263,7 +262,7 @@ void differences_line(ui::Ui& ui, const On& on, const SnapshotsState& s) {
     else
         ui::label(ui, std::to_string(count) + (count == 1 ? " difference" : " differences") + way,
                   {.tone = ui::Tone::dim, .number = true, .width = ui::grow()});
-    pictures_button(ui, s, on.reference, on.layouts);
+    pictures_button(ui, s, on.comparison, on.layouts);
 }
 
 void comparison(ui::Ui& ui, const On& on, SnapshotsState& s, float room, ui::Size table_height) {
@@ -302,10 +301,10 @@ float height_of(const Snapshots& snapshots) {
 
 }  // namespace
 
-void snapshots_panel(ui::Ui& ui, Snapshots& snapshots, app::SnapshotPreviews& previews, app::Reference& reference,
-                     app::Layouts& layouts, document::Document& document) {
+void snapshots_panel(ui::Ui& ui, Snapshots& snapshots, app::SnapshotPreviews& previews,
+                     app::ReferenceComparison& comparison, app::Layouts& layouts, document::Document& document) {
     previews.show_thumbnails();
-    const On on{snapshots, previews, reference, layouts, document};
+    const On on{snapshots, previews, comparison, layouts, document};
     const ui::Rect room = ui.rect_before(ui.parent().id);
     if (room.h > 0 && room.h < ui.em(height_of(snapshots))) {
         const ui::ScrollArea area(ui, "All snapshots", {.gap = 0.4F});
@@ -340,20 +339,18 @@ void add_snapshot_commands(app::Editor& editor) {
                                          {.text = std::string("Kept as snapshot ") + Snapshots::names[slot]});
                                  },
                              .tip = "Keeps the current preset."});
-        editor.commands.add({.id = "snapshot.compare_" + small,
-                             .title = "Compare snapshot " + letter + " with the reference",
-                             .group = "Reference",
-                             .run =
-                                 [&editor, slot] {
-                                     app::Reference& reference = editor.reference();
-                                     reference.sides = {app::side_of(slot), app::CompareSide::reference};
-                                     if (reference.way == app::CompareWay::reference)
-                                         reference.way = app::CompareWay::beside;
-                                     editor.layouts().bring_to_front("Reference");
-                                 },
-                             .enabled = [&editor, slot] { return editor.snapshots().at(slot).has_value(); },
-                             .tip = "The snapshot takes the place of the preview in the comparison",
-                             .missing = "nothing is kept as " + letter});
+        editor.commands.add(
+            {.id = "snapshot.compare_" + small,
+             .title = "Compare snapshot " + letter + " with the reference",
+             .group = "Reference",
+             .run =
+                 [&editor, slot] {
+                     editor.reference().comparison().show({app::side_of(slot), app::CompareSide::reference});
+                     editor.layouts().bring_to_front("Reference");
+                 },
+             .enabled = [&editor, slot] { return editor.snapshots().at(slot).has_value(); },
+             .tip = "The snapshot takes the place of the preview in the comparison",
+             .missing = "nothing is kept as " + letter});
     }
     editor.commands.add({.id = "edit.history",
                          .title = "History",

@@ -54,7 +54,7 @@ void show_whole(app::Editor& editor) {
     else if (panel == "Measure" || (!view && !reference && layouts.seen("Measure")))
         editor.measure_bench().look.state = {};
     else if (panel == "Reference" || (!view && reference))
-        editor.reference().compare.view = {};
+        editor.reference().comparison().state.view = {};
     else
         show_organ_whole(editor.looking, editor.preview);
 }
@@ -110,7 +110,7 @@ void turn_plate(app::Editor& editor) {
 /// again: the progress that is shown has a button for that.
 bool can_turn_plate(app::Editor& editor) {
     const Scene& scene = editor.document.scene();
-    return !scene.reference.file.empty() ? !editor.reference().plate_progress() : scene.plate.use;
+    return !scene.reference.file.empty() ? !editor.reference().look().plate_progress() : scene.plate.use;
 }
 
 }  // namespace

@@ -250,7 +250,7 @@ class ViewPanel {
     void underlay(const ui::ViewportResult& view) {
         if (!shows_underlay()) return;
         on_.reference.follow();
-        const ui::Picture picture = on_.reference.placed_picture();
+        const ui::Picture picture = on_.reference.shown().placed();
         if (picture.image == 0 || view.size.y < 1) return;
         ui::Node& node = ui_.leaf(ui::Role::image, "Reference picture");
         const float height = std::round(static_cast<float>(view.size.y / widened(view)));

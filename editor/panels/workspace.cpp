@@ -9,6 +9,7 @@
 #include "app/files/files.h"
 #include "app/measure/fit_reporting.h"
 #include "app/measure/fitting.h"
+#include "app/reference/reference.h"
 #include "lapfx/authoring/letters.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
@@ -74,7 +75,7 @@ constexpr PanelRow panel_rows[] = {
      [](Ui& ui, Editor& e) { presets_panel(ui, e.browser(), e.document, e.files(), e.chooser(), e.toasts); }},
     {"Snapshots", "Four states of the preset, and what differs between them",
      [](Ui& ui, Editor& e) {
-         snapshots_panel(ui, e.snapshots(), e.snapshot_previews(), e.reference(), e.layouts(), e.document);
+         snapshots_panel(ui, e.snapshots(), e.snapshot_previews(), e.reference().comparison(), e.layouts(), e.document);
      }},
     {"History", "All that was done, to go back to",
      [](Ui& ui, Editor& e) { history_panel(ui, e.document, e.commands); }},

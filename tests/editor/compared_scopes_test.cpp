@@ -29,7 +29,7 @@ TEST_F(ComparedScopes, BothPicturesAreCountedBesideEachOther) {
     for (const char* name : {"Levels of Preview", "Levels of Reference", "Waveform of Preview", "Waveform of Reference",
                              "Colours of Preview", "Colours of Reference"})
         EXPECT_TRUE(ui().exists(in(name))) << name;
-    const auto& [preview_scopes, video_scopes] = reference().scopes();
+    const auto& [preview_scopes, video_scopes] = reference().comparison().scopes();
     ASSERT_TRUE(preview_scopes.counted());
     ASSERT_TRUE(video_scopes.counted());
     EXPECT_GT(preview_scopes.mean(app::Channel::red), preview_scopes.mean(app::Channel::blue)) << "tissue";
@@ -45,7 +45,7 @@ TEST_F(ComparedScopes, BothPicturesAreCountedBesideEachOther) {
 
 TEST_F(ComparedScopes, TheyFollowThePictures) {
     show();
-    const auto& [preview_scopes, video_scopes] = reference().scopes();
+    const auto& [preview_scopes, video_scopes] = reference().comparison().scopes();
     const double preview = preview_scopes.mean(app::Channel::red);
     const double video = video_scopes.mean(app::Channel::red);
     editor().document.change("Exposure", [](document::Content& c) { c.scene.camera.exposure *= 2; });
@@ -69,7 +69,7 @@ TEST_F(ComparedScopes, OneKindAndOneChannelCanBeChosen) {
     ui().click("**/Scopes shown/Levels").frame();
     ui().click(in("Channel")).frame();
     ui().click("Channel choices/Choices/Green").frame();
-    EXPECT_EQ(reference().scopes_look.channel, app::Channel::green);
+    EXPECT_EQ(reference().comparison().scopes_look.channel, app::Channel::green);
     EXPECT_NE(ui().dump().find("Reference, green: mean"), std::string::npos) << ui().dump();
 }
 

@@ -37,18 +37,18 @@ class EyedropperTest : public SampleTest {
         ui().click("**/" + field + "/Colour").frame();
         ui().click("**/Pick from a picture").frame();
         const glm::vec3 code(glm::round(255.0 * color));
-        editor().seen_colors().clicked({.shot = editor().reference().compared_shot(),
-                                        .size = editor().reference().compared_size() / smaller,
+        editor().seen_colors().clicked({.shot = editor().reference().comparison().shot(),
+                                        .size = editor().reference().comparison().size() / smaller,
                                         .place = place});
         editor().eyedropper.picked = ui::color_of(glm::vec4(code, 255));
         ui().frame().frame();
     }
     /// What the comparison shows now where the last colour was solved for, sRGB.
     glm::dvec3 seen(bool haze = true) {
-        const glm::ivec2 size = editor().reference().compared_size();
+        const glm::ivec2 size = editor().reference().comparison().size();
         app::PreviewCopy copy;
         copy.target.resize(size);
-        app::Shot shot = editor().reference().compared_shot();
+        app::Shot shot = editor().reference().comparison().shot();
         shot.haze = haze;
         editor().preview.draw_into(copy, shot);
         const Image image = copy.target.read();
@@ -85,13 +85,13 @@ class EyedropperInFull : public EyedropperTest {
 };
 
 TEST_F(EyedropperInFull, AColourComesFromTheReference) {
-    editor().reference().way = app::CompareWay::reference;
+    editor().reference().comparison().way = app::CompareWay::reference;
     begin();
     ASSERT_NE(editor().eyedropper.wanted_by, 0U);
     EXPECT_TRUE(ui().exists("Workspace/Reference/Pick a colour/Leave"));
     const std::size_t steps = editor().document.done();
     const glm::ivec3 before = deep();
-    const ui::Picture video = editor().reference().picture();
+    const ui::Picture video = editor().reference().shown().whole();
     ui().click("Workspace/Reference/Video").frame();
     EXPECT_EQ(editor().eyedropper.wanted_by, 0U);
     EXPECT_EQ(editor().document.done(), steps + 1) << "one step";
@@ -246,7 +246,7 @@ TEST_F(EyedropperTest, ALoupeShowsPixelsAndTheColourUnderThePointer) {
     EXPECT_EQ(ui().node("**/Loupe").text.substr(0, 1), "#");
     ui().key(ui::Key::escape).frame();
     EXPECT_FALSE(ui().exists("**/Loupe"));
-    editor().reference().way = app::CompareWay::reference;
+    editor().reference().comparison().way = app::CompareWay::reference;
     begin();
     ui().move(ui().node("Workspace/Reference/Video").rect().center()).frame();
     EXPECT_EQ(editor().eyedropper.wanted_by != 0, true);
@@ -270,7 +270,7 @@ TEST_F(EyedropperTest, TheLoupeAndTheBoxThatSaysWhatToDoNeverOverlap) {
     for (const glm::ivec2 window : {glm::ivec2(1440, 900), glm::ivec2(800, 600)})
         for (const std::string panel : {"View/Preview", "Reference/Comparison", "Reference/Video"}) {
             const bool alone = panel == "Reference/Video";
-            editor().reference().way = alone ? app::CompareWay::reference : app::CompareWay::beside;
+            editor().reference().comparison().way = alone ? app::CompareWay::reference : app::CompareWay::beside;
             ui().size = window;
             layout("Compare");
             ui().frame().frame();
@@ -331,13 +331,13 @@ TEST_F(EyedropperTest, AlsoOfThinBloodOfHazeAndOfTheOrgan) {
 }
 
 TEST_F(EyedropperTest, OrFromWhicheverOfBothIsUnderThePointer) {
-    editor().reference().way = app::CompareWay::wipe;
+    editor().reference().comparison().way = app::CompareWay::wipe;
     begin();
     ui().frame().frame();
-    const ui::Picture preview = editor().reference().compared_preview();
-    const ui::Picture video = editor().reference().compared_reference();
+    const ui::Picture preview = editor().reference().comparison().preview();
+    const ui::Picture video = editor().reference().comparison().reference();
     ASSERT_NE(preview.pixels, nullptr);
-    const double line = editor().reference().compare.position;
+    const double line = editor().reference().comparison().state.position;
     ui().click("Workspace/Reference/Comparison", {.at = {0.4F, 0.5F}}).frame();
     const glm::ivec3 first = picked();
     EXPECT_EQ(editor().eyedropper.wanted_by, 0U);
@@ -345,7 +345,7 @@ TEST_F(EyedropperTest, OrFromWhicheverOfBothIsUnderThePointer) {
     ui().click("Workspace/Reference/Comparison", {.at = {0.6F, 0.5F}}).frame();
     const glm::ivec3 second = picked();
     EXPECT_NE(first, second);
-    EXPECT_EQ(editor().reference().compare.position, line) << "the line stays";
+    EXPECT_EQ(editor().reference().comparison().state.position, line) << "the line stays";
     const auto nearest = [](const ui::Picture& picture, const glm::ivec3& color) {
         double least = 1e9;
         const int y = picture.size.y / 2;

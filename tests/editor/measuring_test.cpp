@@ -166,7 +166,7 @@ TEST_F(MeasuringAnew, WhatIsKnownOfAFileIsKnownToEveryDocument) {
 
 TEST_F(MeasuringAnew, WhatWasCountedIsDrawnOverTheReferenceWhereItIsMeasured) {
     const auto shown = [&] {
-        const ui::StoredImage* const image = editor().images.find(editor().reference().picture().image);
+        const ui::StoredImage* const image = editor().images.find(editor().reference().shown().whole().image);
         return image != nullptr ? image->pixels : std::vector<std::uint8_t>();
     };
     wait_for([&] { return editor().reference().shown_frame() >= 0; });
@@ -175,11 +175,11 @@ TEST_F(MeasuringAnew, WhatWasCountedIsDrawnOverTheReferenceWhereItIsMeasured) {
     const std::vector<std::uint8_t> plain = shown();
     EXPECT_EQ(plain, editor().reference().image().pixels);
     ui().click("Workspace/Reference/Counted").frame();
-    EXPECT_TRUE(editor().reference().shows_counted);
+    EXPECT_TRUE(editor().reference().shown().shows_counted);
     EXPECT_TRUE(says("Not measured yet")) << ui().dump();
     wait_for([&] { return measuring().found() != nullptr; });
     ui().frame();
-    EXPECT_TRUE(editor().reference().counted_shown());
+    EXPECT_TRUE(editor().reference().shown().counted_shown());
     EXPECT_FALSE(says("Not measured yet"));
     const std::vector<std::uint8_t> counted = shown();
     EXPECT_NE(counted, plain);
@@ -201,10 +201,10 @@ TEST_F(MeasuringAnew, WhatWasCountedIsDrawnOverTheReferenceWhereItIsMeasured) {
     EXPECT_LT(off, counted.size() / 50) << "its veil has fewer pixels";
     editor().timeline.seek(2);
     wait_for([&] { return editor().reference().shown_frame() == editor().reference().frame(); });
-    EXPECT_TRUE(editor().reference().counted_shown()) << "also of other frames";
+    EXPECT_TRUE(editor().reference().shown().counted_shown()) << "also of other frames";
     set_redness(9);
     ui().frame().frame();
-    EXPECT_FALSE(editor().reference().counted_shown()) << "nothing was counted like that";
+    EXPECT_FALSE(editor().reference().shown().counted_shown()) << "nothing was counted like that";
     ui().click("Workspace/Reference/Counted").frame();
     EXPECT_EQ(shown(), editor().reference().image().pixels);
 }

@@ -132,17 +132,17 @@ TEST_F(EditorMemoryOfOrgan, TheFormerOrganGoesAlsoFromThoseWhoHaveWorkedWithIt) 
 TEST_F(EditorMemory, ZoomStepsBesideTheReferenceLeaveNoTargetsBehind) {
     layout("Compare");
     app::Reference& reference = editor().reference();
-    reference.show_at(1);
+    reference.comparison().show_at(1);
     ui().frame().frame();
-    const auto held = [&] { return reference.memory() + use().targets; };
+    const auto held = [&] { return reference.comparison().memory() + use().targets; };
     const std::size_t before = held();
     for (int i = 0; i < 3; ++i) {
         for (const double zoom : {1.5, 0.4, 2.2, 0.7}) {
-            reference.show_at(zoom);
+            reference.comparison().show_at(zoom);
             ui().frame().frame();
         }
     }
-    reference.show_at(1);
+    reference.comparison().show_at(1);
     ui().frame().frame();
     EXPECT_EQ(held(), before);
 }

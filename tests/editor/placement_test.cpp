@@ -75,7 +75,7 @@ class Placement : public EditorTest {
     }
     const ReferencePlacement& placement() { return editor().document.scene().reference.placement; }
     glm::vec4 middle_of_reference() {
-        const ui::Picture picture = editor().reference().compared_reference();
+        const ui::Picture picture = editor().reference().comparison().reference();
         return picture.pixels->pixel(picture.size / 2);
     }
 };
@@ -84,12 +84,13 @@ TEST_F(Placement, IsTypedSeenUndoneAndReset) {
     EXPECT_FALSE(ui().exists("**/Reference/Right"));
     ui().click("**/Reference/Move reference").frame();
     const glm::vec4 before = middle_of_reference();
-    const ui::ImageHandle stored = editor().reference().compared_reference().image;
+    const ui::ImageHandle stored = editor().reference().comparison().reference().image;
     ui().click("**/Reference/Right", {.clicks = 2}).type("1.9").key(ui::Key::enter).frame().frame();
     EXPECT_DOUBLE_EQ(placement().right, 1.9);
-    EXPECT_NE(editor().reference().compared_reference().image, stored);
+    EXPECT_NE(editor().reference().comparison().reference().image, stored);
     EXPECT_EQ(middle_of_reference(), glm::vec4(0)) << "it has moved out of the middle";
-    EXPECT_NE(editor().reference().placed_picture().image, editor().reference().picture().image) << "as an underlay";
+    EXPECT_NE(editor().reference().shown().placed().image, editor().reference().shown().whole().image)
+        << "as an underlay";
     editor().document.undo();
     ui().frame().frame();
     EXPECT_EQ(middle_of_reference(), before);
@@ -100,7 +101,7 @@ TEST_F(Placement, IsTypedSeenUndoneAndReset) {
 }
 
 TEST_F(Placement, IsDraggedInThePicture) {
-    editor().reference().placing = true;
+    editor().reference().comparison().placing = true;
     ui().frame().frame();
     const std::size_t steps = editor().document.done();
     ui().drag("**/First/Reference's middle", {40, -20});
@@ -128,20 +129,20 @@ TEST_F(Placement, RegionsAndScopesReadWhatIsSeen) {
     const ComparedRegion region{.x = 0.1, .y = 0.1, .width = 0.15, .height = 0.2};
     editor().document.change("Region", [&](document::Content& c) { c.scene.reference.regions = {region}; });
     app::Reference& reference = editor().reference();
-    reference.scopes_look.on = true;
-    reference.scopes_look.kind = app::ScopesLook::regions;
+    reference.comparison().scopes_look.on = true;
+    reference.comparison().scopes_look.kind = app::ScopesLook::regions;
     ui().frame().frame().frame();
-    const auto counted = [&] { return reference.regions().now(1, 0).color; };
+    const auto counted = [&] { return reference.comparison().regions().now(1, 0).color; };
     const auto apart = [](const glm::dvec3& a, const glm::dvec3& b) {
         return match::distance({.color = a}, {.color = b});
     };
     const auto samples = [&] {
         std::vector<double> frames, values;
-        reference.regions().curve(1, 0, app::RegionFigure::brightness, frames, values);
+        reference.comparison().regions().curve(1, 0, app::RegionFigure::brightness, frames, values);
         return frames.size();
     };
     const glm::dvec3 stored = counted();
-    EXPECT_LT(apart(stored, seen_in(reference.compared_reference(), region)), 0.5);
+    EXPECT_LT(apart(stored, seen_in(reference.comparison().reference(), region)), 0.5);
     editor().timeline.seek(2);
     ui().frame().frame();
     EXPECT_EQ(samples(), 2U);
@@ -153,24 +154,24 @@ TEST_F(Placement, RegionsAndScopesReadWhatIsSeen) {
     };
     place({.right = 0.1, .up = -0.2, .scale = 2, .rotation = 170});
     EXPECT_GT(apart(counted(), stored), 1) << "other tissue lies there";
-    EXPECT_LT(apart(counted(), seen_in(reference.compared_reference(), region)), 0.5);
+    EXPECT_LT(apart(counted(), seen_in(reference.comparison().reference(), region)), 0.5);
     EXPECT_EQ(samples(), 1U) << "the curve was of what lay there before";
     place({.right = 1.9});
     EXPECT_EQ(counted(), glm::dvec3(0)) << "nothing of it is there";
     // The reference alone is the video as it is stored.
-    reference.way = app::CompareWay::reference;
+    reference.comparison().way = app::CompareWay::reference;
     ui().frame().frame().frame();
     EXPECT_LT(apart(counted(), stored), 0.5);
-    reference.way = app::CompareWay::beside;
+    reference.comparison().way = app::CompareWay::beside;
     ui().frame().frame();
     place({});
     EXPECT_LT(apart(counted(), stored), 1e-9);
 }
 
 TEST_F(Placement, IsNudgedByArrows) {
-    editor().reference().placing = true;
+    editor().reference().comparison().placing = true;
     ui().frame().frame();
-    const double height = editor().reference().compared_size().y;
+    const double height = editor().reference().comparison().size().y;
     ui().focus("**/First/Reference's middle").key(ui::Key::right).frame();
     EXPECT_NEAR(placement().right, 1 / height, 1e-3) << "a pixel";
     ui().key(ui::Key::up).frame();
@@ -222,7 +223,7 @@ TEST_F(Placement, TheCircleComesToLieOnThePreviews) {
     ASSERT_TRUE(placement().moved());
     EXPECT_EQ(editor().document.scene().camera.vignette, 1);
     EXPECT_EQ(editor().document.steps().back().name, "Take the circle");
-    const ui::Picture seen = editor().reference().compared_reference();
+    const ui::Picture seen = editor().reference().comparison().reference();
     for (const glm::dvec2 way : {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0.8, 0.6), glm::dvec2(-0.8, -0.6)})
         EXPECT_NEAR(rim_on(seen, way), 0.562 * seen.size.y, 1.5) << way.x << ' ' << way.y;
     // Again where it lies already: nothing moves.
@@ -242,14 +243,14 @@ TEST_F(Placement, TheCircleComesToLieOnThePreviews) {
     EXPECT_NEAR(placement().scale, before.scale, 0.01);
     EXPECT_NEAR(placement().right, before.right, 0.005);
     EXPECT_NEAR(placement().up, before.up, 0.005);
-    ASSERT_EQ(editor().reference().look_notes().size(), 2U);
+    ASSERT_EQ(editor().reference().look().notes().size(), 2U);
     editor().document.change("Else", [](document::Content& c) { c.scene.duration += 1; });
     ui().frame();
-    EXPECT_EQ(editor().reference().look_notes().size(), 2U);
+    EXPECT_EQ(editor().reference().look().notes().size(), 2U);
     editor().document.undo();
     editor().document.undo();
     ui().frame();
-    EXPECT_TRUE(editor().reference().look_notes().empty()) << "it does not lie there any more";
+    EXPECT_TRUE(editor().reference().look().notes().empty()) << "it does not lie there any more";
 }
 
 class ProposedAspect : public Placement {
@@ -274,52 +275,52 @@ class ProposedAspect : public Placement {
 
 TEST_F(ProposedAspect, IsThatOfASqueezedVideoAndStaysWithTheScene) {
     choose(squeezed("wide.png", 16.0 / 9));
-    ASSERT_TRUE(reference().proposed_aspect());
-    EXPECT_NEAR(*reference().proposed_aspect(), 16.0 / 9, 1e-4);
+    ASSERT_TRUE(reference().look().proposed_aspect());
+    EXPECT_NEAR(*reference().look().proposed_aspect(), 16.0 / 9, 1e-4);
     EXPECT_EQ(aspect(), 0) << "it is proposed";
     EXPECT_NE(ui().dump().find("shown at 16:9 it is round"), std::string::npos) << ui().dump();
     ui().click("**/Reference/Use 16:9").frame().frame();
     EXPECT_NEAR(aspect(), 16.0 / 9, 1e-4);
-    EXPECT_FALSE(reference().proposed_aspect());
+    EXPECT_FALSE(reference().look().proposed_aspect());
     EXPECT_FALSE(ui().exists("**/Reference/Use 16:9"));
-    const glm::ivec2 size = reference().compared_size();
+    const glm::ivec2 size = reference().comparison().size();
     EXPECT_NEAR(static_cast<double>(size.x) / size.y, 16.0 / 9, 0.01);
     choose(folder() / "wide.png");
     EXPECT_NEAR(aspect(), 16.0 / 9, 1e-4) << "the same file is stored as it was";
     choose(squeezed("other.png", 4.0 / 3));
     EXPECT_EQ(aspect(), 0);
-    ASSERT_TRUE(reference().proposed_aspect());
-    EXPECT_NEAR(*reference().proposed_aspect(), 4.0 / 3, 1e-3);
+    ASSERT_TRUE(reference().look().proposed_aspect());
+    EXPECT_NEAR(*reference().look().proposed_aspect(), 4.0 / 3, 1e-3);
     editor().document.change("By hand", [](document::Content& c) { c.scene.reference.aspect = 1.5; });
     ui().frame();
-    EXPECT_FALSE(reference().proposed_aspect());
+    EXPECT_FALSE(reference().look().proposed_aspect());
 }
 
 TEST_F(ProposedAspect, IsLeftAndIsNoneWhereNothingIsSqueezed) {
     choose(squeezed("wide.png", 16.0 / 9));
     const std::size_t steps = editor().document.done();
     ui().click("**/Reference/Leave as stored").frame();
-    EXPECT_FALSE(reference().proposed_aspect());
+    EXPECT_FALSE(reference().look().proposed_aspect());
     editor().timeline.seek(1);
     ui().frame().frame();
-    EXPECT_FALSE(reference().proposed_aspect()) << "nor with another frame";
+    EXPECT_FALSE(reference().look().proposed_aspect()) << "nor with another frame";
     EXPECT_EQ(editor().document.done(), steps);
     choose(squeezed("round.png", 1));
-    EXPECT_FALSE(reference().proposed_aspect());
+    EXPECT_FALSE(reference().look().proposed_aspect());
     write_picture(folder() / "all.png", tissue_picture({256, 256}));
     choose(folder() / "all.png");
-    EXPECT_FALSE(reference().proposed_aspect());
+    EXPECT_FALSE(reference().look().proposed_aspect());
 }
 
 TEST_F(Placement, TheCircleOfTheSampleIsTaken) {
     editor().commands.run("reference.take_circle");
     ui().frame();
-    ASSERT_FALSE(editor().reference().look_notes().empty());
+    ASSERT_FALSE(editor().reference().look().notes().empty());
     if (placement().moved()) {
         EXPECT_EQ(editor().document.scene().camera.vignette, 1);
         EXPECT_EQ(editor().document.steps().back().name, "Take the circle");
     } else {
-        EXPECT_NE(editor().reference().look_notes().front().find("no round view"), std::string::npos);
+        EXPECT_NE(editor().reference().look().notes().front().find("no round view"), std::string::npos);
     }
 }
 

@@ -26,6 +26,7 @@ class PlateSwitch : public SampleTest {
     const Scene& scene() { return editor().document.scene(); }
     const std::string& organ() { return editor().preview.preview()->organ().name; }
     app::Reference& reference() { return editor().reference(); }
+    app::ReferenceComparison& comparison() { return reference().comparison(); }
 };
 
 TEST_F(PlateSwitch, IsInTheViewAndOneUndoStep) {
@@ -54,14 +55,14 @@ TEST_F(PlateSwitch, IsInTheViewAndOneUndoStep) {
 
 TEST_F(PlateSwitch, TheFrameThatIsShownComesOutPixelByPixel) {
     layout("Compare");
-    reference().way = app::CompareWay::difference;
+    comparison().way = app::CompareWay::difference;
     editor().timeline.seek(0);
     ui().frame();
     editor().commands.run("reference.plate_here");
     ui().frame().frame();
     EXPECT_EQ(scene().plate.frame, PlateFrame::chosen);
     EXPECT_NEAR(scene().plate.time, reference().time(), 0.05);
-    const ui::Picture preview = reference().compared_preview(), video = reference().compared_reference();
+    const ui::Picture preview = comparison().preview(), video = comparison().reference();
     ASSERT_NE(preview.pixels, nullptr);
     ASSERT_EQ(preview.size, video.size);
     for (int y = 3; y < preview.size.y; y += 37)
@@ -73,7 +74,7 @@ TEST_F(PlateSwitch, TheFrameThatIsShownComesOutPixelByPixel) {
     editor().timeline.seek(7);
     reference().hold(reference().video()->frame_at(scene().plate.time + 5e-4));
     ui().frame().frame();
-    const ui::Picture later = reference().compared_preview(), still = reference().compared_reference();
+    const ui::Picture later = comparison().preview(), still = comparison().reference();
     const auto apart = [&](glm::ivec2 at) {
         return glm::distance(glm::vec3(later.pixels->pixel(at)), glm::vec3(still.pixels->pixel(at)));
     };
@@ -83,13 +84,13 @@ TEST_F(PlateSwitch, TheFrameThatIsShownComesOutPixelByPixel) {
 
 TEST_F(PlateSwitch, LiesWhereTheReferenceIsPlaced) {
     layout("Compare");
-    reference().way = app::CompareWay::difference;
+    comparison().way = app::CompareWay::difference;
     editor().timeline.seek(0);
     ui().frame();
     editor().commands.run("reference.plate_here");
     const auto apart = [&] {
         ui().frame().frame();
-        const ui::Picture preview = reference().compared_preview(), video = reference().compared_reference();
+        const ui::Picture preview = comparison().preview(), video = comparison().reference();
         EXPECT_EQ(preview.size, video.size);
         double sum = 0, count = 0;
         for (int y = 3; y < preview.size.y; y += 11)
@@ -129,7 +130,7 @@ TEST_F(PlateOnItsWay, IsToldAndASecondClickDoesNotTakeItAway) {
     HeldJobs held(editor().jobs);
     ui().click("Workspace/Reference/Plate").frame();
     ASSERT_TRUE(scene().plate.use);
-    EXPECT_TRUE(reference().plate_progress());
+    EXPECT_TRUE(reference().look().plate_progress());
     EXPECT_NE(ui().dump().find("Making the plate"), std::string::npos) << ui().dump();
     EXPECT_TRUE(ui().is("Workspace/Reference/Plate", ui::Is::disabled));
     ui().key('P').frame();
@@ -137,7 +138,7 @@ TEST_F(PlateOnItsWay, IsToldAndASecondClickDoesNotTakeItAway) {
     held.let_go();
     ASSERT_TRUE(wait_until([&] { return organ().starts_with("frame at "); }, [&] { ui().frame(0.02); }));
     ui().frame();
-    EXPECT_FALSE(reference().plate_progress());
+    EXPECT_FALSE(reference().look().plate_progress());
     EXPECT_EQ(ui().dump().find("Making the plate"), std::string::npos);
     ui().key('P').frame();
     EXPECT_FALSE(scene().plate.use);
@@ -149,7 +150,7 @@ TEST_F(PlateOnItsWay, IsCancelledAndTheOrganIsStillThere) {
     const std::string former = organ();
     HeldJobs held(editor().jobs);
     ui().click("Workspace/Reference/Plate").frame();
-    ASSERT_TRUE(reference().plate_progress());
+    ASSERT_TRUE(reference().look().plate_progress());
     ui().click("Workspace/Reference/Cancel Making the plate").frame();
     EXPECT_FALSE(scene().plate.use);
     EXPECT_FALSE(editor().preview.loading()) << "the organ that is shown is not loaded again";

@@ -23,10 +23,11 @@ class ReferencePanel : public SampleTest {
     void SetUp() override {
         SampleTest::SetUp();
         if (IsSkipped()) return;
-        editor().reference().way = app::CompareWay::reference;
+        editor().reference().comparison().way = app::CompareWay::reference;
         layout("Compare");
     }
     app::Reference& reference() { return editor().reference(); }
+    app::ReferenceComparison& comparison() { return reference().comparison(); }
     std::string named() { return editor().document.scene().reference.file; }
     static std::string in(const std::string& name) { return std::string(panel) + "/" + name; }
     /// A video with ten frames a second, each with another brightness.
@@ -41,13 +42,13 @@ class ReferencePanel : public SampleTest {
 
 TEST_F(ReferencePanel, TheSampleSceneHasOneThatFollowsTheTimeline) {
     ASSERT_NE(reference().video(), nullptr);
-    EXPECT_EQ(reference().picture().size, glm::ivec2(160, 128));
+    EXPECT_EQ(reference().shown().whole().size, glm::ivec2(160, 128));
     EXPECT_NEAR(reference().video()->info().duration, 8.0, 0.05);
     editor().timeline.seek(4);
     ui().frame();
     EXPECT_EQ(reference().frame(), 112) << "half a second on, 25 a second";
     EXPECT_EQ(ui().value(in("Frame")), 112);
-    const ui::Picture picture = reference().picture();
+    const ui::Picture picture = reference().shown().whole();
     const glm::vec4 before = picture.pixels->pixel({80, 62});
     editor().timeline.seek(0);
     ui().frame();
@@ -75,13 +76,13 @@ TEST_F(ReferencePanel, AVideoDroppedOnItIsTheReference) {
     drop(file);
     EXPECT_EQ(named(), fs::canonical(file).string());
     EXPECT_EQ(editor().document.scene().reference.offset, 0.0);
-    EXPECT_EQ(reference().picture().size, glm::ivec2(64, 32));
+    EXPECT_EQ(reference().shown().whole().size, glm::ivec2(64, 32));
     EXPECT_EQ(editor().document.steps().back().name, "Reference video");
     EXPECT_EQ(editor().document.preset().smoke.clips.size(), 3U) << "and no clip of the preset";
     editor().document.undo();
     ui().frame();
     EXPECT_EQ(named(), "reference/operation.mp4");
-    EXPECT_EQ(reference().picture().size, glm::ivec2(160, 128));
+    EXPECT_EQ(reference().shown().whole().size, glm::ivec2(160, 128));
 }
 
 TEST_F(ReferencePanel, WhatIsNoVideoIsToldInPlaceWithTheWayOut) {
@@ -92,7 +93,7 @@ TEST_F(ReferencePanel, WhatIsNoVideoIsToldInPlaceWithTheWayOut) {
     drop(file);
     EXPECT_NE(ui().dump().find(told), std::string::npos) << ui().dump();
     EXPECT_EQ(named(), "reference/operation.mp4") << "the good one stays";
-    EXPECT_EQ(reference().picture().size, glm::ivec2(160, 128));
+    EXPECT_EQ(reference().shown().whole().size, glm::ivec2(160, 128));
     EXPECT_EQ(editor().document.done(), steps);
     EXPECT_TRUE(ui().exists(in("Video")));
     ui().click(in("Choose another file...")).frame();
@@ -199,31 +200,31 @@ TEST_F(ReferencePanel, BackspaceGoesBackToTheSavedOffset) {
 }
 
 TEST_F(ReferencePanel, KeysGoThroughTheWaysAndSwap) {
-    EXPECT_EQ(reference().way, app::CompareWay::reference);
+    EXPECT_EQ(comparison().way, app::CompareWay::reference);
     ui().key('M').frame();
-    EXPECT_EQ(reference().way, app::CompareWay::beside);
+    EXPECT_EQ(comparison().way, app::CompareWay::beside);
     ui().click(in("Comparison"));
     ui().key('M').frame();
-    EXPECT_EQ(reference().way, app::CompareWay::wipe) << "also where letters belong to the picture";
+    EXPECT_EQ(comparison().way, app::CompareWay::wipe) << "also where letters belong to the picture";
     ui().key('X').frame();
-    EXPECT_TRUE(reference().compare.swapped);
+    EXPECT_TRUE(comparison().state.swapped);
     EXPECT_TRUE(ui().is(in("Swap"), ui::Is::checked));
     ui().click(in("Compare/Difference")).frame();
     EXPECT_TRUE(ui().exists(in("Gain")));
     ui().click(in("Compare/Onion")).frame();
     EXPECT_TRUE(ui().exists(in("Mix")));
     ui().key('M').frame();
-    EXPECT_EQ(reference().way, app::CompareWay::reference);
+    EXPECT_EQ(comparison().way, app::CompareWay::reference);
     EXPECT_TRUE(ui().exists(in("Video")));
 }
 
 TEST_F(ReferencePanel, ThePreviewBesideIsTheOneOfTheViewPanel) {
     editor().timeline.seek(6);
     ui().click(in("Compare/Wipe")).frame().frame();
-    const ui::Picture beside = reference().compared_preview();
+    const ui::Picture beside = comparison().preview();
     ASSERT_EQ(beside.size, glm::ivec2(160, 128));
     ASSERT_NE(beside.pixels, nullptr);
-    const glm::ivec2 drawn = reference().drawn_size();
+    const glm::ivec2 drawn = comparison().drawn_size();
     layout("Tune");
     editor().preview.resize(drawn);
     app::Shot shot = editor().shot();
@@ -244,16 +245,16 @@ TEST_F(ReferencePanel, ThePreviewBesideIsThereAsSoonAsThereIsOne) {
     editor().document.open(std::move(opened.content), opened.scene_file, opened.preset_file);
     ui().frame();
     ui().frame();
-    EXPECT_NE(reference().compared_preview().image, 0U);
-    ASSERT_NE(reference().compared_preview().pixels, nullptr) << "drawn";
-    EXPECT_GT(reference().compared_preview().pixels->pixel({80, 64}).r, 20.0F);
+    EXPECT_NE(comparison().preview().image, 0U);
+    ASSERT_NE(comparison().preview().pixels, nullptr) << "drawn";
+    EXPECT_GT(comparison().preview().pixels->pixel({80, 64}).r, 20.0F);
 }
 
 TEST_F(ReferencePanel, WhatIsNotSeenIsNotDrawn) {
     ui().frame();
-    EXPECT_FALSE(reference().compares());
+    EXPECT_FALSE(comparison().wanted());
     ui().click(in("Compare/Side by side")).frame();
-    EXPECT_TRUE(reference().compares());
+    EXPECT_TRUE(comparison().wanted());
     EXPECT_FALSE(reference().draw(scene_scale)) << "nothing has changed";
     editor().timeline.seek(3);
     EXPECT_TRUE(reference().draw(scene_scale));
@@ -261,15 +262,15 @@ TEST_F(ReferencePanel, WhatIsNotSeenIsNotDrawn) {
     editor().preview.follow(editor().document);
     EXPECT_TRUE(reference().draw(scene_scale));
     layout("Tune");
-    EXPECT_FALSE(reference().compares());
+    EXPECT_FALSE(comparison().wanted());
 }
 
 TEST_F(ReferencePanel, LargeReferencesAreComparedAtASizeThatCanBeDrawn) {
     drop(write_clip(folder() / "large.avi", 2, {1600, 800}, 10));
     ui().click(in("Compare/Difference")).frame();
-    EXPECT_EQ(reference().compared_preview().size, glm::ivec2(1280, 640));
-    EXPECT_EQ(reference().compared_reference().size, glm::ivec2(1280, 640));
-    const ui::Picture whole = reference().picture(), counted = reference().compared_reference();
+    EXPECT_EQ(comparison().preview().size, glm::ivec2(1280, 640));
+    EXPECT_EQ(comparison().reference().size, glm::ivec2(1280, 640));
+    const ui::Picture whole = reference().shown().whole(), counted = comparison().reference();
     EXPECT_EQ(counted.pixels->pixel({1279, 639}), whole.pixels->pixel({1599, 799}));
 }
 
@@ -277,9 +278,9 @@ TEST_F(ReferencePanel, ThePreviewIsAsSharpAsThePanelWhateverTheVideoIs) {
     drop(write_clip(folder() / "small.avi", 30, {160, 80}, 10));
     editor().timeline.seek(6);
     ui().click(in("Compare/Difference")).frame().frame();
-    EXPECT_EQ(reference().drawn_size(), glm::ivec2(160, 80)) << "what is subtracted is of one resolution";
+    EXPECT_EQ(comparison().drawn_size(), glm::ivec2(160, 80)) << "what is subtracted is of one resolution";
     const auto mean_difference = [&](const std::vector<glm::vec4>& before) {
-        const ui::Picture now = reference().compared_preview();
+        const ui::Picture now = comparison().preview();
         double sum = 0;
         for (int i = 0; i < 160 * 80; ++i)
             sum += glm::distance(glm::vec3(before[static_cast<std::size_t>(i)]),
@@ -288,49 +289,49 @@ TEST_F(ReferencePanel, ThePreviewIsAsSharpAsThePanelWhateverTheVideoIs) {
     };
     std::vector<glm::vec4> exact, mirrored;
     for (int i = 0; i < 160 * 80; ++i) {
-        exact.push_back(reference().compared_preview().pixels->pixel({i % 160, i / 160}));
-        mirrored.push_back(reference().compared_preview().pixels->pixel({159 - i % 160, i / 160}));
+        exact.push_back(comparison().preview().pixels->pixel({i % 160, i / 160}));
+        mirrored.push_back(comparison().preview().pixels->pixel({159 - i % 160, i / 160}));
     }
     ui().click(in("Compare/Wipe")).frame().frame();
-    const glm::ivec2 drawn = reference().drawn_size();
+    const glm::ivec2 drawn = comparison().drawn_size();
     const ui::Rect area = ui().rect(in("Comparison"));
     EXPECT_NEAR(std::max(static_cast<float>(drawn.x) / area.w, static_cast<float>(drawn.y) / area.h), 1.0F, 0.01F);
     EXPECT_NEAR(static_cast<double>(drawn.x) / drawn.y, 2.0, 0.01);
-    EXPECT_EQ(reference().compared_preview().size, glm::ivec2(160, 80)) << "counted in the video's pixels";
-    ASSERT_NE(reference().compared_preview().pixels, nullptr) << "drawn";
+    EXPECT_EQ(comparison().preview().size, glm::ivec2(160, 80)) << "counted in the video's pixels";
+    ASSERT_NE(comparison().preview().pixels, nullptr) << "drawn";
     EXPECT_LT(mean_difference(exact), 0.5 * mean_difference(mirrored)) << "the same place of the organ";
     ui().click(in("Compare/Side by side")).frame().frame();
-    EXPECT_LT(reference().drawn_size().x, drawn.x) << "two share the room";
-    const glm::ivec2 beside = reference().drawn_size();
+    EXPECT_LT(comparison().drawn_size().x, drawn.x) << "two share the room";
+    const glm::ivec2 beside = comparison().drawn_size();
     editor().settings().half_resolution = true;
     ui().frame().frame();
-    EXPECT_NEAR(reference().drawn_size().x, beside.x / 2.0, 1.0);
-    EXPECT_NE(reference().compared_preview().pixels, nullptr) << "drawn at that size";
+    EXPECT_NEAR(comparison().drawn_size().x, beside.x / 2.0, 1.0);
+    EXPECT_NE(comparison().preview().pixels, nullptr) << "drawn at that size";
 }
 
 TEST_F(ReferencePanel, ASqueezedVideoIsShownInItsAspect) {
     drop(write_clip(folder() / "square.avi", 5, {48, 48}, 10));
-    EXPECT_EQ(reference().picture().size, glm::ivec2(48, 48));
+    EXPECT_EQ(reference().shown().whole().size, glm::ivec2(48, 48));
     ui().click(in("Aspect")).frame();
     ui().click("**/4:3").frame();
     EXPECT_NEAR(editor().document.scene().reference.aspect, 4.0 / 3, 1e-4);
     EXPECT_EQ(editor().document.steps().back().name, "Reference aspect");
-    EXPECT_EQ(reference().picture().size, glm::ivec2(64, 48));
-    const ui::Picture shown = reference().picture();
+    EXPECT_EQ(reference().shown().whole().size, glm::ivec2(64, 48));
+    const ui::Picture shown = reference().shown().whole();
     EXPECT_EQ(shown.pixels->pixel({63, 47}).a, 255) << "the last pixel is inside";
     ui().click(in("Compare/Wipe")).frame().frame();
-    EXPECT_EQ(reference().compared_reference().size, glm::ivec2(64, 48));
-    EXPECT_NEAR(static_cast<double>(reference().drawn_size().x) / reference().drawn_size().y, 4.0 / 3, 0.01)
+    EXPECT_EQ(comparison().reference().size, glm::ivec2(64, 48));
+    EXPECT_NEAR(static_cast<double>(comparison().drawn_size().x) / comparison().drawn_size().y, 4.0 / 3, 0.01)
         << "and the camera sees as much more to the sides";
     editor().document.change("Aspect", [](document::Content& c) { c.scene.reference.aspect = 0.5; });
     ui().frame();
     EXPECT_EQ(ui().text(in("Aspect")), "0.5:1");
-    EXPECT_EQ(reference().picture().size, glm::ivec2(48, 96)) << "no pixel is lost";
+    EXPECT_EQ(reference().shown().whole().size, glm::ivec2(48, 96)) << "no pixel is lost";
     editor().document.undo();
     editor().document.undo();
     ui().frame();
     EXPECT_EQ(ui().text(in("Aspect")), "As stored");
-    EXPECT_EQ(reference().picture().size, glm::ivec2(48, 48));
+    EXPECT_EQ(reference().shown().whole().size, glm::ivec2(48, 48));
 }
 
 TEST_F(ReferencePanel, EverythingHasANameForTheKeyboard) {

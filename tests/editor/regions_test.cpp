@@ -20,7 +20,8 @@ class Regions : public SampleTest {
         ui().click("**/Scopes shown/Regions").frame();
     }
     app::Reference& reference() { return editor().reference(); }
-    const app::ComparedRegions& regions() { return reference().regions(); }
+    app::ReferenceComparison& comparison() { return reference().comparison(); }
+    const app::ComparedRegions& regions() { return comparison().regions(); }
     const std::vector<ComparedRegion>& all() { return editor().document.scene().reference.regions; }
     void add() { ui().click("**/Add region").frame().frame(); }
     std::size_t samples(std::size_t side) {
@@ -65,7 +66,7 @@ TEST_F(Regions, AreMovedResizedAndRemovedByTheirHandles) {
     EXPECT_GT(all()[0].height, before.height + 0.01);
     add();
     ASSERT_EQ(all().size(), 2U);
-    EXPECT_EQ(reference().scopes_look.region, 1U);
+    EXPECT_EQ(comparison().scopes_look.region, 1U);
     ui().focus(over("First", "Region 1")).key(ui::Key::del).frame();
     EXPECT_EQ(all().size(), 1U);
     ui().click("**/Remove").frame();
@@ -120,7 +121,7 @@ TEST_F(Regions, AreForgottenAtOnceWhenTheVideoChanges) {
 
 TEST_F(Regions, OfASnapshotAreForgottenWhenAnotherIsKeptThere) {
     editor().snapshots().keep(0);
-    reference().put(1, app::side_of(0));
+    comparison().put(1, app::side_of(0));
     editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed *= 2; });
     add();
     for (const double time : {1.0, 2.0}) {
@@ -203,12 +204,12 @@ class ProposedLook : public SampleTest {
         ui().frame().frame();
     }
     void propose() {
-        editor().reference().propose_look();
+        editor().reference().look().propose();
         ui().frame().frame();
     }
     void take() {
         propose();
-        editor().reference().take_look();
+        editor().reference().look().take();
         ui().frame();
     }
     static Image round_view() { return behind_round_view(tissue_picture({320, 256}), {160, 128}, 120); }
@@ -219,7 +220,7 @@ TEST_F(ProposedLook, IsOneUndoStepAndSaysWhatItFound) {
     editor().document.change("Exposure", [](document::Content& c) { c.scene.camera.exposure = 12; });
     ui().frame().frame();
     const auto apart = [&] {
-        const auto& [ours, theirs] = editor().reference().scopes();
+        const auto& [ours, theirs] = editor().reference().comparison().scopes();
         return std::abs(ours.mean(app::Channel::luma) - theirs.mean(app::Channel::luma));
     };
     const double before = apart();
@@ -228,15 +229,15 @@ TEST_F(ProposedLook, IsOneUndoStepAndSaysWhatItFound) {
     ui().frame().frame();
     EXPECT_EQ(editor().document.done(), steps) << "nothing changes until it is taken";
     EXPECT_EQ(editor().document.scene().camera.exposure, 12);
-    EXPECT_TRUE(editor().reference().look_proposed());
-    ASSERT_FALSE(editor().reference().look_notes().empty());
-    EXPECT_NE(ui().dump().find(editor().reference().look_notes()[0]), std::string::npos);
+    EXPECT_TRUE(editor().reference().look().proposed());
+    ASSERT_FALSE(editor().reference().look().notes().empty());
+    EXPECT_NE(ui().dump().find(editor().reference().look().notes()[0]), std::string::npos);
     EXPECT_NE(ui().dump().find("Exposure 12 to "), std::string::npos) << ui().dump();
     ui().click("Workspace/Reference/Take look").frame().frame();
     ASSERT_EQ(editor().document.done(), steps + 1);
     EXPECT_EQ(editor().document.steps().back().name, "Propose look");
-    EXPECT_FALSE(editor().reference().look_proposed());
-    EXPECT_TRUE(editor().reference().look_notes().empty()) << "what is done is in the history";
+    EXPECT_FALSE(editor().reference().look().proposed());
+    EXPECT_TRUE(editor().reference().look().notes().empty()) << "what is done is in the history";
     ui().frame().frame();
     EXPECT_LT(apart(), 0.5 * before) << "as bright as the video";
     editor().document.undo();
@@ -247,25 +248,25 @@ TEST_F(ProposedLook, IsOneUndoStepAndSaysWhatItFound) {
 TEST_F(ProposedLook, IsLeftAndGoesWithItsReference) {
     const document::Content before = editor().document.content();
     propose();
-    ASSERT_TRUE(editor().reference().look_proposed());
+    ASSERT_TRUE(editor().reference().look().proposed());
     ui().click("Workspace/Reference/Leave look").frame();
-    EXPECT_FALSE(editor().reference().look_proposed());
-    EXPECT_TRUE(editor().reference().look_notes().empty());
+    EXPECT_FALSE(editor().reference().look().proposed());
+    EXPECT_TRUE(editor().reference().look().notes().empty());
     EXPECT_TRUE(document::same(before, editor().document.content()));
     EXPECT_FALSE(ui().exists("Workspace/Reference/Take look"));
     propose();
     show({round_view()});
-    EXPECT_FALSE(editor().reference().look_proposed());
-    EXPECT_TRUE(editor().reference().look_notes().empty());
+    EXPECT_FALSE(editor().reference().look().proposed());
+    EXPECT_TRUE(editor().reference().look().notes().empty());
 }
 
 TEST_F(ProposedLook, IsLeftOnceWhatItWasMadeForIsAnother) {
     const auto after = [&](const char* name, const std::function<void(document::Content&)>& change) {
         propose();
-        EXPECT_TRUE(editor().reference().look_proposed()) << name;
+        EXPECT_TRUE(editor().reference().look().proposed()) << name;
         editor().document.change(name, change);
         ui().frame().frame();
-        return editor().reference().look_proposed();
+        return editor().reference().look().proposed();
     };
     EXPECT_TRUE(after("Event", [](document::Content& c) { c.scene.events.clear(); })) << "it says nothing of them";
     EXPECT_FALSE(after("Exposure", [](document::Content& c) { c.scene.camera.exposure *= 1.5; }));
@@ -280,18 +281,18 @@ TEST_F(ProposedLook, IsLeftOnceWhatItWasMadeForIsAnother) {
     propose();
     const document::Content before = editor().document.content();
     editor().document.change("Plate", [](document::Content& c) { c.scene.plate.use = true; });
-    editor().reference().take_look();  // in the same frame
+    editor().reference().look().take();  // in the same frame
     EXPECT_EQ(editor().document.scene().camera.exposure, before.scene.camera.exposure);
     EXPECT_EQ(editor().document.steps().back().name, "Plate");
 }
 
 TEST_F(ProposedLook, IsLeftWithAnotherSceneOfTheSameReference) {
     propose();
-    ASSERT_TRUE(editor().reference().look_proposed());
+    ASSERT_TRUE(editor().reference().look().proposed());
     open({(shipped() / "samples/lagb.scene.json").string()});
     ui().frame().frame();
-    EXPECT_FALSE(editor().reference().look_proposed());
-    EXPECT_TRUE(editor().reference().look_notes().empty());
+    EXPECT_FALSE(editor().reference().look().proposed());
+    EXPECT_TRUE(editor().reference().look().notes().empty());
 }
 
 /// The organ fills a small part of the frame, and all around is the dark cavity.
@@ -346,13 +347,13 @@ TEST_F(ProposedLook, IsNotOfThePlateWhichIsTheVideoItself) {
     ui().frame().frame();
     const std::size_t steps = editor().document.done();
     ui().click("Workspace/Reference/Propose look").frame().frame();
-    EXPECT_FALSE(editor().reference().look_proposed());
+    EXPECT_FALSE(editor().reference().look().proposed());
     EXPECT_EQ(editor().document.done(), steps);
     EXPECT_NE(ui().dump().find("Turn Plate off"), std::string::npos) << "the reason is told" << ui().dump();
     editor().commands.run("view.plate");
     ui().frame().frame();
     propose();
-    EXPECT_TRUE(editor().reference().look_proposed());
+    EXPECT_TRUE(editor().reference().look().proposed());
 }
 
 }  // namespace

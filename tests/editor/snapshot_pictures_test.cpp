@@ -18,6 +18,7 @@ class SnapshotPictures : public SampleTest {
   protected:
     SnapshotPictures() { begins.layout = "Compare", begins.time = 6; }
     app::Reference& reference() { return editor().reference(); }
+    app::ReferenceComparison& comparison() { return reference().comparison(); }
     app::SnapshotPreviews& previews() { return editor().snapshot_previews(); }
     static std::string in(const std::string& name) { return "Workspace/Reference/" + name; }
     void set_speed(double speed) {
@@ -91,24 +92,24 @@ TEST_F(SnapshotPictures, ASnapshotLiesBesideThePreview) {
     ui().click(in("Second picture")).frame();
     ui().click("**/Snapshot A").frame();
     for (int i = 0; i < 4; ++i) ui().frame();
-    EXPECT_EQ(reference().sides, (std::array{CompareSide::preview, CompareSide::a}));
-    const ui::Picture now = reference().compared(CompareSide::preview), a = reference().compared(CompareSide::a);
+    EXPECT_EQ(comparison().sides, (std::array{CompareSide::preview, CompareSide::a}));
+    const ui::Picture now = comparison().picture(CompareSide::preview), a = comparison().picture(CompareSide::a);
     ASSERT_NE(now.pixels, nullptr);
     ASSERT_NE(a.pixels, nullptr);
     EXPECT_EQ(a.size, now.size);
     EXPECT_GT(differing(a, now), 50) << "it has less blood";
     editor().document.undo();  // the speed
     ui().frame().frame();
-    EXPECT_EQ(differing(reference().compared(CompareSide::a), reference().compared(CompareSide::preview)), 0)
+    EXPECT_EQ(differing(comparison().picture(CompareSide::a), comparison().picture(CompareSide::preview)), 0)
         << "the same preset gives the same pixels";
 }
 
 TEST_F(SnapshotPictures, ItFollowsTimeAndScene) {
     keep(A);
-    reference().sides = {CompareSide::a, CompareSide::preview};
+    comparison().sides = {CompareSide::a, CompareSide::preview};
     for (int i = 0; i < 4; ++i) ui().frame();
     const auto same = [&] {
-        return differing(reference().compared(CompareSide::a), reference().compared(CompareSide::preview)) == 0;
+        return differing(comparison().picture(CompareSide::a), comparison().picture(CompareSide::preview)) == 0;
     };
     EXPECT_TRUE(same());
     editor().timeline.seek(9);
@@ -130,12 +131,12 @@ TEST_F(SnapshotPictures, TwoSnapshotsOrOneAndTheReference) {
     ui().click("**/Against/B").frame();
     ui().click("**/Pictures").frame();
     for (int i = 0; i < 4; ++i) ui().frame();
-    EXPECT_EQ(reference().sides, (std::array{CompareSide::a, CompareSide::b}));
-    EXPECT_GT(differing(reference().compared(CompareSide::a), reference().compared(CompareSide::b)), 50);
+    EXPECT_EQ(comparison().sides, (std::array{CompareSide::a, CompareSide::b}));
+    EXPECT_GT(differing(comparison().picture(CompareSide::a), comparison().picture(CompareSide::b)), 50);
     editor().commands.run("snapshot.compare_b");
     for (int i = 0; i < 4; ++i) ui().frame();
-    EXPECT_EQ(reference().sides, (std::array{CompareSide::b, CompareSide::reference}));
-    EXPECT_NE(reference().compared(CompareSide::b).pixels, nullptr);
+    EXPECT_EQ(comparison().sides, (std::array{CompareSide::b, CompareSide::reference}));
+    EXPECT_NE(comparison().picture(CompareSide::b).pixels, nullptr);
     EXPECT_EQ(previews().at(A), nullptr) << "nobody looks at it any more";
     EXPECT_EQ(ui::faults_of(ui().ui().tree()), std::vector<std::string>{});
 }
@@ -143,11 +144,11 @@ TEST_F(SnapshotPictures, TwoSnapshotsOrOneAndTheReference) {
 TEST_F(SnapshotPictures, WhatIsOnTheOtherSideChangesPlaces) {
     ui().click(in("First picture")).frame();
     ui().click("First picture choices/Choices/Reference").frame();
-    EXPECT_EQ(reference().sides, (std::array{CompareSide::reference, CompareSide::preview}));
+    EXPECT_EQ(comparison().sides, (std::array{CompareSide::reference, CompareSide::preview}));
 }
 
 TEST_F(SnapshotPictures, AnEmptySlotSaysHowItIsFilled) {
-    reference().put(0, CompareSide::d);
+    comparison().put(0, CompareSide::d);
     ui().frame();
     EXPECT_NE(ui().dump().find("Snapshot D is empty"), std::string::npos) << ui().dump();
     EXPECT_FALSE(ui().exists(in("Comparison")));
@@ -163,7 +164,7 @@ TEST_F(SnapshotPictures, NoReferenceIsNeeded) {
     ui().click("**/Preview next to snapshot A").frame();
     for (int i = 0; i < 4; ++i) ui().frame();
     ASSERT_TRUE(ui().exists(in("Comparison"))) << ui().dump();
-    EXPECT_EQ(reference().compared(CompareSide::a).size, glm::ivec2(1280, 1024));
+    EXPECT_EQ(comparison().picture(CompareSide::a).size, glm::ivec2(1280, 1024));
     EXPECT_FALSE(ui().exists(in("Offset"))) << "there is no video to align";
     ui().click(in("Second picture")).frame();
     ui().click("Second picture choices/Choices/Reference").frame();
@@ -172,7 +173,7 @@ TEST_F(SnapshotPictures, NoReferenceIsNeeded) {
 
 TEST_F(SnapshotPictures, APanelThatIsLeftLetsThePreviewsGo) {
     keep(A);
-    reference().sides = {CompareSide::a, CompareSide::preview};
+    comparison().sides = {CompareSide::a, CompareSide::preview};
     for (int i = 0; i < 4; ++i) ui().frame();
     EXPECT_NE(previews().at(A), nullptr);
     EXPECT_GT(previews().memory(), 0U);
@@ -184,10 +185,10 @@ TEST_F(SnapshotPictures, APanelThatIsLeftLetsThePreviewsGo) {
 TEST_F(SnapshotPictures, ScopesAreOfThePicturesThatAreCompared) {
     keep(A);
     set_speed(25);
-    reference().sides = {CompareSide::a, CompareSide::preview};
-    reference().scopes_look.on = true;
+    comparison().sides = {CompareSide::a, CompareSide::preview};
+    comparison().scopes_look.on = true;
     for (int i = 0; i < 5; ++i) ui().frame();
-    const auto& [a, now] = reference().scopes();
+    const auto& [a, now] = comparison().scopes();
     EXPECT_NE(a.mean(app::Channel::green), now.mean(app::Channel::green));
     EXPECT_TRUE(ui().exists("**/Waveform of Snapshot A"));
 }
@@ -196,7 +197,7 @@ TEST_F(SnapshotPictures, TheyComeToRest) {
     keep(A);
     set_speed(25);
     keep(B);
-    reference().sides = {CompareSide::a, CompareSide::b};
+    comparison().sides = {CompareSide::a, CompareSide::b};
     for (int i = 0; i < 5; ++i) ui().frame();
     ui().settle().frame(2).settle();
     EXPECT_GT(ui().output().wake_at, ui().time + 60);

@@ -68,7 +68,7 @@ TEST_F(TextsTest, ToolsThatPlaceTheReferenceAreReadable) {
     editor().document.change("Place", [](document::Content& c) {
         c.scene.reference.placement = {.right = -1.8125, .up = -1.9375, .scale = 0.125, .rotation = -179.5};
     });
-    editor().reference().placing = true;
+    editor().reference().comparison().placing = true;
     for (const Shape& to : shapes) {
         char text[64];
         std::snprintf(text, sizeof text, "Place at %.1f, %d x %d", static_cast<double>(to.scale), to.size.x, to.size.y);

@@ -12,7 +12,7 @@ constexpr const char* underlay = "Workspace/View/Reference picture";
 class UnderlayTest : public SampleTest {
   protected:
     UnderlayTest() { begins.layout = "Tune"; }
-    const ui::StoredImage& shown() { return *ui().images().find(editor().reference().picture().image); }
+    const ui::StoredImage& shown() { return *ui().images().find(editor().reference().shown().whole().image); }
 };
 
 TEST_F(UnderlayTest, ItIsAsHighAsTheViewAndInItsMiddle) {

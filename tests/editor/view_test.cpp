@@ -386,11 +386,11 @@ TEST_F(ViewPanelTest, HomeActsOnThePictureThatIsLookedAt) {
     editor().reference().choose_sample();
     ui().frame().frame();
     ASSERT_FALSE(editor().layouts().seen("View"));
-    editor().reference().compare.view.fitted = false;
-    editor().reference().compare.view.zoom = 3;
+    editor().reference().comparison().state.view.fitted = false;
+    editor().reference().comparison().state.view.zoom = 3;
     ui().key(ui::Key::home).frame();
     EXPECT_TRUE(editor().looking.endoscope) << "the view that nobody sees stays as it is";
-    EXPECT_TRUE(editor().reference().compare.view.fitted);
+    EXPECT_TRUE(editor().reference().comparison().state.view.fitted);
     layout("Tune");
     ui().key(ui::Key::home).frame();
     EXPECT_FALSE(editor().looking.endoscope);
@@ -457,9 +457,9 @@ TEST_F(ViewPanelTest, HomeFitsAReferenceWhereThereIsNoOrgan) {
     ui().frame().frame();
     ASSERT_FALSE(editor().preview.ready());
     ASSERT_NE(editor().reference().video(), nullptr);
-    editor().reference().compare.view.fitted = false;
+    editor().reference().comparison().state.view.fitted = false;
     ui().key(ui::Key::home).frame();
-    EXPECT_TRUE(editor().reference().compare.view.fitted);
+    EXPECT_TRUE(editor().reference().comparison().state.view.fitted);
 }
 
 }  // namespace

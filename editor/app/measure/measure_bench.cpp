@@ -356,7 +356,7 @@ void MeasureBench::take(Result& result) {
 /// In the aspect that the scene gives the reference.
 ui::Picture MeasureBench::picture() const {
     if (!ready_) return {};
-    const ui::Picture whole = reference_.picture();
+    const ui::Picture whole = reference_.shown().whole();
     pixels_->size = whole.size.x > 0 ? whole.size : glm::ivec2(pixels_->frame->width, pixels_->frame->height);
     return {.image = image_, .size = pixels_->size, .pixels = pixels_.get()};
 }

@@ -194,7 +194,7 @@ glm::ivec2 PreviewMeasuring::size() const {
     const VideoReader* const video = reference_.video();
     return video != nullptr
                ? match::preview_size(video->info().size, document_.scene().reference.aspect, measured_side_)
-               : match::preview_size(Reference::largest_compared, 0.0, measured_side_);
+               : match::preview_size(ReferencePicture::without_video, 0.0, measured_side_);
 }
 
 /// What is wanted now.

@@ -1,5 +1,5 @@
-// What is proposed from a frame of the reference: how the camera looks, how the video is meant to be shown, and where
-// its round view lies.
+#include "app/reference/reference_look.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +9,7 @@
 
 #include "app/base/paths.h"
 #include "app/base/screen.h"
+#include "app/preview/preview_host.h"
 #include "app/reference/placed_picture.h"
 #include "app/reference/reference.h"
 #include "lapfx/authoring/compare.h"
@@ -90,7 +91,7 @@ bool same_look(const match::SceneLook& a, const match::SceneLook& b) {
 
 }  // namespace
 
-struct Reference::ProposedLook {
+struct ReferenceLook::Proposed {
     match::SceneLook look;
     // What it was made for.
     Scene scene;
@@ -108,45 +109,57 @@ struct Reference::ProposedLook {
     }
 };
 
+ReferenceLook::ReferenceLook(Reference& reference, document::Document& document, PreviewHost& preview, Screen& screen)
+    : reference_(reference), document_(document), preview_(preview), screen_(screen) {}
+ReferenceLook::~ReferenceLook() = default;
+
 /// `step`: what they tell of.
-void Reference::say(std::vector<std::string> notes, document::WatchedStep step) {
-    look_notes_ = std::move(notes);
+void ReferenceLook::say(std::vector<std::string> notes, document::WatchedStep step) {
+    notes_ = std::move(notes);
     noted_step_ = step;
 }
 
-void Reference::forget_undone() {
-    if (noted_step_ && !noted_step_.in_effect(document_)) forget_look_notes();
+/// Notes of what was undone, and what holds no longer.
+void ReferenceLook::update() {
+    if (noted_step_ && !noted_step_.in_effect(document_)) forget_notes();
     if (document_.scene().reference.aspect > 0) proposed_aspect_.reset();
+    leave_stale();
+}
+
+void ReferenceLook::forget() {
+    forget_notes();
+    leave();
+    proposed_aspect_.reset(), looked_for_aspect_ = 0;
 }
 
 // --- the circle ------------------------------------------------------------------------------------------------------
 
-void Reference::look_for_aspect() {
+void ReferenceLook::look_at() {
     if (document_.scene().reference.aspect > 0 || proposed_aspect_ || looked_for_aspect_ >= most_looked_at) return;
     ++looked_for_aspect_;
-    proposed_aspect_ = aspect_for(feed_.image());
+    proposed_aspect_ = aspect_for(reference_.image());
     if (proposed_aspect_) screen_.wake("an aspect is proposed");
 }
 
-void Reference::take_aspect() {
+void ReferenceLook::take_aspect() {
     if (!proposed_aspect_) return;
     const double aspect = *std::exchange(proposed_aspect_, std::nullopt);
     document_.change("Reference aspect", [&](document::Content& c) { c.scene.reference.aspect = aspect; });
 }
 
-void Reference::leave_aspect() {
+void ReferenceLook::leave_aspect() {
     proposed_aspect_.reset();
     looked_for_aspect_ = most_looked_at;
 }
 
-void Reference::take_circle() {
-    follow();  // the panel may be hidden
-    if (feed_.frame() < 0 || feed_.image().pixels.empty())
+void ReferenceLook::take_circle() {
+    reference_.follow();  // the panel may be hidden
+    if (reference_.shown_frame() < 0 || reference_.image().pixels.empty())
         return say({"The frame is still being decoded: take the circle when it is there."});
     const SceneReference& reference = document_.scene().reference;
     const std::optional<double> aspect = reference.aspect > 0 ? std::nullopt : proposed_aspect_;
-    const glm::ivec2 size = aspect ? size_with(*aspect) : shown_size();
-    const auto found = on_the_vignette(in_size(feed_.image(), size), reference.placement);
+    const glm::ivec2 size = aspect ? reference_.shown().size_with(*aspect) : reference_.shown().size();
+    const auto found = on_the_vignette(in_size(reference_.image(), size), reference.placement);
     if (!found) {
         std::vector<std::string> notes = {"This frame of the reference shows no round view of an endoscope."};
         if (!(reference.aspect > 0))
@@ -155,7 +168,7 @@ void Reference::take_circle() {
                 "round.");
         return say(std::move(notes));
     }
-    leave_look();  // it was proposed for the vignette of before
+    leave();  // it was proposed for the vignette of before
     document_.change("Take the circle", [&](document::Content& c) {
         if (aspect) c.scene.reference.aspect = *aspect;
         c.scene.reference.placement = *found;
@@ -168,7 +181,7 @@ void Reference::take_circle() {
 
 // --- the plate -------------------------------------------------------------------------------------------------------
 
-std::optional<double> Reference::plate_progress() const {
+std::optional<double> ReferenceLook::plate_progress() const {
     const Scene& scene = document_.scene();
     if (!scene.plate.use || preview_.organ_of(scene)) return std::nullopt;
     const std::optional<Loading> loading = preview_.loading();
@@ -177,35 +190,36 @@ std::optional<double> Reference::plate_progress() const {
 
 // --- the look --------------------------------------------------------------------------------------------------------
 
-void Reference::propose_look() {
-    leave_look();
+void ReferenceLook::propose() {
+    leave();
     if (document_.scene().plate.use)
         return say(
             {"The plate is a frame of the reference and looks like it already. Turn Plate off: then the look of "
              "the organ can be proposed."});
-    forget_look_notes();
+    forget_notes();
     proposes_ = true;
 }
 
 /// It waits for the frame of this time: the newest one may be of another.
-void Reference::follow_proposal() {
-    if (video() == nullptr || document_.scene().plate.use) {
+void ReferenceLook::follow() {
+    if (!proposes_) return;
+    if (reference_.video() == nullptr || document_.scene().plate.use) {
         proposes_ = false;
-        return forget_look_notes();
+        return forget_notes();
     }
-    follow();  // the panel may be hidden
-    if (feed_.frame() == frame()) {
+    reference_.follow();  // the panel may be hidden
+    if (reference_.shown_frame() == reference_.frame()) {
         proposes_ = false;
-        return make_proposal();
+        return make();
     }
-    if (look_notes_.size() == 1 && look_notes_[0] == decoding_note) return;
+    if (notes_.size() == 1 && notes_[0] == decoding_note) return;
     say({std::string(decoding_note)});
     screen_.wake("a look waits for its frame");
 }
 
-void Reference::make_proposal() {
-    if (feed_.image().height < 1) return;
-    const glm::dvec2 shape(shown_size());
+void ReferenceLook::make() {
+    if (reference_.image().height < 1) return;
+    const glm::dvec2 shape(reference_.shown().size());
     const glm::ivec2 size = glm::max(glm::ivec2(glm::round(shape * (look_height / shape.y))), glm::ivec2(1));
     clean_.resize(size);
     const SceneCamera& camera = document_.scene().camera;
@@ -213,36 +227,36 @@ void Reference::make_proposal() {
         say({"There is no preview to compare with: load an organ first."});
     } else {
         const match::SceneLook now = match::look_of(document_.scene(), document_.preset());
-        match::LookProposal found =
-            match::propose_look(in_shape(feed_.image(), shape), clean_.image(), now, organ_in(preview_, camera, size));
+        match::LookProposal found = match::propose_look(in_shape(reference_.image(), shape), clean_.image(), now,
+                                                        organ_in(preview_, camera, size));
         say(std::move(found.notes));
         if (found.possible)
-            look_ = std::make_shared<ProposedLook>(ProposedLook{
+            proposed_ = std::make_shared<Proposed>(Proposed{
                 .look = found.look, .scene = document_.scene(), .before = now, .version = document_.version()});
     }
     screen_.wake("a look is proposed");
 }
 
-void Reference::leave_stale_look() {
-    if (!look_ || look_->version == document_.version()) return;
-    look_->version = document_.version();
-    if (look_->holds(document_.scene(), match::look_of(document_.scene(), document_.preset()))) return;
-    look_.reset();
+void ReferenceLook::leave_stale() {
+    if (!proposed_ || proposed_->version == document_.version()) return;
+    proposed_->version = document_.version();
+    if (proposed_->holds(document_.scene(), match::look_of(document_.scene(), document_.preset()))) return;
+    proposed_.reset();
     say({"What the look was proposed for has changed since: propose it again."});
     screen_.wake("a look is left");
 }
 
-void Reference::take_look() {
-    leave_stale_look();  // what changed it may have come in this very frame
-    if (!look_) return;
-    const match::SceneLook look = std::exchange(look_, nullptr)->look;
-    forget_look_notes();
+void ReferenceLook::take() {
+    leave_stale();  // what changed it may have come in this very frame
+    if (!proposed_) return;
+    const match::SceneLook look = std::exchange(proposed_, nullptr)->look;
+    forget_notes();
     document_.change("Propose look", [&](document::Content& c) { match::put_look(look, c.scene, c.preset); });
 }
 
-void Reference::leave_look() {
-    if (look_ || proposes_) forget_look_notes();
-    look_.reset();
+void ReferenceLook::leave() {
+    if (proposed_ || proposes_) forget_notes();
+    proposed_.reset();
     proposes_ = false;
 }
 
