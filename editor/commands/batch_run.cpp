@@ -180,7 +180,7 @@ void take_pictures(BatchResult& result, const match::FitReport& report) {
 void fit(const Job& job, BatchResult& result) {
     FitRun run = run_fit(job.options);
     write_file(fs::path(job.options.files.output).parent_path() / amounts_name, match::csv_of(run.measured));
-    const match::FitResult& found = run.report.result;
+    const match::FitResult& found = *run.report.found.result;
     result.blood = amount_of(run.measured.blood), result.veil = amount_of(run.measured.veil);
     result.blood.before = found.blood_before, result.blood.after = found.blood_after;
     result.veil.before = found.veil_before, result.veil.after = found.veil_after;
@@ -192,9 +192,10 @@ void fit(const Job& job, BatchResult& result) {
                                      .low = p.low,
                                      .high = p.high,
                                      .determined = p.determined});
-    result.from = run.report.from, result.to = run.report.to, result.ended_early = found.ended_early;
-    result.target = run.report.target, result.before = found.before, result.after = found.after;
-    result.notes = run.report.notes;
+    result.from = run.report.found.fit.from, result.to = run.report.found.fit.to,
+    result.ended_early = found.ended_early;
+    result.target = run.report.found.target, result.before = found.before, result.after = found.after;
+    result.notes = run.report.of.notes;
     take_pictures(result, run.report);
 }
 

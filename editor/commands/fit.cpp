@@ -37,13 +37,13 @@ void print(const match::FitResult& found) {
 
 void run(const FitOptions& o) {
     const FitRun done = run_fit(o);
-    for (const std::string& line : done.proposed) std::cout << "begins with: " << line << '\n';
-    const match::FitResult& result = done.report.result;
+    for (const std::string& line : done.report.found.lines) std::cout << "begins with: " << line << '\n';
+    const match::FitResult& result = *done.report.found.result;
     print(result);
-    for (const std::string& line : done.report.colors) std::cout << line << '\n';
+    for (const std::string& line : done.report.found.colors) std::cout << line << '\n';
     for (const std::string& line : match::what_is_worse(result)) std::cout << "farther than before: " << line << '\n';
     std::cout << "curves drawn: " << result.curves << ", evaluations of the core: " << result.evaluations << ", "
-              << done.report.seconds << " s" << (result.ended_early ? ", ended early: the best so far" : "") << '\n';
+              << done.report.of.seconds << " s" << (result.ended_early ? ", ended early: the best so far" : "") << '\n';
 }
 
 }  // namespace

@@ -177,21 +177,20 @@ FitRun run_fit(const FitOptions& given) {
     if (o.colors && files.fitted_scene.empty())
         found.colors.emplace_back(
             "camera.exposure and organ.color: stay, the scene is written with --fitted-scene only");
-    run.proposed = found.lines;
     match::ReportOf of = names_of(o, shown.scene);
     of.seconds = steps.seconds(), of.notes = run.measured.notes;
-    run.report = match::report_of(found, of);
     match::FitReport& report = run.report;
-    const match::FitResult& result = report.result;
-    if (!video.info().warning.empty()) report.notes.push_back(video.info().warning);
+    report = {.of = std::move(of), .found = std::move(found)};
+    const match::FitResult& result = *report.found.result;
+    if (!video.info().warning.empty()) report.of.notes.push_back(video.info().warning);
     if (!files.report.empty()) {
-        match::add_pictures(report, video, reference.aspect, found.start, curve, [&steps](double) {
+        match::add_pictures(report, video, reference.aspect, curve, [&steps](double) {
             (void)steps.to(1.0);  // throws where it was interrupted
             return true;          // not ended by the budget: what was found is to be shown
         });
         write_file(files.report, match::report_html(report));
     }
-    if (!files.csv.empty()) write_file(files.csv, match::curves_csv(report.target, result));
+    if (!files.csv.empty()) write_file(files.csv, match::curves_csv(report.found.target, result));
     write_file(files.output, write_preset(result.tuned.preset));
     if (!files.fitted_scene.empty()) save_scene(fitted_scene(files, reference, result.tuned.scene), files.fitted_scene);
     return run;

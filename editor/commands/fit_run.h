@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "commands/command_line.h"
 #include "commands/fit_files.h"
@@ -29,9 +28,8 @@ struct FitOptions {
 void add_fit_options(Verb& verb, FitOptions& options, const std::string& of);
 
 struct FitRun {
-    match::FitReport report;                 ///< with pictures only where a report was written
-    match::Measurement measured;             ///< the reference
-    std::vector<std::string> proposed = {};  ///< lines for people on where the events begin; none without fitted_scene
+    match::FitReport report;      ///< with pictures only where a report was written
+    match::Measurement measured;  ///< the reference
 };
 
 /// What is wrong with the options themselves, as far as the scene can be opened: else that is the scene's fault.

@@ -184,7 +184,7 @@ void found_of(ui::Ui& ui, const FitFound& found, const std::string& key) {
     {
         const ui::Row row(ui, {.width = ui::grow()});
         ui::label(ui, "", {.width = ui::px(ui.em(1))});
-        change_text(ui, free->get(found.start), free->get(found.tuned), *free->row);
+        change_text(ui, free->get(found.fit.start), free->get(found.tuned), *free->row);
         if (p != nullptr) interval(ui, *p);
     }
     if (p != nullptr) why_not(ui, *p);

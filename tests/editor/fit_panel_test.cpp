@@ -338,7 +338,7 @@ class FitColors : public FitPanel {
     static constexpr glm::ivec2 hidden_size{128, 104};
     std::vector<match::FrameAmounts> curve_of_found() {
         const app::FitFound& found = *fitting().found();
-        match::PreviewCurve curve(found.organ,
+        match::PreviewCurve curve(found.fit.organ,
                                   {.clip_folders = editor().options().clip_folders, .wait_for_clips = true},
                                   {.size = match::preview_size(hidden_size, 0.0, measured_side)});
         std::vector<double> times;

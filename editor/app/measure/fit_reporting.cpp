@@ -39,8 +39,7 @@ class FitReporting::Run {
     Run(const FitFound& found, fs::path path, match::PreviewCurve& curve, RenderSteps& steps, Jobs& jobs,
         Notices& notices, std::function<void()> tell, bool beside)
         : of_(found.of),
-          before_(found.start),
-          report_(match::report_of(found, names_of(found))),
+          report_{.of = names_of(found), .found = found},
           path_(std::move(path)),
           curve_(curve),
           steps_(steps),
@@ -66,19 +65,19 @@ class FitReporting::Run {
     struct Written {};
     std::optional<Written> write(Job& job) {
         require_not_opened(path_);
+        // A reader of its own: it looks at the moments of the report, beside the window, which shows another frame.
         VideoReader video(of_.reference, &job.stop());
         const auto goes_on = [&job](double share) {
             job.set_progress(share);
             return !job.cancelled();
         };
-        if (!match::add_pictures(report_, video, of_.aspect, before_, curve_, goes_on, &job.stop()) || !goes_on(1.0))
+        if (!match::add_pictures(report_, video, of_.aspect, curve_, goes_on, &job.stop()) || !goes_on(1.0))
             return std::nullopt;
         write_file(path_, match::report_html(report_));
         return Written{};
     }
 
     const FitOf of_;
-    const document::Content before_;
     match::FitReport report_;
     const fs::path path_;
     match::PreviewCurve& curve_;
@@ -102,8 +101,8 @@ void FitReporting::write(const FitFound& found, const fs::path& path) {
     if (!found.result) return;
     run_.reset();
     steps_ = std::make_unique<RenderSteps>([this] { parts_.jobs.wake(); });
-    curve_ =
-        drawn_curve(found.organ, parts_.preview, parts_.options.clip_folders, parts_.options.exact ? nullptr : &steps_);
+    curve_ = drawn_curve(found.fit.organ, parts_.preview, parts_.options.clip_folders,
+                         parts_.options.exact ? nullptr : &steps_);
     run_ = std::make_unique<Run>(
         found, path, *curve_, *steps_, parts_.jobs, parts_.notices, [this, path] { tell(path); },
         !parts_.options.exact);

@@ -105,7 +105,8 @@ void Fitting::follow_document() {
     if (!parts_.reference.opening() && found_->of.reference != parts_.reference.file()) return leave();
     if (!taken_step_ || taken_ == taken_step_.in_effect(parts_.document)) return;
     taken_ = !taken_;
-    if (!taken_ && document::same(found_->start, parts_.document.content())) of_version_ = parts_.document.version();
+    if (!taken_ && document::same(found_->fit.start, parts_.document.content()))
+        of_version_ = parts_.document.version();
     ++version_;
 }
 
@@ -246,17 +247,17 @@ void Fitting::go_on(double now) {
 void Fitting::take() {
     if (!found_ || std::exchange(taken_, true)) return;
     const FitFound& found = *found_;
-    const bool moved = !same_tools(found.tuned.scene, found.start.scene);
-    const bool tools = !moved || same_tools(found.start.scene, parts_.document.scene());
+    const bool moved = !same_tools(found.tuned.scene, found.fit.start.scene);
+    const bool tools = !moved || same_tools(found.fit.start.scene, parts_.document.scene());
     bool kept_locked = false;
     const std::uint64_t before = document::newest_step(parts_.document);
     parts_.document.change(found.result ? "Fit" : "Take proposal", [&](document::Content& content) {
         for (const match::FreeParameter& p : found.parameters)
             if (locked(p.key))
                 kept_locked = true;
-            else if (const double value = p.get(found.tuned); value != p.get(found.start))
+            else if (const double value = p.get(found.tuned); value != p.get(found.fit.start))
                 p.set(content, value);
-        std::vector<std::string> colors = match::different_colors(found.start, found.tuned);
+        std::vector<std::string> colors = match::different_colors(found.fit.start, found.tuned);
         kept_locked |= std::erase_if(colors, [this](const std::string& key) { return locked(key); }) > 0;
         match::take_colors(content, found.tuned, colors);
         if (!moved || !tools) return;

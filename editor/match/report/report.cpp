@@ -41,13 +41,13 @@ std::string worse(const FitResult& result) {
     return all.empty() ? all : paragraph("<strong>Farther than before:</strong> " + all, "notice");
 }
 
-std::string closeness(const FitReport& report) {
-    const std::vector<FrameAmounts> reference = frames_of(report.target);
+std::string closeness(const FittedScene& found) {
+    const std::vector<FrameAmounts> reference = frames_of(found.target);
     const auto words = [&](const std::vector<FrameAmounts>& shown) {
         return escaped(in_words(likeness_of(shown, reference, 0.0)));
     };
-    return "<div class=\"closeness\">\n" + paragraph("<strong>After:</strong> " + words(report.result.after), "main") +
-           paragraph("Before: " + words(report.result.before), "quiet") + worse(report.result) + "</div>\n";
+    return "<div class=\"closeness\">\n" + paragraph("<strong>After:</strong> " + words(found.result->after), "main") +
+           paragraph("Before: " + words(found.result->before), "quiet") + worse(*found.result) + "</div>\n";
 }
 
 std::string misfits(const FitResult& result) {
@@ -68,14 +68,14 @@ std::string misfits(const FitResult& result) {
     return html + "</tbody>\n</table>\n";
 }
 
-std::string plots(const FitReport& report) {
+std::string plots(const FittedScene& found) {
     std::string html = paragraph(
                            "The band is the interval of the reference: it is to hold the true amount in nine of "
                            "ten cases.",
                            "quiet") +
                        "<div class=\"plots\">\n";
     for (const AmountName& amount : amount_names)
-        html += amount_plot(report.target, report.result, amount, report.from, report.to);
+        html += amount_plot(found.target, *found.result, amount, found.fit.from, found.fit.to);
     return html + "</div>\n";
 }
 
@@ -132,17 +132,17 @@ std::string picture(const std::string& jpeg, const char* name, const std::string
            " of the scene\"/><figcaption>" + name + amounts + "</figcaption></figure>\n";
 }
 
-std::string pictures(const FitReport& report, const ReportMoment& moment) {
-    const auto aim = std::find_if(report.target.begin(), report.target.end(),
+std::string pictures(const FittedScene& found, const ReportMoment& moment) {
+    const auto aim = std::find_if(found.target.begin(), found.target.end(),
                                   [&](const TargetPoint& point) { return point.time == moment.time; });
-    const auto i = static_cast<std::size_t>(aim - report.target.begin());
+    const auto i = static_cast<std::size_t>(aim - found.target.begin());
     const std::string when = decimals(moment.time, 2) + " s";
     std::string html =
         "<div class=\"moment\">\n<h3>" + when + ": " + escaped(moment.name) + "</h3>\n<div class=\"pictures\">\n";
     html += picture(moment.reference, "Reference", when,
-                    aim == report.target.end() ? "" : amounts_at(aim->blood, aim->veil));
-    html += picture(moment.before, "Before", when, amounts_at(report.result.before, i));
-    html += picture(moment.after, "After", when, amounts_at(report.result.after, i));
+                    aim == found.target.end() ? "" : amounts_at(aim->blood, aim->veil));
+    html += picture(moment.before, "Before", when, amounts_at(found.result->before, i));
+    html += picture(moment.after, "After", when, amounts_at(found.result->after, i));
     return html + "</div>\n</div>\n";
 }
 
@@ -157,24 +157,25 @@ std::string span_words(double from, double to) {
 }
 
 std::string done(const FitReport& report) {
+    const FittedScene& found = report.found;
     std::string html = "<dl>\n";
     const auto row = [&](const char* name, const std::string& value) {
         html += "<dt>" + std::string(name) + "</dt><dd>" + value + "</dd>\n";
     };
-    row("Scene", name_element(report.scene));
-    row("Reference", name_element(report.reference));
-    row("Preset before", report.preset.empty() ? "built-in values" : name_element(report.preset));
-    if (!report.fitted.empty()) row("Preset after", name_element(report.fitted));
-    if (!report.fitted_scene.empty()) row("Scene after", name_element(report.fitted_scene));
-    row("Window", span_words(report.from, report.to) + " of the scene");
-    if (!report.target.empty())
-        row("Compared", std::to_string(report.target.size()) + " moments, " +
-                            span_words(report.target.front().time, report.target.back().time));
-    row("Offset", digits(report.offset) + " s: time of the reference - time of the scene");
-    row("Seed", std::to_string(report.seed));
-    row("Curves drawn", std::to_string(report.result.curves));
-    row("Evaluations", std::to_string(report.result.evaluations) + " of the core");
-    row("Took", decimals(report.seconds, 1) + " s");
+    row("Scene", name_element(report.of.scene));
+    row("Reference", name_element(report.of.reference));
+    row("Preset before", report.of.preset.empty() ? "built-in values" : name_element(report.of.preset));
+    if (!report.of.fitted.empty()) row("Preset after", name_element(report.of.fitted));
+    if (!report.of.fitted_scene.empty()) row("Scene after", name_element(report.of.fitted_scene));
+    row("Window", span_words(found.fit.from, found.fit.to) + " of the scene");
+    if (!found.target.empty())
+        row("Compared", std::to_string(found.target.size()) + " moments, " +
+                            span_words(found.target.front().time, found.target.back().time));
+    row("Offset", digits(found.fit.offset) + " s: time of the reference - time of the scene");
+    row("Seed", std::to_string(found.fit.seed));
+    row("Curves drawn", std::to_string(found.result->curves));
+    row("Evaluations", std::to_string(found.result->evaluations) + " of the core");
+    row("Took", decimals(report.of.seconds, 1) + " s");
     return html + "</dl>\n";
 }
 
@@ -218,21 +219,23 @@ std::vector<ReportMoment> report_moments(std::span<const TargetPoint> target) {
 }
 
 std::string report_html(const FitReport& report) {
-    std::string html = page_head("Fit of " + report.scene + " to " + report.reference) + "<body>\n<main>\n<h1>Fit of " +
-                       name_element(report.scene) + " to " + name_element(report.reference) + "</h1>\n";
-    const bool compared = !report.result.after.empty();
+    const FittedScene& found = report.found;
+    std::string html = page_head("Fit of " + report.of.scene + " to " + report.of.reference) +
+                       "<body>\n<main>\n<h1>Fit of " + name_element(report.of.scene) + " to " +
+                       name_element(report.of.reference) + "</h1>\n";
+    const bool compared = !found.result->after.empty();
     if (!compared)
         html += paragraph("The fit ended before the scene was measured: nothing is compared.", "notice");
-    else if (report.result.ended_early)
+    else if (found.result->ended_early)
         html += paragraph("The fit ended early: this is the best that was found until then.", "notice");
-    if (compared) html += closeness(report);
-    html += "<h2>Amounts over time</h2>\n" + plots(report);
-    if (compared) html += misfits(report.result);
-    html += "<h2>Parameters</h2>\n" + parameters(report.result);
-    if (!report.colors.empty()) html += "<h2>Colours</h2>\n" + list(report.colors);
+    if (compared) html += closeness(found);
+    html += "<h2>Amounts over time</h2>\n" + plots(found);
+    if (compared) html += misfits(*found.result);
+    html += "<h2>Parameters</h2>\n" + parameters(*found.result);
+    if (!found.colors.empty()) html += "<h2>Colours</h2>\n" + list(found.colors);
     if (!report.moments.empty()) html += "<h2>Pictures</h2>\n";
-    for (const ReportMoment& moment : report.moments) html += pictures(report, moment);
-    if (!report.notes.empty()) html += "<h2>Notes of measuring the reference</h2>\n" + list(report.notes);
+    for (const ReportMoment& moment : report.moments) html += pictures(found, moment);
+    if (!report.of.notes.empty()) html += "<h2>Notes of measuring the reference</h2>\n" + list(report.of.notes);
     return html + "<h2>What was done</h2>\n" + done(report) + "</main>\n</body>\n</html>\n";
 }
 

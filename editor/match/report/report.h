@@ -1,7 +1,7 @@
 // The result of a fit as one HTML file with pictures, for people.
 //
-//     FitReport report{.scene = "lagb.scene.json", ..., .target = input.target, .result = fit(input)};
-//     report.moments = report_moments(report.target);  // and a JPEG of each picture
+//     FitReport report{.of = {.scene = "lagb.scene.json"}, .found = fit_scene(fit, curve)};
+//     report.moments = report_moments(report.found.target);  // and a JPEG of each picture
 //     write_file("report.html", report_html(report));
 //
 // The file stands alone: it has no script, and its Content-Security-Policy forbids whatever is not in it. It is HTML5
@@ -9,12 +9,11 @@
 // Pure functions, any thread; nothing throws.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "match/fit/fit.h"
+#include "match/fit/scene_fit.h"
 
 namespace lapfx::match {
 
@@ -31,18 +30,18 @@ inline constexpr int report_picture_side = 320;  ///< px, of the longer side of 
 /// same. Without pictures.
 std::vector<ReportMoment> report_moments(std::span<const TargetPoint> target);
 
-struct FitReport {
+/// What a report says besides what was found.
+struct ReportOf {
     /// Names of files. No preset: it began with the built-in values. fitted, fitted_scene: what was written; empty:
     /// nothing was.
-    std::string scene, reference, preset, fitted, fitted_scene = {};
-    double offset = 0.0;          ///< s; reference time = scene time + offset
-    double from = 0.0, to = 0.0;  ///< s of the scene, the window
-    std::uint32_t seed = 1;
-    double seconds = 0.0;                  ///< that it took
-    std::vector<std::string> notes = {};   ///< of measuring the reference, one line each
-    std::vector<std::string> colors = {};  ///< how near they are, and which were changed, one line each; empty: none
-    std::vector<TargetPoint> target = {};
-    FitResult result = {};
+    std::string scene = {}, reference = {}, preset = {}, fitted = {}, fitted_scene = {};
+    double seconds = 0.0;                 ///< that it took
+    std::vector<std::string> notes = {};  ///< of measuring the reference, one line each
+};
+
+struct FitReport {
+    ReportOf of = {};
+    FittedScene found = {};  ///< with a result
     std::vector<ReportMoment> moments = {};
 };
 

@@ -39,22 +39,22 @@ glm::ivec2 report_picture_size(glm::dvec2 frame, double aspect) {
     return size_within(frame, report_picture_side);
 }
 
-bool add_pictures(FitReport& report, VideoReader& reference, double aspect, const document::Content& before,
-                  const DrawPicture& draw, const Progress& progress, const std::atomic<bool>* stop) {
+bool add_pictures(FitReport& report, VideoReader& reference, double aspect, const DrawPicture& draw,
+                  const Progress& progress, const std::atomic<bool>* stop) {
     const glm::ivec2 size = report_picture_size(reference.info().size, aspect);
-    report.moments = report_moments(report.target);
+    report.moments = report_moments(report.found.target);
     const auto count = static_cast<double>(3 * report.moments.size());
     int made = 0;
     const auto goes_on = [&] { return !progress || progress(made++ / count); };
     Image frame;
     for (ReportMoment& moment : report.moments) {
         if (!goes_on()) return false;
-        if (reference.read(reference.frame_at(moment.time + report.offset), frame, stop))
+        if (reference.read(reference.frame_at(moment.time + report.found.fit.offset), frame, stop))
             moment.reference = jpeg(frame, size);
         if (stop != nullptr && *stop) return false;
     }
-    for (const auto& [tuned, picture] : {std::pair{&before, &ReportMoment::before},
-                                         std::pair{&std::as_const(report.result.tuned), &ReportMoment::after}})
+    for (const auto& [tuned, picture] : {std::pair{&std::as_const(report.found.fit.start), &ReportMoment::before},
+                                         std::pair{&std::as_const(report.found.result->tuned), &ReportMoment::after}})
         for (ReportMoment& moment : report.moments) {
             if (!goes_on()) return false;
             const std::optional<Image> drawn = draw(*tuned, moment.time, size);

@@ -29,8 +29,8 @@ using DrawPicture = std::function<std::optional<Image>(const document::Content& 
 /// Fills the report's moments. `before`: what the result is held against; `aspect`: as of report_picture_size().
 /// `progress` is asked before each picture; `stop` ends the reading of one. False: one of them, or `draw`, stopped it.
 /// Throws what these throw.
-bool add_pictures(FitReport& report, VideoReader& reference, double aspect, const document::Content& before,
-                  const DrawPicture& draw, const Progress& progress = {}, const std::atomic<bool>* stop = nullptr);
+bool add_pictures(FitReport& report, VideoReader& reference, double aspect, const DrawPicture& draw,
+                  const Progress& progress = {}, const std::atomic<bool>* stop = nullptr);
 
 /// A picture for an index of many, as JPEG.
 std::string small_jpeg(const Image& image);

@@ -14,15 +14,8 @@ namespace {
 constexpr double amounts_beside_matching = 0.7, amounts_beside_comparing = 0.9;
 
 FittedScene begun(const SceneFit& fit) {
-    return {.start = fit.start,
-            .tuned = fit.start,
-            .organ = fit.organ,
-            .offset = fit.offset,
-            .from = fit.from,
-            .to = fit.to,
-            .seed = fit.seed,
-            .parameters = free_parameters(fit.start, fit.keys),
-            .target = target_of(fit)};
+    return {
+        .fit = fit, .tuned = fit.start, .parameters = free_parameters(fit.start, fit.keys), .target = target_of(fit)};
 }
 
 FitInput input_of(const SceneFit& fit, const FittedScene& found) {
@@ -111,29 +104,12 @@ FittedScene fit_scene(const SceneFit& fit, PreviewCurve& curve, const FitCalls& 
     return found;
 }
 
-FitReport report_of(const FittedScene& found, const ReportOf& of) {
-    return {.scene = of.scene,
-            .reference = of.reference,
-            .preset = of.preset,
-            .fitted = of.fitted,
-            .fitted_scene = of.fitted_scene,
-            .offset = found.offset,
-            .from = found.from,
-            .to = found.to,
-            .seed = found.seed,
-            .seconds = of.seconds,
-            .notes = of.notes,
-            .colors = found.colors,
-            .target = found.target,
-            .result = *found.result};
-}
-
-bool add_pictures(FitReport& report, VideoReader& reference, double aspect, const document::Content& before,
-                  PreviewCurve& curve, const Progress& progress, const std::atomic<bool>* stop) {
+bool add_pictures(FitReport& report, VideoReader& reference, double aspect, PreviewCurve& curve,
+                  const Progress& progress, const std::atomic<bool>* stop) {
     const auto draw = [&curve](const document::Content& tuned, double time, glm::ivec2 size) {
         return curve.picture(tuned.scene, tuned.preset, time, size);
     };
-    return add_pictures(report, reference, aspect, before, DrawPicture(draw), progress, stop);
+    return add_pictures(report, reference, aspect, DrawPicture(draw), progress, stop);
 }
 
 }  // namespace lapfx::match

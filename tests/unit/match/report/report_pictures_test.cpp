@@ -38,20 +38,20 @@ class AddPictures : public testing::Test {
         for (int i = 0; i < 30; ++i) file.add(grey({64, 48}, static_cast<std::uint8_t>(8 * i)));
         file.finish();
         for (int i = 0; i < 20; ++i)
-            report_.target.push_back({0.1 * i, Amount{.value = i == 12 ? 0.5 : 0.1}, Amount{.value = 0.01 * i}});
-        report_.offset = 1.0;
-        report_.result.tuned.scene.name = "after";
-        before_.scene.name = "before";
+            report_.found.target.push_back({0.1 * i, Amount{.value = i == 12 ? 0.5 : 0.1}, Amount{.value = 0.01 * i}});
+        report_.found.result.emplace();
+        report_.found.fit.offset = 1.0;
+        report_.found.result->tuned.scene.name = "after";
+        report_.found.fit.start.scene.name = "before";
     }
     bool add(const DrawPicture& draw, const Progress& progress = {}) {
         VideoReader reader(video_);
-        return add_pictures(report_, reader, 2.0, before_, draw, progress);
+        return add_pictures(report_, reader, 2.0, draw, progress);
     }
 
     test::Folder folder_;
     const std::filesystem::path video_ = folder_ / "video.mp4";
     FitReport report_;
-    document::Content before_;
 };
 
 TEST_F(AddPictures, OfTheReferenceAndOfBothScenesAtEachMoment) {

@@ -23,25 +23,23 @@ Amount amount(double value) {
 
 /// Blood 0.01 a second, veil 0.05; half of both before, all of them after.
 FitReport usual() {
-    FitReport report{.scene = "stomach.scene.json",
-                     .reference = "operation.mp4",
-                     .preset = "usual.json",
-                     .fitted = "fitted.json",
-                     .fitted_scene = "fitted.scene.json",
-                     .offset = 0.5,
-                     .to = 3.0,
-                     .seed = 7,
-                     .seconds = 12.34,
-                     .notes = {"12 frames: the camera moves"}};
+    FitReport report{.of = {.scene = "stomach.scene.json",
+                            .reference = "operation.mp4",
+                            .preset = "usual.json",
+                            .fitted = "fitted.json",
+                            .fitted_scene = "fitted.scene.json",
+                            .seconds = 12.34,
+                            .notes = {"12 frames: the camera moves"}},
+                     .found = {.fit = {.offset = 0.5, .to = 3.0, .seed = 7}, .result = FitResult{}}};
     for (int i = 0; i < times; ++i) {
         const double time = 0.2 * i;
-        report.target.push_back({time, amount(0.01 * time), amount(0.05 * time)});
-        FrameAmounts& after = report.result.after.emplace_back();
+        report.found.target.push_back({time, amount(0.01 * time), amount(0.05 * time)});
+        FrameAmounts& after = report.found.result->after.emplace_back();
         after.time = time, after.blood = amount(0.01 * time), after.veil = amount(0.05 * time);
-        FrameAmounts& before = report.result.before.emplace_back();
+        FrameAmounts& before = report.found.result->before.emplace_back();
         before.time = time, before.blood = amount(0.005 * time), before.veil = amount(0.025 * time);
     }
-    FitResult& result = report.result;
+    FitResult& result = *report.found.result;
     result.blood_before = 0.0123, result.blood_after = 0.0045, result.veil_before = 0.0678, result.veil_after = 0.0091;
     result.curves = 6, result.evaluations = 345;
     const std::vector<std::string> keys = {"bleeding.speed", "smoke.haze.accumulation", "smoke.haze.ventilation"};
@@ -61,7 +59,7 @@ FitReport usual() {
 }
 
 std::string with_pictures(FitReport report) {
-    report.moments = report_moments(report.target);
+    report.moments = report_moments(report.found.target);
     for (ReportMoment& moment : report.moments) moment.reference = moment.before = moment.after = jpeg;
     return report_html(report);
 }
@@ -138,13 +136,13 @@ TEST(Report, TellsWhatWasDone) {
         EXPECT_THAT(words, HasSubstr(said));
     EXPECT_THAT(words, Not(HasSubstr("ended early")));
     FitReport without = usual();
-    without.preset.clear();
+    without.of.preset.clear();
     EXPECT_THAT(words_of(report_html(without)), HasSubstr("Preset before built-in values"));
 }
 
 TEST(Report, IsWellFormed) {
     EXPECT_EQ(fault_of(with_pictures(usual())), "");
-    EXPECT_EQ(fault_of(report_html({})), "");
+    EXPECT_EQ(fault_of(report_html({.found = {.result = FitResult{}}})), "");
     EXPECT_NE(fault_of("<html><p></html>"), "");
     EXPECT_NE(fault_of("<html><p class=a></p></html>"), "");
     EXPECT_NE(fault_of("<html>a & b</html>"), "");
@@ -160,12 +158,12 @@ TEST(Report, LoadsAndRunsNothing) {
 
 TEST(Report, ShowsNamesAsTheyAre) {
     FitReport report = usual();
-    report.scene = "<script>alert(1)</script>.scene.json";
-    report.reference = "a\" onerror='x' & <b>.mp4";
-    report.preset = "\xFF\x01 no letters.json";
-    report.fitted = "cod.\xE2\x80\xAEgpj.json";  // U+202E: turns the letters after it around
-    report.notes = {"</li><img src=x>"};
-    report.result.parameters[2].why = "a < b & c";
+    report.of.scene = "<script>alert(1)</script>.scene.json";
+    report.of.reference = "a\" onerror='x' & <b>.mp4";
+    report.of.preset = "\xFF\x01 no letters.json";
+    report.of.fitted = "cod.\xE2\x80\xAEgpj.json";  // U+202E: turns the letters after it around
+    report.of.notes = {"</li><img src=x>"};
+    report.found.result->parameters[2].why = "a < b & c";
     const std::string html = with_pictures(report);
     EXPECT_EQ(fault_of(html), "");
     EXPECT_EQ(count(html, "<script"), 0);
@@ -179,8 +177,8 @@ TEST(Report, ShowsNamesAsTheyAre) {
 
 TEST(Report, SaysThatAnAmountIsMissing) {
     FitReport report = usual();
-    for (TargetPoint& point : report.target) point.blood.reset();
-    report.result.blood_before.reset(), report.result.blood_after.reset();
+    for (TargetPoint& point : report.found.target) point.blood.reset();
+    report.found.result->blood_before.reset(), report.found.result->blood_after.reset();
     const std::string html = with_pictures(report), words = words_of(html);
     EXPECT_EQ(fault_of(html), "");
     EXPECT_THAT(words, HasSubstr("Blood not measurable Veil 6.78 0.91"));
@@ -193,17 +191,17 @@ TEST(Report, SaysThatAnAmountIsMissing) {
 
 TEST(Report, ComparesOnlyWhatTheReferenceHas) {
     FitReport report = usual();
-    for (TargetPoint& point : report.target) point.blood.reset();
+    for (TargetPoint& point : report.found.target) point.blood.reset();
     EXPECT_THAT(words_of(report_html(report)),
                 HasSubstr("After: blood is at no time measurable in both; veil matches"));
-    for (TargetPoint& point : report.target) point.veil.reset();
+    for (TargetPoint& point : report.found.target) point.veil.reset();
     EXPECT_THAT(words_of(report_html(report)),
                 HasSubstr("After: blood is at no time measurable in both; veil is at no time measurable in both"));
 }
 
 TEST(Report, SaysThatNothingIsDetermined) {
     FitReport report = usual();
-    for (FittedParameter& p : report.result.parameters)
+    for (FittedParameter& p : report.found.result->parameters)
         p.determined = p.at_bound = false, p.why = "it is dark", p.after = p.before;
     const std::string words = words_of(report_html(report));
     EXPECT_THAT(words, HasSubstr("The reference determines none of the parameters: all keep their values."));
@@ -212,16 +210,16 @@ TEST(Report, SaysThatNothingIsDetermined) {
 
 TEST(Report, ShowsTheValueThatIsThereWhereAFitEndedBeforeItWasKnown) {
     FitReport report = usual();
-    for (FittedParameter& p : report.result.parameters)
+    for (FittedParameter& p : report.found.result->parameters)
         p.determined = p.at_bound = false, p.why = "it ended", p.after = 2.0 * p.before;
     EXPECT_THAT(words_of(report_html(report)), HasSubstr("bleeding.speed 6 mm/s 12 mm/s not determined: it ended"));
 }
 
 TEST(Report, SaysThatItEndedEarly) {
     FitReport report = usual();
-    report.result.ended_early = true;
+    report.found.result->ended_early = true;
     EXPECT_THAT(words_of(report_html(report)), HasSubstr("The fit ended early"));
-    report.result.before.clear(), report.result.after.clear(), report.result.parameters.clear();
+    report.found.result->before.clear(), report.found.result->after.clear(), report.found.result->parameters.clear();
     const std::string html = with_pictures(report), words = words_of(html);
     EXPECT_EQ(fault_of(html), "");
     EXPECT_THAT(words, HasSubstr("The fit ended before the scene was measured: nothing is compared."));
@@ -233,15 +231,15 @@ TEST(Report, SaysThatItEndedEarly) {
 
 TEST(Report, DrawsNoLineAcrossWhatIsNotMeasurable) {
     FitReport report = usual();
-    for (int i = 5; i < 9; ++i) report.target[static_cast<std::size_t>(i)].veil.reset();
+    for (int i = 5; i < 9; ++i) report.found.target[static_cast<std::size_t>(i)].veil.reset();
     const std::string html = report_html(report);
     EXPECT_EQ(count(html, "<polyline class=\"reference\""), 3);  // one of blood, two of veil
     EXPECT_EQ(count(html, "class=\"band\" points"), 3);
     EXPECT_EQ(count(html, "class=\"gap\""), 2);
     // Nor where the reference has no frame; what remains alone is a dot.
     report = usual();
-    report.target.erase(report.target.begin() + 1, report.target.begin() + 4);
-    report.result.before.clear(), report.result.after.clear();
+    report.found.target.erase(report.found.target.begin() + 1, report.found.target.begin() + 4);
+    report.found.result->before.clear(), report.found.result->after.clear();
     EXPECT_EQ(count(report_html(report), "<circle class=\"dot reference\""), 2);
 }
 
@@ -260,8 +258,8 @@ TEST(Report, DrawsWhatItWasGiven) {
 
 TEST(Report, ShowsThreeMoments) {
     FitReport report = usual();
-    report.target[4].blood = amount(0.2);
-    const auto moments = report_moments(report.target);
+    report.found.target[4].blood = amount(0.2);
+    const auto moments = report_moments(report.found.target);
     ASSERT_EQ(moments.size(), 3U);
     EXPECT_EQ(moments[0].name, "most blood");
     EXPECT_NEAR(moments[0].time, 0.8, 1e-12);
@@ -276,11 +274,11 @@ TEST(Report, ShowsThreeMoments) {
 }
 
 TEST(Report, ShowsAMomentOnce) {
-    const auto moments = report_moments(usual().target);
+    const auto moments = report_moments(usual().found.target);
     ASSERT_EQ(moments.size(), 2U);
     EXPECT_EQ(moments[0].name, "most blood and most veil");
     EXPECT_TRUE(report_moments({}).empty());
-    std::vector<TargetPoint> none = usual().target;
+    std::vector<TargetPoint> none = usual().found.target;
     for (TargetPoint& point : none) point.blood = point.veil = Amount{};
     ASSERT_EQ(report_moments(none).size(), 1U);
     EXPECT_EQ(report_moments(none)[0].name, "in the middle");
@@ -288,7 +286,7 @@ TEST(Report, ShowsAMomentOnce) {
 
 TEST(Report, LeavesOutAPictureThatTheReferenceDoesNotHave) {
     FitReport report = usual();
-    report.moments = report_moments(report.target);
+    report.moments = report_moments(report.found.target);
     for (ReportMoment& moment : report.moments) moment.before = moment.after = jpeg;
     EXPECT_EQ(count(report_html(report), "<img"), 4);
 }
@@ -296,7 +294,7 @@ TEST(Report, LeavesOutAPictureThatTheReferenceDoesNotHave) {
 TEST(Report, ColoursAreTold) {
     FitReport report = usual();
     EXPECT_THAT(words_of(report_html(report)), Not(HasSubstr("Colours")));
-    report.colors = {"blood: Delta E 7.4 before, 0.9 after", "<b>"};
+    report.found.colors = {"blood: Delta E 7.4 before, 0.9 after", "<b>"};
     const std::string html = report_html(report);
     EXPECT_THAT(words_of(html), HasSubstr("Colours blood: Delta E 7.4 before, 0.9 after"));
     EXPECT_EQ(fault_of(html), "");

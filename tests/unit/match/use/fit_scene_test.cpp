@@ -45,7 +45,11 @@ TEST(ProposeScene, MovesTheToolsToTheReference) {
     const SceneFit fit = usual();
     const FittedScene found = propose_scene(fit);
     EXPECT_NEAR(found.tuned.scene.events[0].time, 2.0, 0.3);
-    EXPECT_EQ(found.start.scene.events[0].time, 0.0);
+    EXPECT_EQ(found.fit.start.scene.events[0].time, 0.0) << "what it began with stays known";
+    EXPECT_EQ(found.fit.offset, 0.5);
+    EXPECT_EQ(found.fit.to, 6.0);
+    EXPECT_EQ(found.fit.seed, 5U);
+    EXPECT_EQ(found.fit.organ, fit.organ);
     EXPECT_THAT(found.lines, testing::Contains(testing::HasSubstr("smoke: from")));
     ASSERT_EQ(found.parameters.size(), 1U) << "those of the tools are not listed";
     EXPECT_EQ(found.parameters[0].key, "smoke.haze.accumulation");
@@ -83,34 +87,6 @@ TEST(FitScene, ToolsThatHaveToStayAreNoNews) {
     fit.tools = false;
     PreviewCurve curve = refused();
     EXPECT_THAT(fit_scene(fit, curve).lines, testing::IsEmpty());
-}
-
-TEST(FitScene, ReportsWhatItWasOf) {
-    FittedScene found{.offset = 0.5, .from = 1.0, .to = 6.0, .seed = 7, .colors = {"blood: Delta E 9.0 before"}};
-    found.target.resize(2);
-    found.result.emplace().curves = 4;
-    const FitReport report = report_of(found, {.scene = "a.scene.json",
-                                               .reference = "b.mp4",
-                                               .preset = "c.json",
-                                               .fitted = "d.json",
-                                               .fitted_scene = "e.scene.json",
-                                               .seconds = 12.5,
-                                               .notes = {"a note"}});
-    EXPECT_EQ(report.scene, "a.scene.json");
-    EXPECT_EQ(report.reference, "b.mp4");
-    EXPECT_EQ(report.preset, "c.json");
-    EXPECT_EQ(report.fitted, "d.json");
-    EXPECT_EQ(report.fitted_scene, "e.scene.json");
-    EXPECT_EQ(report.offset, 0.5);
-    EXPECT_EQ(report.from, 1.0);
-    EXPECT_EQ(report.to, 6.0);
-    EXPECT_EQ(report.seed, 7U);
-    EXPECT_EQ(report.seconds, 12.5);
-    EXPECT_THAT(report.notes, testing::ElementsAre("a note"));
-    EXPECT_EQ(report.colors, found.colors);
-    EXPECT_EQ(report.target.size(), 2U);
-    EXPECT_EQ(report.result.curves, 4);
-    EXPECT_TRUE(report.moments.empty());
 }
 
 }  // namespace
