@@ -78,6 +78,7 @@ media::PlatePicture decoded(const std::filesystem::path& video, const ScenePlate
         return !stop;
     };
     std::future<media::PlatePicture> picture = std::async(std::launch::async, [&] {
+        // A reader of its own: it searches the film for its frame, and no host has one that it could lend.
         VideoReader reader(video, &stop);
         return media::plate_picture(reader, plate, work::Stages(told).part(0.1, 1.0), &stop);
     });  // waited for before what it refers to goes

@@ -23,6 +23,7 @@ void PageMaking::serve() {
 }
 
 PageMaking::Video PageMaking::measure(Job& job) {
+    // A reader of its own: it walks the whole film, beside the window, which shows another frame.
     auto video = std::make_shared<VideoReader>(wanted_.video, &job.stop());
     const SceneReference& reference = wanted_.scene.reference;
     const match::MeasureOptions options = match::measure_options(reference.measure);

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/base/thread_work.h"
-#include "lapfx/authoring/video.h"
 
 namespace lapfx::app {
 
@@ -20,16 +19,16 @@ struct MeasuringRun::Shared {
             frames.push_back(amounts);
             counted.push_back(std::move(packed));
         };
-        work.start([this](Job& own) { return measure(own); },
-                   {.ended = [this] { close(); }, .given_up = [this] { notify(); }});
+        // It decodes by itself: it walks the whole film, while the feed of the reference follows the timeline.
+        const auto find = [this](Job& own) -> std::optional<Made> {
+            const auto goes_on = [this, &own](double done) { return reach(own, done); };
+            if (!goes_on(0)) return std::nullopt;
+            return std::make_shared<const match::MeasuredVideo>(
+                match::measure_video(file, {.options = options, .colors_over_time = true}, goes_on, &own.stop()));
+        };
+        work.start(find, {.ended = [this] { close(); }, .given_up = [this] { notify(); }});
     }
 
-    std::optional<Made> measure(Job& own) {
-        if (!reach(own, 0)) return std::nullopt;
-        VideoReader video(file, &own.stop());
-        return std::make_shared<const match::MeasuredVideo>(match::measure_video(
-            video, {.options = options, .colors_over_time = true}, [&](double done) { return reach(own, done); }));
-    }
     Made made() const { return work.result().value_or(nullptr); }
 
     /// Rests here while it is not wanted; false: it has to end.

@@ -36,6 +36,12 @@ struct Drawn {
     double cost = 0.0;
 };
 
+/// One parameter, and how far it was moved, in coordinates.
+struct Moved {
+    std::size_t parameter = 0;
+    double step = 0.0;
+};
+
 /// What fits of the same organ and target share.
 struct Shared {
     CoreAmounts core;
@@ -146,18 +152,6 @@ class Fit {
                                        .best = best_.frames.empty() ? nullptr : &best_.frames});
         return !early_;
     }
-    std::optional<Drawn> curve(const std::vector<double>& coordinates) {
-        if (!goes_on()) return {};
-        std::optional<std::vector<FrameAmounts>> frames = input_.draw(space().tuned(coordinates), times_);
-        if (!frames) {
-            early_ = true;
-            return {};
-        }
-        ++shared_.curves;
-        Drawn drawn{coordinates, std::move(*frames), 0.0};
-        drawn.cost = objective_.cost(curves_of(drawn.frames), coordinates);
-        return drawn;
-    }
     /// What the scene itself does not show measurably cannot be fitted. Throws Error (bad_input) where nothing is left.
     void leave_out_unseen() {
         std::vector<TargetPoint> target = input_.target;
@@ -174,13 +168,22 @@ class Fit {
         objective_ = Objective(std::move(target), input_.weights, start_);
         best_.cost = objective_.cost(curves_of(best_.frames), start_);
     }
-    /// Draws, learns from it, and keeps it if it is the nearest. False: it was ended.
-    bool draw(const std::vector<double>& coordinates) {
-        std::optional<Drawn> drawn = curve(coordinates);
-        if (!drawn) return false;
-        carried_.drawn(coordinates, space().core_at(coordinates), curves_of(drawn->frames));
-        last_cost_ = drawn->cost;
-        if (best_.frames.empty() || drawn->cost < best_.cost) best_ = std::move(*drawn);
+    /// Draws a place, learns from it, and keeps it if it is the nearest; where one parameter was `moved` from the best
+    /// place, only what that does is learnt. False: it was ended.
+    bool draw(const std::vector<double>& coordinates, const std::optional<Moved>& moved = {}) {
+        if (!goes_on()) return false;
+        std::optional<std::vector<FrameAmounts>> frames = input_.draw(space().tuned(coordinates), times_);
+        early_ = !frames;
+        if (early_) return false;
+        ++shared_.curves;
+        const ShownCurves shown = curves_of(*frames);
+        if (moved) {
+            carried_.learn(moved->parameter, moved->step, shown);
+            return true;
+        }
+        carried_.drawn(coordinates, space().core_at(coordinates), shown);
+        last_cost_ = objective_.cost(shown, coordinates);
+        if (best_.frames.empty() || last_cost_ < best_.cost) best_ = {coordinates, std::move(*frames), last_cost_};
         return true;
     }
     /// What is measured of smoke and blood depends on their colours, so these come before all but a first step, with
@@ -224,9 +227,7 @@ class Fit {
             if (step == 0.0) continue;  // or it cannot be moved beside the others, and nothing is told of it
             std::vector<double> moved = best_.coordinates;
             moved[k] += step;
-            const std::optional<Drawn> drawn = curve(moved);
-            if (!drawn) return false;
-            carried_.learn(k, step, curves_of(drawn->frames));
+            if (!draw(moved, Moved{k, step})) return false;
             first_place_.reset();
         }
         return true;

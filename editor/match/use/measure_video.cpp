@@ -43,4 +43,10 @@ MeasuredVideo measure_video(VideoReader& video, VideoMeasuring how, const Progre
     return {.found = std::move(found), .colors = peaks.at_peak(), .colors_over_time = over_time};
 }
 
+MeasuredVideo measure_video(const std::filesystem::path& file, VideoMeasuring how, const Progress& progress,
+                            const std::atomic<bool>* stop) {
+    VideoReader video(file, stop);
+    return measure_video(video, std::move(how), progress);
+}
+
 }  // namespace lapfx::match

@@ -7,6 +7,8 @@
 // Any thread.
 #pragma once
 
+#include <atomic>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -40,5 +42,8 @@ struct MeasuredVideo {
 
 /// Throws as measure().
 MeasuredVideo measure_video(VideoReader& video, VideoMeasuring how, const Progress& progress = {});
+/// Opens the file for it alone; `stop` ends that early. Throws as VideoReader and measure().
+MeasuredVideo measure_video(const std::filesystem::path& file, VideoMeasuring how, const Progress& progress = {},
+                            const std::atomic<bool>* stop = nullptr);
 
 }  // namespace lapfx::match

@@ -68,6 +68,15 @@ TEST_F(MeasureVideo, WhoLooksAtEachFrameStillDoes) {
     EXPECT_EQ(seen, frames);
 }
 
+TEST_F(MeasureVideo, OpensAFileForItself) {
+    MeasureOptions first = options();
+    first.to = 0.05;
+    const MeasuredVideo found = measure_video(clip.video(), {.options = first});
+    ASSERT_EQ(found.found.frames.size(), 2U);
+    EXPECT_EQ(csv_of(found.found), csv_of(measured({.options = first}).found));
+    EXPECT_THROW(measure_video("no_such.mp4", {}), Error);
+}
+
 TEST(MeasureOptionsOfAScene, FollowItsRow) {
     ReferenceMeasure measure;
     measure.blood.redness = 4.0;
