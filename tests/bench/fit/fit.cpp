@@ -40,13 +40,13 @@ namespace lapfx::bench {
 
 namespace {
 
-constexpr double truth_step = 1.0;       // s
 constexpr std::uint32_t film_part = 41;  // of the random numbers (random.h)
 constexpr double begins_at = 0.3;        // s: where tools of the fitted scene begin before the fit
 
 struct Drawing {
     glm::ivec2 size{320, 256};
-    double rate = 6.0;  ///< frames per second of the reference
+    double rate = 6.0;        ///< frames per second of the reference
+    double truth_step = 1.0;  ///< s between pictures whose true amounts are known
     int curve_side = match::preview_side;
     std::shared_ptr<ClipCache> clips = std::make_shared<ClipCache>();
     PreviewOptions options() const {
@@ -95,7 +95,7 @@ Filmed film(const CaseScene& hidden, Random random, const Drawing& drawing) {
 std::vector<ShownAmounts> truth_of(const CaseScene& scene, const Drawing& drawing) {
     Preview preview = drawing.preview(scene);
     std::vector<ShownAmounts> truth;
-    for (double time = 0.0; time <= case_duration; time += truth_step)
+    for (double time = 0.0; time <= case_duration; time += drawing.truth_step)
         truth.push_back(amounts_of(preview.layers(time, drawing.size)));
     return truth;
 }
@@ -113,7 +113,7 @@ ShownPeaks peaks_of(const std::vector<ShownAmounts>& truth) {
 
 /// Optical depth of the veil over the core's haze: a preset's extinction and unevenness have a part in it, so that a
 /// smoke rate says little without. Of when the plume is gone; nothing where there is no such time.
-std::optional<double> haze_factor(const CaseScene& scene, const std::vector<ShownAmounts>& truth) {
+std::optional<double> haze_factor(const CaseScene& scene, const std::vector<ShownAmounts>& truth, double truth_step) {
     const document::Content& tuned = scene.tuned;
     AmountsModel model(scene.organ, {.gravity = tuned.scene.gravity});
     model.set(tuned.preset, tuned.scene.events, tuned.scene.curves);
@@ -130,12 +130,12 @@ std::optional<double> haze_factor(const CaseScene& scene, const std::vector<Show
 }
 
 /// The frames of the reference at the times of truth_of(); null where there is none.
-std::vector<const match::FrameAmounts*> frames_at(const Filmed& reference, double rate, std::size_t times) {
+std::vector<const match::FrameAmounts*> frames_at(const Filmed& reference, const Drawing& drawing, std::size_t times) {
     std::vector<const match::FrameAmounts*> frames(times, nullptr);
     for (const match::FrameAmounts& frame : reference.frames) {
-        const auto i = static_cast<std::size_t>(std::lround(frame.time / truth_step));
-        if (i < times && std::abs(frame.time - static_cast<double>(i) * truth_step) <= 0.5 / rate + 1e-9)
-            frames[i] = &frame;
+        const auto i = static_cast<std::size_t>(std::lround(frame.time / drawing.truth_step));
+        const double away = std::abs(frame.time - static_cast<double>(i) * drawing.truth_step);
+        if (i < times && away <= 0.5 / drawing.rate + 1e-9) frames[i] = &frame;
     }
     return frames;
 }
@@ -231,7 +231,7 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& referenc
     const std::vector<ShownAmounts> after = truth_of(scene, drawing);
     outcome.blood_rms = rms(after, hidden_truth, &ShownAmounts::blood);
     outcome.veil_rms = rms(after, hidden_truth, &ShownAmounts::veil);
-    const std::vector<const match::FrameAmounts*> frames = frames_at(reference, drawing.rate, hidden_truth.size());
+    const std::vector<const match::FrameAmounts*> frames = frames_at(reference, drawing, hidden_truth.size());
     const std::vector<ShownAmounts> measured = measured_at(frames);
     const std::vector<bool> blood_told = told_at(frames, match::Curve::blood),
                             veil_told = told_at(frames, match::Curve::veil);
@@ -240,7 +240,8 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& referenc
     outcome.blood_off = rms(measured, hidden_truth, &ShownAmounts::blood, blood_told);
     outcome.veil_off = rms(measured, hidden_truth, &ShownAmounts::veil, veil_told);
     outcome.found = seen_truth(scene.tuned, scene.organ);
-    const std::optional<double> true_factor = haze_factor(hidden, hidden_truth), factor = haze_factor(scene, after);
+    const std::optional<double> true_factor = haze_factor(hidden, hidden_truth, drawing.truth_step),
+                                factor = haze_factor(scene, after, drawing.truth_step);
     outcome.b_is_alike = true_factor && factor;
     if (outcome.b_is_alike) outcome.truth.smoke_rate *= *true_factor, outcome.found.smoke_rate *= *factor;
     const std::vector<ToolContact>& events = scene.tuned.scene.events;
@@ -413,11 +414,12 @@ BenchReport bench_fit(const BenchOptions& options) {
     const Context context = Context::create(Backend::automatic);
     BenchReport report{.bench = "fit", .renderer = context.renderer(), .rows = {}, .ratios = {}, .table = {}};
     PreparedViews prepared;
-    const Drawing drawing = options.short_form ? Drawing{.size = {160, 128}, .rate = 2.0, .curve_side = 96} : Drawing{};
+    const Drawing drawing =
+        options.short_form ? Drawing{.size = {160, 128}, .rate = 1.0, .truth_step = 3.5, .curve_side = 64} : Drawing{};
     const auto seed = static_cast<std::uint32_t>(options.seed);
     const int first = options.short_form ? 0 : std::min(options.first, commands::fit_cases) - 1;
     const int end = options.short_form ? 1 : std::min(options.last, commands::fit_cases);
-    const Effort effort = options.short_form ? Effort{.seed = seed, .step = 2.0, .rounds = 1} : Effort{.seed = seed};
+    const Effort effort = options.short_form ? Effort{.seed = seed, .step = 3.5, .rounds = 1} : Effort{.seed = seed};
     std::vector<Outcome> outcomes;
     commands::Progress progress("fitting", 2 * (end - first));
     for (int i = first; i < end; ++i) {

@@ -1,4 +1,5 @@
-// Whole videos for tests, as numbered pictures that are painted (pictures.h); 25 frames per second.
+// Whole videos for tests, as numbered pictures that are painted (pictures.h); 25 frames per second. They have half of
+// its width and height: what a video costs goes by its pixels.
 #pragma once
 
 #include <cstdio>
@@ -24,10 +25,12 @@ inline cv::Mat bag() {
 class Clip {
   public:
     void add(const cv::Mat& linear, int times = 1) {
+        cv::Mat half;
+        cv::resize(linear, half, linear.size() / 2, 0, 0, cv::INTER_AREA);
         for (int i = 0; i < times; ++i) {
             char name[32];
             std::snprintf(name, sizeof name, "f_%04d.png", count_++);
-            output::write_png(folder / name, image_of(linear));
+            output::write_png(folder / name, image_of(half));
         }
     }
     std::filesystem::path video() const { return folder / "f_%04d.png"; }
