@@ -12,7 +12,7 @@ import tempfile
 import zlib
 
 ACCUMULATION = 0.09  # 1/s; the scene's preset has another
-WINDOW = ("--offset", "0", "--window", "0,6")
+WINDOW = ("--offset", "0", "--window", "0,5")
 # A scene and its own render differ by the coding of the video and by which of its frames are surveyed.
 ALIKE = {"veil_rms": 0.02, "blood_rms": 0.01, "veil_peak_ratio": 1.2, "tissue_delta_e": 3}
 
@@ -28,7 +28,7 @@ def at_most(limits):
 
 def render(lapfx, scene, folder, name, fps, *more):
     video = os.path.join(folder, name)
-    code, _, told = run(lapfx, "render", scene, "--size", "128x104", "--fps", fps, "--to", "7", *more, "-o", video)
+    code, _, told = run(lapfx, "render", scene, "--size", "128x104", "--fps", fps, "--to", "5.6", *more, "-o", video)
     assert code == 0, told
     return video
 
@@ -82,7 +82,7 @@ def check_alike(lapfx, scene, video, folder):
         written = json.load(file)
     assert list(written) == ["format", "version", "scene", "reference", "offset", "window", "words", "figures",
                              "at_most"], written
-    assert written["window"] == [0.0, 6.0], written
+    assert written["window"] == [0.0, 5.0], written
     assert (written["format"], written["version"], written["offset"]) == ("lapfx.comparison", 1, 0), written
     assert (written["scene"], written["reference"], written["words"]) == (scene, video, words), written
     assert list(written["figures"]) == list(figures), (written["figures"], figures)
@@ -147,7 +147,7 @@ def check_videos(lapfx, video, other, folder):
     code, said, told = run(lapfx, "compare", other, video)
     assert code == 0 and printed(said)[1]["veil_bias"] > 0.02, (code, said, told)
     # What comes a second later in the reference is early.
-    code, said, told = run(lapfx, "compare", other, other, "--offset", "-1", "--window", "1,7")
+    code, said, told = run(lapfx, "compare", other, other, "--offset", "-1", "--window", "1,5.6")
     late = printed(said)[1]["veil_late"]
     assert code == 0 and late is not None and -1.5 < late < -0.3, (code, said, told)
     # The haze is not as dense in the middle as elsewhere.
@@ -209,8 +209,8 @@ def check_refused(lapfx, scene, video, other, folder):
         (["compare", folder, other], "is a folder"),
         (["compare", scene, black, "--window", "0,0.4"], "has no frame that shows anything"),
         (["compare", black, video], "has no frame that shows anything"),
-        (["compare", hidden, other, "--window", "0,1"], "away.scene.json: the organ is not in view"),
-        (["compare", unlit, other, "--window", "0,1"], "dark.scene.json: "),
+        (["compare", hidden, video, "--window", "0,1"], "away.scene.json: the organ is not in view"),
+        (["compare", unlit, video, "--window", "0,1"], "dark.scene.json: "),
         (["compare", scene], "REFERENCE is required"),
     ]
     for arguments, expected in cases:
@@ -223,12 +223,12 @@ def check_refused(lapfx, scene, video, other, folder):
 
 def check_beside(lapfx, scene, video, folder):
     """`lapfx render --beside`: the page of both pictures says what `lapfx compare` says."""
-    scene = changed_scene(scene, folder, "short.scene.json", lambda values: values.update(duration=3))
+    scene = changed_scene(scene, folder, "short.scene.json", lambda values: values.update(duration=2))
     code, said, told = run(lapfx, "compare", scene, video)
     assert code == 0, told
     words = printed(said)[0]
     page = os.path.join(folder, "both.png")
-    code, said, told = run(lapfx, "render", scene, "--at", "2", "--size", "128x102", "--beside", video, "-o", page)
+    code, said, told = run(lapfx, "render", scene, "--at", "1.6", "--size", "128x102", "--beside", video, "-o", page)
     assert code == 0 and said == "" and f"lapfx: {video}: {words}" in told.splitlines(), (code, said, told)
     with open(page, "rb") as file:
         width, height = struct.unpack(">II", file.read(24)[16:])
@@ -236,13 +236,13 @@ def check_beside(lapfx, scene, video, folder):
     assert (width, height % 2) == (128 + 4 + 126, 0) and 102 + 150 < height < 102 + 300, (width, height)
     # Of a video that shows nothing there is no curve, and the page says so.
     black = write_black(folder, 12)
-    code, _, told = run(lapfx, "render", scene, "--at", "2", "--size", "128x102", "--beside", black, "-o", page)
+    code, _, told = run(lapfx, "render", scene, "--at", "1.6", "--size", "128x102", "--beside", black, "-o", page)
     assert code == 0 and "The reference is not measured: " in told, (code, told)
-    code, _, told = run(lapfx, "render", scene, "--at", "2", "--size", "128x102", "--beside",
+    code, _, told = run(lapfx, "render", scene, "--at", "1.6", "--size", "128x102", "--beside",
                         os.path.join(folder, "none.mp4"), "-o", page)
     assert code == 2 and "none.mp4: no such file" in told, (code, told)
     both = os.path.join(folder, "both.mp4")
-    code, _, told = run(lapfx, "render", scene, "--from", "2", "--to", "2.6", "--fps", "5", "--size", "128x102",
+    code, _, told = run(lapfx, "render", scene, "--from", "1.2", "--to", "1.8", "--fps", "5", "--size", "128x102",
                         "--beside", video, "-o", both)
     assert code == 0, told
     code, said, told = run(lapfx, "inspect", both)
@@ -256,7 +256,7 @@ def check_beside(lapfx, scene, video, folder):
 def main(lapfx, scene):
     with tempfile.TemporaryDirectory() as folder:
         video = render(lapfx, scene, folder, "shown.mp4", "2.5")  # as many pictures are drawn
-        other = render(lapfx, scene, folder, "other.mp4", "5", "--set", f"smoke.haze.accumulation={ACCUMULATION}")
+        other = render(lapfx, scene, folder, "other.mp4", "3", "--set", f"smoke.haze.accumulation={ACCUMULATION}")
         check_refused(lapfx, scene, video, other, folder)
         check_videos(lapfx, video, other, folder)
         check_alike(lapfx, scene, video, folder)
