@@ -124,13 +124,13 @@ def reference_faults(lapfx, source, _):
 
 def workplace(folder, shipped):
     """A place like the root of the repository, to run what is printed. What matters is that the commands work: behind
-    the names of the sample's organ and video are a mesh of few triangles and one frame of ten."""
+    the names of the sample's organ and video are a mesh of few triangles and one frame of twenty."""
     for name in ("presets", "samples"):
         shutil.copytree(os.path.join(shipped, name), os.path.join(folder, name))
     samples = os.path.join(folder, "samples")
     shutil.copy(os.path.join(samples, "liver_lobe.glb"), os.path.join(samples, "lagb.glb"))
     video = os.path.join(samples, "reference", "operation.mp4")
-    subprocess.run(["ffmpeg", "-v", "error", "-i", os.path.join(shipped, "samples", "reference", "operation.mp4"), "-r", "2.5",
+    subprocess.run(["ffmpeg", "-v", "error", "-i", os.path.join(shipped, "samples", "reference", "operation.mp4"), "-r", "1.25",
                     "-y", video], check=True)
 
 

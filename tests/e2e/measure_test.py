@@ -294,7 +294,7 @@ def check_all_hazy(lapfx, reference, folder):
     hazy, out, plot = (os.path.join(folder, name) for name in ("hazy.mp4", "hazy.json", "hazy.png"))
     # Into grey by 0.75, from 2 s to 3 s by 0.95.
     mix = "(0.75+0.2*clip(T-2,0,1))"
-    ffmpeg("-i", reference, "-vf", "select=eq(n\\,0),loop=99:1,setpts=N/25/TB,scale=320:256,format=rgb24," +
+    ffmpeg("-i", reference, "-vf", "select=eq(n\\,0),loop=99:1,setpts=N/25/TB,scale=160:128,format=rgb24," +
            "geq=" + ":".join(f"{c}='{c}(X,Y)*(1-{mix})+165*{mix}'" for c in "rgb"), "-t", "4", "-r", "25",
            "-c:v", "libx264", "-qp", "8", "-pix_fmt", "yuv444p", hazy)
     code, said, told = run(lapfx, hazy, "-o", out, "--plot", plot)

@@ -22,12 +22,12 @@ class HotReloading : public EditorTest {
     void SetUp() override {
         EditorTest::SetUp();
         if (IsSkipped()) return;
-        const fs::path samples = source_folder() / "samples";
+        const fs::path samples = light_folder() / "samples";
         for (const char* name : {"lagb.glb", "hook_cautery.glb"}) fs::copy_file(samples / name, folder() / name);
         fs::copy_file(samples / "clips" / "plume_thick.mp4", folder() / "mine.mp4");
         Preset preset;
         preset.smoke.clips = {{.file = "mine.mp4"}};
-        preset.vessels = load_preset(source_folder() / "presets" / "gastric_banding.json").vessels;
+        preset.vessels = load_preset(light_folder() / "presets" / "gastric_banding.json").vessels;
         save_preset(preset, folder() / "mine.json");
         Scene scene = load_scene(samples / "lagb.scene.json");
         scene.preset = "mine.json";
@@ -103,12 +103,12 @@ TEST_F(HotReloading, FilesThatVanishAreToldOnceAndThePictureStays) {
 
 TEST_F(HotReloading, AClipAndAnOrganThatChangeChangeThePicture) {
     const Image before = picture(3);
-    fs::copy_file(source_folder() / "samples" / "clips" / "wisps_thin.mp4", folder() / "part");
+    fs::copy_file(light_folder() / "samples" / "clips" / "wisps_thin.mp4", folder() / "part");
     fs::rename(folder() / "part", folder() / "mine.mp4");
     change("mine.mp4");
     const Image other_clip = picture(3);
     EXPECT_GT(differing(before, other_clip, 2), 20U);
-    fs::copy_file(source_folder() / "samples" / "liver_lobe.glb", folder() / "part");
+    fs::copy_file(light_folder() / "samples" / "liver_lobe.glb", folder() / "part");
     fs::rename(folder() / "part", folder() / "lagb.glb");
     change("lagb.glb");
     EXPECT_GT(differing(other_clip, picture(3)), 1000U);
@@ -133,7 +133,7 @@ class PreviewLoading : public EditorTest {
     void SetUp() override {
         EditorTest::SetUp();
         if (IsSkipped()) return;
-        const fs::path samples = source_folder() / "samples";
+        const fs::path samples = light_folder() / "samples";
         content.scene = load_scene(samples / "lagb.scene.json");
         document.open(content);
         host.resize({160, 120});
@@ -159,7 +159,7 @@ class PreviewLoading : public EditorTest {
     document::Document document;
     app::Jobs jobs;
     app::Shot shot;
-    app::PreviewHost host{{.clip_folders = {source_folder() / "samples" / "clips"}}, jobs};
+    app::PreviewHost host{{.clip_folders = {light_folder() / "samples" / "clips"}}, jobs};
 };
 
 TEST_F(PreviewLoading, TheFormerOrganIsDrawnWhileTheNextOneLoads) {
