@@ -1,9 +1,8 @@
-// Blood in a frame without its smoke: where a film of it explains the change since the baseline, or, where that does
-// not lie well, what is redder than its tissue was.
+// Blood in a frame: where a film of it explains the change since the baseline, its smoke removed, or, where the
+// baseline does not lie well, what is redder than all tissue near by was.
 #pragma once
 
 #include <opencv2/core.hpp>
-#include <vector>
 
 #include "lapfx/scene.h"
 #include "match/frame/film.h"
@@ -14,11 +13,16 @@ namespace lapfx::match {
 /// hides the colour, the nearest places that can be read decide.
 class BloodFinder {
   public:
-    /// `baseline`, `frame`, `light`: linear light, CV_32FC3; `veil`: CV_32F; `valid`: CV_8U. `well_placed`: the
-    /// baseline lies over the frame so well that a change of a pixel tells a film (film.h); else it takes what is
-    /// redder than all tissue near by was.
+    /// How well the baseline lies over the frame.
+    struct Laid {
+        bool well = true;  ///< so well that a change of a pixel tells a film (film.h); else blood is what is redder
+        /// How much of the baseline's texture is there, 0..1: the less, the farther tissue may have moved, and the
+        /// wider the part of the baseline that it is compared with.
+        double likeness = 1.0;
+    };
+    /// `baseline`, `frame`, `light`: linear light, CV_32FC3; `veil`: CV_32F; `valid`: CV_8U.
     void find(const cv::Mat& baseline, const cv::Mat& baseline_redness, const cv::Mat& frame, const cv::Mat& veil,
-              const cv::Mat& light, const cv::Mat& valid, const BloodQualifier& qualifier, bool well_placed);
+              const cv::Mat& light, const cv::Mat& valid, const BloodQualifier& qualifier, const Laid& laid);
 
     const cv::Mat& blood() const { return blood_; }      ///< CV_8U, 255 where there is blood
     const cv::Mat& redness() const { return redness_; }  ///< of the frame without smoke, CV_32F
@@ -29,17 +33,15 @@ class BloodFinder {
   private:
     void find_film(const cv::Mat& baseline, const cv::Mat& baseline_redness, const cv::Mat& frame, const cv::Mat& veil,
                    const cv::Mat& light, const cv::Mat& valid, const BloodQualifier& qualifier);
-    void find_redder(const cv::Mat& baseline, const cv::Mat& baseline_redness, const cv::Mat& frame,
-                     const cv::Mat& veil, const cv::Mat& light, const cv::Mat& valid, const BloodQualifier& qualifier);
-    float drift_of(const cv::Mat& baseline_redness, const cv::Mat& veil, const cv::Mat& valid);
-    void reddest_near(const cv::Mat& baseline_redness, const cv::Mat& valid);
+    void find_redder(const cv::Mat& baseline_redness, const cv::Mat& frame, const cv::Mat& veil, const cv::Mat& light,
+                     const cv::Mat& valid, const BloodQualifier& qualifier, double likeness);
+    void clear_smoke(const cv::Mat& frame, const cv::Mat& veil, const cv::Mat& light);
     void grow(const cv::Mat& valid, double of_patch);
     void fill_hidden(const cv::Mat& valid);
 
     FilmSolver film_;
-    cv::Mat clear_, redness_, near_, drop_, sure_, maybe_, blood_, hidden_, redder_, labels_;
+    cv::Mat clear_, redness_, near_, nearer_, seen_, seen_redness_, sure_, maybe_, blood_, hidden_, redder_, labels_;
     cv::Mat decided_, share_, weight_;
-    std::vector<float> ratios_;
 };
 
 }  // namespace lapfx::match

@@ -34,9 +34,10 @@ constexpr float foreign_rest = 5.0F;     // residual in units of noise
 constexpr double view_slack = 0.02;      // of the longer side, around the view of the baseline
 
 // What makes a frame not measurable; found on real clips (tests/unit/match/video/real_frames_test.cpp).
-constexpr double most_rest = 0.18, least_valid = 0.3, least_compared = 0.05;
+constexpr double least_valid = 0.3, least_compared = 0.05;
 constexpr double least_red = 0.35, most_foreign = 0.35, unlike = 0.35;
 constexpr double well_placed = 0.6;  // likeness by the camera's motion from which single pixels are compared
+constexpr double nowhere = 0.15;     // likeness of two pictures of other tissue: nothing is known of its place
 constexpr double another = 0.25;     // likeness by the camera's motion alone: less may be another view
 constexpr double surely_laid = 0.9;  // likeness beyond which there is nothing to gain
 constexpr float metal_red = 1.3F;    // redness of instruments at most
@@ -308,7 +309,7 @@ void Estimator::State::find_foreign() {
 
 void Estimator::State::find_blood(const cv::Mat& within) {
     blood.find(placed_linear, placed_redness, frame_linear, veil.veil(), light_map, within, options.blood,
-               placement.likeness() >= well_placed);
+               {.well = placement.likeness() >= well_placed, .likeness = likeness});
 }
 
 /// A camera that changes makes neither smoke nor blood: then both are looked for over the baseline as it would be now.
@@ -426,7 +427,7 @@ void Estimator::State::judge(FrameAmounts& amounts, bool moved) const {
     const bool strange =
         pale(unlike) || (amounts.likeness < unlike && share_of(foreign, placed_counted) > most_foreign);
     if (strange || covered || amounts.valid < 0.05) amounts.flags |= told::not_measurable;
-    if (amounts.measurable() && amounts.rest > most_rest) amounts.flags |= told::unregistered;
+    if (amounts.measurable() && amounts.likeness < nowhere) amounts.flags |= told::unregistered;
     if (amounts.measurable() && amounts.veil.value > dense_veil) amounts.flags |= told::dense;
 }
 

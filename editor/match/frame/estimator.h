@@ -6,7 +6,7 @@
 //     draw(estimator.blood(), estimator.veil());  // the layers of the frame measured last
 //
 // Blood: share of the valid view where a film of it explains what changed, with the veil removed; where the baseline
-// does not lie well, whose colour became redder than the qualifier asks.
+// does not lie well, what is redder than all of its tissue near by.
 // What the camera changed, exposure and white balance, is no amount: where that explains the frame better than smoke,
 // both are looked for over the baseline as it would be now (camera_gains.h). Veil: 1 - transmission of the smoke, mean
 // over the valid view. The model is that of scattering: a frame is baseline * (1 - veil) + light * veil, where `light`

@@ -9,7 +9,7 @@ namespace {
 
 FrameAmounts amounts_of(double blood, double smoke, unsigned flags = 0) {
     FrameAmounts a;
-    a.blood.value = blood, a.veil.value = smoke, a.flags = flags;
+    a.blood.value = blood, a.veil.value = smoke, a.flags = flags, a.likeness = 1.0;
     set_intervals(a);
     return a;
 }
@@ -40,12 +40,23 @@ TEST(Interval, OfAVeilIsWidestInTheMiddle) {
 }
 
 TEST(Interval, GrowsWithWhatIsLeftUnexplained) {
-    FrameAmounts a;
-    a.blood.value = 0.5, a.veil.value = 0.5, a.rest = 0.16;
+    FrameAmounts a = amounts_of(0.5, 0.5);
+    const FrameAmounts plain = a;
+    a.rest = 0.16;
     set_intervals(a);
-    const FrameAmounts plain = amounts_of(0.5, 0.5);
     EXPECT_NEAR(width(a.veil) - width(plain.veil), 2 * 0.25 * 0.16, 1e-9);
-    EXPECT_NEAR(width(a.blood) - width(plain.blood), 2 * (0.05 * 0.16 + 1.0 * 0.1), 1e-9);
+    EXPECT_NEAR(width(a.blood) - width(plain.blood), 2 * 0.05 * 0.16, 1e-9);
+}
+
+TEST(Interval, OfBloodGrowsTheLessTheBaselineIsAlike) {
+    FrameAmounts a = amounts_of(0.5, 0.3);
+    const FrameAmounts plain = a;
+    for (const double likeness : {0.9, 0.8, 0.5, 0.2}) {
+        a.likeness = likeness;
+        set_intervals(a);
+        EXPECT_NEAR(width(a.blood) - width(plain.blood), 2 * 0.1 * std::max(0.8 - likeness, 0.0), 1e-9) << likeness;
+        EXPECT_EQ(width(a.veil), width(plain.veil));
+    }
 }
 
 }  // namespace
