@@ -1,6 +1,9 @@
 #include "bleeding/bleed_cpu.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -14,7 +17,9 @@ namespace lapfx::bleeding {
 
 namespace {
 
-constexpr double longest_triangle = 1000.0;  // mm; only files with a wrong unit have such edges
+constexpr double ever = std::numeric_limits<double>::infinity();  // s
+constexpr float lowest = std::numeric_limits<float>::lowest();    // mm
+constexpr double longest_triangle = 1000.0;                       // mm; only files with a wrong unit have such edges
 
 /// Bleed value `beyond` mm outside the reach of a source value, below 0: noise may show blood there. While the source
 /// value is smaller than the noise the value falls faster, so that a wound never begins as a blob of noise.
@@ -32,6 +37,25 @@ double longest_edge(const Surface& surface) {
 
 }  // namespace
 
+/// How far the blood of one wound has come again since a clearing: on many places clearings have ended at the same
+/// time.
+class BleedField::Refills {
+  public:
+    template <class Source>
+    double at(double time, const Source& source) {
+        Entry& entry = entries_[std::bit_cast<std::uint64_t>(time) * 0x9e3779b97f4a7c15u >> (64 - bits)];
+        if (entry.time != time) entry = {time, source()};
+        return entry.source;
+    }
+
+  private:
+    static constexpr int bits = 6;
+    struct Entry {
+        double time = std::numeric_limits<double>::quiet_NaN(), source = 0.0;  // s, mm
+    };
+    std::array<Entry, 1 << bits> entries_;
+};
+
 BleedField::BleedField(const Surface& surface, glm::dvec3 down)
     : surface_(surface),
       longest_edge_(longest_edge(surface)),
@@ -40,6 +64,8 @@ BleedField::BleedField(const Surface& surface, glm::dvec3 down)
       clearing_(surface, down),
       surface_values_(surface.positions.size(), glm::vec2(dry_, 0.0f)),
       settled_values_(surface_values_),
+      ended_(surface.positions.size(), dry_),
+      places_(surface.positions.size()),
       anew_(surface.positions),
       settled_anew_(surface.positions),
       values_(surface.weld.size(), glm::vec2(dry_, 0.0f)),
@@ -67,6 +93,8 @@ void BleedField::set_parameters(const BleedingParameters& parameters, unsigned c
         std::fill(surface_values_.begin(), surface_values_.end(), glm::vec2(dry_, 0.0f));
         std::fill(settled_values_.begin(), settled_values_.end(), glm::vec2(dry_, 0.0f));
         std::fill(values_.begin(), values_.end(), glm::vec2(dry_, 0.0f));
+        ended_.reset(dry_);
+        stale_ = true;
         changed_.mark_all();
         amount_.mark_all();  // nothing else shows where blood was removed
     }
@@ -103,7 +131,9 @@ void BleedField::set_wounds(std::span<const Wound> wounds) {
     if (wounds.size() >= bleeders_.size() && in_place()) {
         for (std::uint32_t i = 0; i < bleeders_.size(); ++i) {
             if (status_[i].wound == wounds[i]) continue;
-            if (bleeders_[i].is_settled)
+            if (bleeders_[i].has_ended)
+                stale_ = true;
+            else if (bleeders_[i].is_settled)
                 activate(i);
             else  // the flow since a clearing may also be smaller now
                 for_each_reached(bleeders_[i], [&](const Reached& at) { anew_.add(at.vertex); });
@@ -132,6 +162,11 @@ void BleedField::set_wounds(std::span<const Wound> wounds) {
     }
     bleeders_.reserve(wounds.size());
     for (std::size_t i = bleeders_.size(); i < wounds.size(); ++i) add_bleeder(wounds[i], new_front(wounds[i]));
+}
+
+void BleedField::set_clearing(const tool::Log& log) {
+    clearing_.set(log);
+    if (clearing_.unfinished_since() < ended_.since()) stale_ = true;  // those wounds may still have flowed
 }
 
 void BleedField::set_strength(const FactorCurve& strength) {
@@ -192,7 +227,8 @@ void BleedField::look(Bleeder& b, double time) noexcept {
     b.clot = clot;
     b.source = source_of(b, flowed);
     b.falls = clots || b.source < before;
-    b.writes = b.falls || b.source != before || refills(b, flowed);
+    b.spreads = b.falls || b.source != before;
+    b.writes = b.spreads || refills(b, flowed);
     b.flowed = flowed;
 }
 
@@ -221,20 +257,26 @@ void BleedField::update(double time) noexcept {
 void BleedField::write_anew(double time) noexcept {
     anew_.clear();
     settled_anew_.clear();
-    for (const std::uint32_t v : touched_.points()) settled_values_[v] = kept_at(v);
+    ended_.reset(touched_.points());
     active_.clear();
+    clotted_.clear();
     for (std::uint32_t i = 0; i < bleeders_.size(); ++i) {
         Bleeder& b = bleeders_[i];
         look(b, time);
         b.cleared = never_cleared;
         // Where something was cleared, only writing shows it.
         b.is_settled = has_settled(b, time) && (b.clot == 1.0f || !clearing_.any());
+        b.has_ended = false;
         march(b);
-        if (b.is_settled)
-            write(b, settled_values_);
-        else
+        if (!b.is_settled)
             active_.push_back(i);
+        else if (b.clot == 1.0f)
+            clotted_.push_back(i);
     }
+    end_clotted();
+    for (const std::uint32_t v : touched_.points()) settle_anew(v);
+    for (Bleeder& b : bleeders_)
+        if (b.is_settled && !b.has_ended) write(b, settled_values_);
     for (const std::uint32_t v : touched_.points()) surface_values_[v] = settled_values_[v];
     written_.assign(touched_.points().begin(), touched_.points().end());
     for (const std::uint32_t i : active_) write(bleeders_[i], surface_values_);
@@ -253,8 +295,9 @@ void BleedField::unsettle_cleared(double time) noexcept {
         Bleeder& b = bleeders_[i];
         if (!b.is_settled || b.clot == 1.0f || !b.box.meets(cleared)) continue;
         look(b, time);
+        Refills refills;
         for_each_reached(b, [&](const Reached& at) {
-            if (settled_anew_.has(at.vertex)) value_at(b, at);
+            if (settled_anew_.has(at.vertex)) value_at(b, at, refills, lowest, ever);
         });
         if (!has_settled(b, time)) activate(i);
     }
@@ -262,10 +305,11 @@ void BleedField::unsettle_cleared(double time) noexcept {
 
 /// What has changed since the last time, at the places where it has.
 void BleedField::write_changes(double time) noexcept {
-    for (const std::uint32_t v : settled_anew_.vertices()) settled_values_[v] = kept_at(v);
+    for (const std::uint32_t v : settled_anew_.vertices()) settle_anew(v);
     if (!settled_anew_.empty())
         for (Bleeder& b : bleeders_)
-            if (b.is_settled && b.box.meets(settled_anew_.box())) write(b, settled_values_, settled_anew_);
+            if (b.is_settled && !b.has_ended && b.box.meets(settled_anew_.box()))
+                write(b, settled_values_, settled_anew_);
     for (const std::uint32_t i : active_) {
         Bleeder& b = bleeders_[i];
         if (b.falls) for_each_reached(b, [&](const Reached& at) { anew_.add(at.vertex); });
@@ -274,12 +318,16 @@ void BleedField::write_changes(double time) noexcept {
         surface_values_[v] = settled_values_[v];
         written_.push_back(v);
     }
+    places_.forget();
     for (const std::uint32_t i : active_) {
         Bleeder& b = bleeders_[i];
         const bool is_wiped = !anew_.empty() && b.box.meets(anew_.box());
         if (b.writes || is_wiped) {
             march(b);
-            write(b, surface_values_);
+            if (b.spreads)
+                write(b, surface_values_);
+            else
+                write_refill(b);
         }
         tell(i, time);
     }
@@ -298,13 +346,45 @@ void BleedField::activate(std::uint32_t number) noexcept {
     });
 }
 
+/// Wounds that have settled by clotting go to the blood that has ended, as soon as no sweep is left that their flow
+/// could answer to.
+void BleedField::end_clotted() noexcept {
+    constexpr double rounding = 1e-6;  // s; a sum of times may be too early by this
+    const auto end_of = [&](const Bleeder& b) { return wound_of(b).stop + parameters_.coagulation_time + rounding; };
+    if (clotted_.empty()) return;
+    const double until = clearing_.unfinished_since();
+    double latest = EndedBlood::never;
+    for (const std::uint32_t i : clotted_)
+        if (const double end = end_of(bleeders_[i]); end <= until) latest = std::max(latest, end);
+    ended_.advance(latest, clearing_);
+    std::erase_if(clotted_, [&](std::uint32_t i) {
+        Bleeder& b = bleeders_[i];
+        if (!b.is_settled) return true;
+        if (end_of(b) > until) return false;
+        b.has_ended = true;
+        Refills refills;
+        for_each_reached(
+            b, [&](const Reached& at) { ended_.add(at.vertex, value_at(b, at, refills, lowest, ended_.since())); });
+        return true;
+    });
+}
+
+/// The settled value of a place without the wounds that are written one by one.
+void BleedField::settle_anew(std::uint32_t vertex) noexcept {
+    glm::vec2& at = settled_values_[vertex] = kept_at(vertex);
+    if (const float value = ended_.at(vertex, clearing_); value > at.x) at = {value, 1.0f};
+}
+
 void BleedField::settle(double time) noexcept {
     std::erase_if(active_, [&](std::uint32_t i) {
         Bleeder& b = bleeders_[i];
         b.is_settled = has_settled(b, time);
-        if (b.is_settled) write(b, settled_values_);
-        return b.is_settled;
+        if (!b.is_settled) return false;
+        write(b, settled_values_);
+        if (b.clot == 1.0f) clotted_.push_back(i);
+        return true;
     });
+    end_clotted();
 }
 
 /// The state of a wound, from what has been written, because writing notes where its blood was cleared.
@@ -381,26 +461,78 @@ void BleedField::march(Bleeder& b) noexcept {
 
 void BleedField::write(Bleeder& b, Layer& layer) noexcept {
     b.cleared = never_cleared;
-    for_each_reached(b, [&](const Reached& at) { put_value(b, at, layer); });
+    Refills refills;
+    for_each_reached(b, [&](const Reached& at) { put_value(b, at, layer, refills); });
 }
 
 void BleedField::write(Bleeder& b, Layer& layer, const Region& within) noexcept {
+    Refills refills;
     for_each_reached(b, [&](const Reached& at) {
-        if (within.has(at.vertex)) put_value(b, at, layer);
+        if (within.has(at.vertex)) put_value(b, at, layer, refills);
     });
 }
 
+/// Of a wound whose blood has not spread since it was written: where anything else can have changed.
+void BleedField::write_refill(Bleeder& b) noexcept {
+    b.cleared = never_cleared;
+    Refills refills;
+    for_each_reached(b, [&](const Reached& at) {
+        const ClearedPlace* place = places_.at(at.vertex, [&] { return place_at(at.vertex); });
+        if (place != nullptr && may_raise(b, at, *place, refills)) put_value(b, at, surface_values_, refills);
+    });
+}
+
+std::optional<ClearedPlace> BleedField::place_at(std::uint32_t vertex) const noexcept {
+    if (!clearing_.is_capped(vertex) && !anew_.has(vertex)) return std::nullopt;
+    ClearedPlace place;
+    const float beyond = std::nextafter(surface_values_[vertex].x, lowest);
+    clearing_.from_latest(vertex, [&](const Clearing::Cap& cap) {
+        place.latest = std::max(place.latest, cap.time);
+        place.earliest = std::min(place.earliest, cap.time);
+        place.limit = std::min(place.limit, cap.cap);
+        return place.limit > beyond;
+    });
+    return place;
+}
+
+/// False where neither what the clearings have left of the wound's blood nor what has flowed since can be more than
+/// what lies there, and it is known already when blood of the wound was removed.
+bool BleedField::may_raise(const Bleeder& b, const Reached& at, const ClearedPlace& place,
+                           Refills& refills) const noexcept {
+    if (place.latest > b.cleared) return true;
+    const float beyond = beyond_of(b, surface_values_[at.vertex]);
+    // Outside the reach of a source values are lower than this.
+    const auto at_most = [&](double source) { return static_cast<float>(source) - at.distance; };
+    if (std::min(at_most(b.source), place.limit) > beyond) return true;
+    constexpr float rounding = 1e-4f;  // mm; two flows may differ by less than their digits hold
+    return at_most(refilled(b, place.earliest, refills)) > beyond - rounding;
+}
+
+/// How far the blood of a wound has come again since a clearing, mm.
+double BleedField::refilled(const Bleeder& b, double cleared, Refills& refills) const noexcept {
+    return refills.at(cleared,
+                      [&] { return source_of(b, b.flowed - flow(wound_of(b), parameters_, cleared, strength_)); });
+}
+
+/// What the value of a wound has to be above to be put where `there` lies: of equal values that of the fresher blood
+/// counts.
+float BleedField::beyond_of(const Bleeder& b, const glm::vec2& there) noexcept {
+    return b.clot < there.y ? std::nextafter(there.x, lowest) : there.x;
+}
+
 /// The larger value counts; of equal values that of the fresher blood.
-void BleedField::put_value(Bleeder& b, const Reached& to, Layer& layer) noexcept {
-    const float value = std::max(value_at(b, to), dry_);
+void BleedField::put_value(Bleeder& b, const Reached& to, Layer& layer, Refills& refills) noexcept {
     glm::vec2& at = layer[to.vertex];
+    const float value = std::max(value_at(b, to, refills, beyond_of(b, at), ever), dry_);
     if (value < at.x || (value == at.x && b.clot >= at.y)) return;
     at = {value, b.clot};
     if (&layer == &surface_values_) written_.push_back(to.vertex);
 }
 
-/// The value of one wound. A clearing caps earlier blood but not later flow. Notes when blood of the wound was removed.
-float BleedField::value_at(Bleeder& b, const Reached& at) const noexcept {
+/// The value of one wound with what was cleared before a time; one that is not above `beyond` may be any such. A
+/// clearing caps earlier blood but not later flow. Notes when blood of the wound was removed.
+float BleedField::value_at(Bleeder& b, const Reached& at, Refills& refills, float beyond,
+                           double before) const noexcept {
     const auto value_of = [&](double source) {
         if (source <= 0.0) return dry_;
         const float reach = static_cast<float>(source), inside = reach - at.distance;
@@ -408,13 +540,22 @@ float BleedField::value_at(Bleeder& b, const Reached& at) const noexcept {
     };
     const float whole = value_of(b.source);
     if (!clearing_.any()) return whole;
-    float value = whole;
-    clearing_.for_each(at.vertex, [&](const Clearing::Cap& cap) {
-        const double since = b.flowed - flow(wound_of(b), parameters_, cap.time, strength_);
-        value = std::max(std::min(value, cap.cap), value_of(source_of(b, since)));
+    // From the latest clearing back: what has flowed since each one, below all that came after it.
+    float value = std::numeric_limits<float>::lowest(), limit = std::numeric_limits<float>::max();
+    const auto matters = [&] { return limit > value && value < whole && limit > beyond; };
+    clearing_.from_latest(at.vertex, [&](const Clearing::Cap& cap) {
+        if (!(cap.time < before)) return true;
+        if (matters()) {
+            const double since = refilled(b, cap.time, refills);
+            // Outside its reach a value is lower than this: the division is saved.
+            if (static_cast<float>(since) - at.distance > beyond)
+                value = std::max(value, std::min(value_of(since), limit));
+            limit = std::min(limit, cap.cap);
+        }
         if (cap.cap < whole) b.cleared = std::max(b.cleared, cap.time);
+        return matters() || cap.time > b.cleared;
     });
-    return value;
+    return std::max(value, std::min(whole, limit));
 }
 
 void BleedField::publish() noexcept {

@@ -9,18 +9,23 @@
 // the place fills again from the wound outwards.
 //
 // Work is proportional to what changes. A wound that has clotted, or whose blood covers its whole extent, is settled:
-// its values are kept in a separate layer, and it is examined again only when the tool reaches its blood. While blood
-// grows, only growing wounds are written; where blood is removed or draws together, only the wounds that reach there.
+// its values are kept in a separate layer, and it is examined again only when the tool reaches its blood; not even then
+// if it has clotted, since such wounds are one layer (ended_blood.h). While blood grows, only growing wounds are
+// written; where blood is removed or draws together, only the wounds that reach there, and a wound that only fills
+// again what was cleared is written where something was.
 // One thread at a time.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "bleeding/bleeding.h"
+#include "bleeding/cleared_places.h"
 #include "bleeding/clearing.h"
+#include "bleeding/ended_blood.h"
 #include "bleeding/front.h"
 #include "bleeding/region.h"
 #include "bleeding/wound.h"
@@ -51,7 +56,7 @@ class BleedField final : public Bleeding {
     void set_wounds(std::span<const Wound> wounds) override;
     /// Both, for callers who do not know what has changed: it is found here.
     void set(std::span<const Wound> wounds, const BleedingParameters& parameters);
-    void set_clearing(const tool::Log& log) override { clearing_.set(log); }
+    void set_clearing(const tool::Log& log) override;
     void set_strength(const FactorCurve& strength) override;
     void replace(Bleeding& former) override;
     void keep(const Bleeding& former, std::span<const std::uint32_t> sources, double time) override;
@@ -85,13 +90,16 @@ class BleedField final : public Bleeding {
         double flowed = 0.0;             // mm, the same without the bound
         double cleared = never_cleared;  // time of the latest clearing that has removed blood of it, s, as written
         float clot = 0.0f;
-        bool writes = false,
-             falls = false;  // whether the last look at it changed anything, and whether it lowered a value
+        // Whether the last look at it changed anything, whether that was more than what fills again, and whether it
+        // lowered a value.
+        bool writes = false, spreads = false, falls = false;
         bool is_settled = false;
-        std::size_t rings = 0;  // of the front, as written
-        Box box{};              // around every place ever written
-        std::size_t boxed = 0;  // rings
+        bool has_ended = false;  // and its blood is in ended_
+        std::size_t rings = 0;   // of the front, as written
+        Box box{};               // around every place ever written
+        std::size_t boxed = 0;   // rings
     };
+    class Refills;
     const Wound& wound_of(const Bleeder& bleeder) const { return status_[bleeder.number].wound; }
     void run_again();
     void add_bleeder(const Wound& wound, Front front);
@@ -100,6 +108,8 @@ class BleedField final : public Bleeding {
     bool refills(const Bleeder& bleeder, double flowed) const noexcept;
     double source_of(const Bleeder& bleeder, double flowed) const noexcept;
     void look(Bleeder& bleeder, double time) noexcept;
+    void end_clotted() noexcept;
+    void settle_anew(std::uint32_t vertex) noexcept;
     void activate(std::uint32_t bleeder) noexcept;
     void write_anew(double time) noexcept;
     void write_changes(double time) noexcept;
@@ -113,8 +123,14 @@ class BleedField final : public Bleeding {
     void march(Bleeder& bleeder) noexcept;
     void write(Bleeder& bleeder, Layer& layer) noexcept;
     void write(Bleeder& bleeder, Layer& layer, const Region& within) noexcept;
-    void put_value(Bleeder& bleeder, const Reached& at, Layer& layer) noexcept;
-    float value_at(Bleeder& bleeder, const Reached& at) const noexcept;
+    void write_refill(Bleeder& bleeder) noexcept;
+    std::optional<ClearedPlace> place_at(std::uint32_t vertex) const noexcept;
+    bool may_raise(const Bleeder& bleeder, const Reached& at, const ClearedPlace& place,
+                   Refills& refills) const noexcept;
+    double refilled(const Bleeder& bleeder, double cleared, Refills& refills) const noexcept;
+    static float beyond_of(const Bleeder& bleeder, const glm::vec2& there) noexcept;
+    void put_value(Bleeder& bleeder, const Reached& at, Layer& layer, Refills& refills) noexcept;
+    float value_at(Bleeder& bleeder, const Reached& at, Refills& refills, float beyond, double before) const noexcept;
     void tell(std::uint32_t bleeder, double time) noexcept;
     void publish() noexcept;
 
@@ -128,11 +144,14 @@ class BleedField final : public Bleeding {
     FrontRoom room_;
     Clearing clearing_;
     std::vector<Bleeder> bleeders_;
-    std::vector<std::uint32_t> active_;  // bleeders that are not settled
+    std::vector<std::uint32_t> active_;   // bleeders that are not settled
+    std::vector<std::uint32_t> clotted_;  // those that have settled by clotting and do not count as ended yet
     double updated_ = 0.0;
     std::vector<WoundStatus> status_;  // per bleeder
     Layer surface_values_;
     Layer settled_values_;           // values of kept blood, and of settled bleeders
+    EndedBlood ended_;               // of bleeders that have_ended
+    ClearedPlaces places_;           // of surface_values_, in the update that runs
     Region anew_, settled_anew_;     // where surface_values_ and settled_values_ have to be computed again
     std::vector<glm::vec2> values_;  // per organ vertex; always as many
     DrawnArray drawn_{.data = values_.data(), .count = values_.size(), .stride = sizeof(glm::vec2)};

@@ -96,6 +96,13 @@ std::span<Clearing::Sweep> Clearing::between(double from, double to) noexcept {
     return {begin, end};
 }
 
+double Clearing::unfinished_since() const noexcept {
+    double since = stale_from_;
+    for (auto s = sweeps_.rbegin(); s != sweeps_.rend() && s->latest_end + held_on > updated_; ++s)
+        if (!s->is_over) since = std::min(since, s->contact.time);
+    return since;
+}
+
 bool Clearing::update(double time) noexcept {
     const double before = std::min(time, updated_), after = std::max(time, updated_);
     const std::span<const Sweep> reached = between(before, after);
@@ -146,29 +153,19 @@ void Clearing::Layer::clear() noexcept {
     caps.clear();
 }
 
-/// Keeps the list of a vertex in order of time with rising caps: a cap is dropped when a later one is not above it.
+/// Keeps the list of a vertex from the latest back, with falling caps: a cap is dropped when a later one is not above
+/// it.
 void Clearing::Layer::insert(std::uint32_t vertex, double time, float cap) {
     std::uint32_t* link = &heads[vertex];
-    std::uint32_t free = 0;  // to a dropped one
     if (*link == 0) vertices.push_back(vertex);
-    while (*link != 0) {
-        Cap& other = caps[*link - 1];
-        if (other.time <= time) {
-            if (other.cap >= cap) {
-                free = *link;
-                *link = other.next;
-                continue;
-            }
-        } else {
-            if (cap >= other.cap) return;
-            break;
-        }
-        link = &other.next;
-    }
-    const std::uint32_t after = *link, at = free != 0 ? free : static_cast<std::uint32_t>(caps.size()) + 1;
+    for (; *link != 0 && caps[*link - 1].time > time; link = &caps[*link - 1].next)
+        if (cap >= caps[*link - 1].cap) return;
+    std::uint32_t before = *link, free = 0;  // free: a link to a dropped one
+    for (; before != 0 && caps[before - 1].cap >= cap; before = caps[before - 1].next) free = before;
+    const std::uint32_t at = free != 0 ? free : static_cast<std::uint32_t>(caps.size()) + 1;
     *link = at;  // before the list grows, because the link may be inside it
     if (free == 0) caps.emplace_back();
-    caps[at - 1] = {time, cap, after};
+    caps[at - 1] = {time, cap, before};
 }
 
 }  // namespace lapfx::bleeding

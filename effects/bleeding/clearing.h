@@ -24,12 +24,12 @@ class Clearing {
     static constexpr double cap_slope = 3.0;  // mm of cap per mm outside the reach
     static constexpr double rim = 6.0;        // mm outside the reach up to which there is a cap
 
-    /// A clearing at one place. Several at one place are in order of time, with rising caps: a cap is left out when a
-    /// later one is lower.
+    /// A clearing at one place. Several at one place are in order of time, the latest first, with falling caps: a cap
+    /// is left out when a later one is lower.
     struct Cap {
         double time;         ///< time at which it ended, s
         float cap;           ///< highest bleed value that earlier blood keeps, mm
-        std::uint32_t next;  ///< link to the next cap of the same place, in the list of its layer
+        std::uint32_t next;  ///< link to the cap before it of the same place, in the list of its layer
     };
 
     /// Keeps a reference to `surface`. `down`: unit; water runs that way.
@@ -49,15 +49,25 @@ class Clearing {
     /// Whether the last update() removed caps of finished sweeps; then everything has to be looked at again.
     bool changed_anywhere() const { return anew_; }
 
+    /// s; no sweep that is not over, or that was set since the last update(), begins before.
+    double unfinished_since() const noexcept;
+
     bool any() const { return !sweeps_.empty(); }
-    /// Calls visit(cap) for each cap of a place: first those of finished sweeps in order of time, then those of running
-    /// ones.
+    bool is_capped(std::uint32_t vertex) const { return over_.heads[vertex] != 0 || running_.heads[vertex] != 0; }
+    /// Surface vertices with caps of finished sweeps.
+    std::span<const std::uint32_t> finished_places() const { return over_.vertices; }
+    /// Calls visit(cap) for each cap of a place from the latest back: first those of running sweeps, then those of
+    /// finished ones. Of either, the rest is left out once visit() has answered false.
+    template <class Visit>
+    void from_latest(std::uint32_t vertex, Visit visit) const {
+        for (const Layer* layer : {&running_, &over_})
+            for (std::uint32_t link = layer->heads[vertex]; link != 0; link = layer->caps[link - 1].next)
+                if (!visit(layer->caps[link - 1])) break;
+    }
+    /// The same, all of them.
     template <class Visit>
     void for_each(std::uint32_t vertex, Visit visit) const {
-        for (const Layer* layer : {&over_, &running_}) {
-            for (std::uint32_t link = layer->heads[vertex]; link != 0; link = layer->caps[link - 1].next)
-                visit(layer->caps[link - 1]);
-        }
+        from_latest(vertex, [&](const Cap& cap) { return visit(cap), true; });
     }
 
   private:

@@ -4,7 +4,7 @@
 // second, cautery, cuts and suction in turns, whose blood has reached its extent. Then a tool is held for 2 s
 // 60 mm beside the strokes, with 1000 samples and 60 frames a second, and nothing is drawn. A cut is also measured
 // after strokes with clips instead of suction. The ratio is that of the tool with the largest one. Suction is also
-// measured 20 mm away, where it removes the blood of the history, so that each of those wounds costs time. Scene:
+// measured 20 mm away, where it removes the blood of the history, which wounds that still flow fill again. Scene:
 // AmountsModel with the organ prepared, from setting preset and events to the last of 1800 amounts.
 #include "bench/simulation/simulation.h"
 

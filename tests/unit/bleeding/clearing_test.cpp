@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -34,6 +35,7 @@ class ClearingTest : public testing::Test {
                 best = c;
         std::vector<Clearing::Cap> caps;
         clearing.for_each(best, [&](const Clearing::Cap& cap) { caps.push_back(cap); });
+        std::reverse(caps.begin(), caps.end());
         return caps;
     }
     /// The first cap, mm; 1000 where there is none.

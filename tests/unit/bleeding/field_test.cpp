@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <random>
 
@@ -422,6 +423,69 @@ TEST(Field, ALongSessionIsAtEachFrameAsIfItWereWorkedOutAnew) {
         EXPECT_GT(emptied, 10) << "the tool takes blood away";
         EXPECT_GT(refilled, 10);
     }
+}
+
+/// Wounds that have clotted are one layer. What a tool takes of them, long before, between and long after their ends,
+/// and while one ends, is at each frame what it would take of each wound if it were alone.
+TEST(Field, OldBloodOfManyWoundsIsTheLargestOfEach) {
+    const Surface surface(test::plane(40.0, 40));
+    BleedingParameters b = plain();
+    b.coagulation_time = 1.0;
+    b.max_extent = 9.0;
+    b.noise_strength = 1.5;
+    b.irrigation_radius = 3.0;
+    std::vector<Wound> wounds;
+    for (int i = 0; i < 9; ++i)
+        wounds.push_back({.position = {3.0 * (i % 3) - 3.0, 0.0, 3.0 * std::floor(i / 3) - 3.0},
+                          .start = 0.4 * i,
+                          .strength = 0.5 + 0.1 * i,
+                          .stop = i == 8 ? std::numeric_limits<double>::infinity() : 2.0 + 1.7 * i});
+    std::vector<ToolContact> contacts = {
+        {.action = ToolAction::suction, .time = 3.0, .duration = 1.0, .position = {-6, 0, 0}, .to = {-4, 0, 0}},
+        {.action = ToolAction::irrigation, .time = 6.0, .duration = 0.1, .position = {-9, 0, 2}, .to = {40, 0, 2}},
+        {.action = ToolAction::suction, .time = 12.0, .duration = 0.5, .position = {0, 0, 8}, .to = {3, 0, 8}},
+        {.action = ToolAction::suction, .time = 30.0, .duration = 3.0, .position = {6, 0, 0}, .to = {-6, 0, 3}},
+    };
+    tool::Log log;
+    BleedField all(surface, down);
+    std::vector<std::unique_ptr<BleedField>> alone;
+    for (std::size_t i = 0; i < wounds.size(); ++i) alone.push_back(std::make_unique<BleedField>(surface, down));
+    int capped = 0;
+    const auto compare_at = [&](double time) {
+        all.update(time);
+        for (const auto& one : alone) one->update(time);
+        for (std::uint32_t v = 0; v < surface.positions.size(); ++v) {
+            glm::vec2 largest = alone[0]->surface_values()[v];
+            for (const auto& one : alone) {
+                const glm::vec2 value = one->surface_values()[v];
+                if (value.x > largest.x || (value.x == largest.x && value.y < largest.y)) largest = value;
+            }
+            ASSERT_EQ(all.surface_values()[v], largest) << time << ", vertex " << v;
+            capped += largest.x > all.dry() && largest.y == 1.0f;
+        }
+    };
+    const auto tell = [&](std::size_t known) {
+        log.update(std::span(contacts).first(known));
+        all.set(wounds, b);
+        all.set_clearing(log);
+        for (std::size_t i = 0; i < wounds.size(); ++i) {
+            alone[i]->set(std::span(wounds).subspan(i, 1), b);
+            alone[i]->set_clearing(log);
+        }
+    };
+    for (double time = 0.0; time < 36.0; time += 0.3) {
+        if (time > 6.0 && time < 16.0) contacts[1].duration = time - 6.0;           // held on, and slower and slower
+        tell(time < 3.0 ? 0 : time < 6.1 ? 1 : time < 20.0 ? 2 : contacts.size());  // some are told of late
+        ASSERT_NO_FATAL_FAILURE(compare_at(time));
+        BleedField fresh(surface, down);
+        fresh.set(wounds, b);
+        fresh.set_clearing(log);
+        fresh.update(time);
+        ASSERT_TRUE(std::equal(fresh.values().begin(), fresh.values().end(), all.values().begin())) << time;
+    }
+    EXPECT_GT(capped, 1000) << "clotted blood is left";
+    ASSERT_NO_FATAL_FAILURE(compare_at(9.0)) << "back to before some ended";
+    ASSERT_NO_FATAL_FAILURE(compare_at(33.5));
 }
 
 TEST(Field, ThousandsOfWoundsEachCount) {
