@@ -6,6 +6,7 @@
 #include "commands/help_tour.h"
 #include "commands/session.h"
 #include "lapfx/authoring/formats.h"
+#include "lapfx/authoring/letters.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
 #include "lapfx/tool.h"
@@ -27,9 +28,7 @@ std::string facts_of(const Parameter& row, const void* owner) {
 
 /// "no smoke" as "No smoke."
 std::string sentence(std::string_view words) {
-    std::string text(words);
-    if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
-    return text + '.';
+    return upper_first(std::string(words)) + '.';
 }
 
 std::string joined(const std::string& parent, std::string_view key) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lapfx/authoring/formats.h"
+#include "lapfx/authoring/letters.h"
 #include "lapfx/authoring/picture.h"
 #include "lapfx/error.h"
 #include "output/files.h"
@@ -112,9 +113,8 @@ bool is_sequence_name(const fs::path& path) {
     const std::string name = path.filename().string();
     const std::optional<NumberPlace> number = number_in(name);
     if (!number || number->digits.size() > 2 || name.find('%', number->end) != std::string::npos) return false;
-    std::string ending = name.substr(std::max(number->end, name.size() - std::min<std::size_t>(name.size(), 4)));
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return ending == ".png";
+    const std::string ending = name.substr(std::max(number->end, name.size() - std::min<std::size_t>(name.size(), 4)));
+    return same_letters(ending, ".png");
 }
 
 bool is_picture_name(const fs::path& path) {

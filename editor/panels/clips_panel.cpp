@@ -2,7 +2,6 @@
 // added.
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 #include "app/base/file_chooser.h"
@@ -11,6 +10,7 @@
 #include "app/editor.h"
 #include "app/files/files.h"
 #include "lapfx/authoring/clip_roles.h"
+#include "lapfx/authoring/letters.h"
 #include "lapfx/authoring/smoke_notes.h"
 #include "panels/clip_parameters.h"
 #include "panels/panels.h"
@@ -355,10 +355,8 @@ void nothing_yet(ui::Ui& ui) {
 
 /// Kinds of smoke that no clip shows.
 void left_out(ui::Ui& ui, const document::Document& document) {
-    for (std::string note : smoke_notes(document.preset().smoke)) {
-        note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));
-        ui::label(ui, ui.copy(note + "."), {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
-    }
+    for (const std::string& note : smoke_notes(document.preset().smoke))
+        ui::label(ui, ui.copy(upper_first(note) + "."), {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
 }
 
 /// Files dropped anywhere on the panel.

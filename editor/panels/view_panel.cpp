@@ -14,6 +14,7 @@
 #include "app/reference/plate.h"
 #include "app/reference/reference.h"
 #include "document/words.h"
+#include "lapfx/authoring/letters.h"
 #include "lapfx/authoring/table_walk.h"
 #include "panels/band_strip.h"
 #include "panels/missing_texture.h"
@@ -586,10 +587,8 @@ void add_tool_commands(app::Editor& editor) {
     };
     add("look", '0', 0, "The left button turns the view");
     for (const ToolActionRow& row : tool_actions) {
-        std::string help(row.help);
-        help[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(help[0])));
         add(row.key, row.shortcut, 1 + static_cast<int>(row.action),
-            help + ". Hold it on the organ to use it there; an event records it");
+            upper_first(std::string(row.help)) + ". Hold it on the organ to use it there; an event records it");
     }
 }
 

@@ -42,8 +42,7 @@ std::string name_of_file(const fs::path& file) {
     std::string name = file.stem().string();
     if (name.ends_with(".scene")) name.resize(name.size() - 6);
     std::replace(name.begin(), name.end(), '_', ' ');
-    if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
-    return name;
+    return upper_first(std::move(name));
 }
 
 /// What the document on the disk is called; empty: there is none.

@@ -35,11 +35,6 @@ std::string color_text(const glm::dvec3& color) {
     return exact ? hex : numbers;
 }
 
-std::string sentence(std::string text) {
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
-}
-
 std::string without(std::string_view text, std::string_view end) {
     return std::string(text.ends_with(end) ? text.substr(0, text.size() - end.size()) : text);
 }
@@ -56,7 +51,7 @@ std::string tip_of(const ParameterEntry& entry) {
 }  // namespace
 
 std::string tip_text(const Parameter& row, const void* defaults) {
-    std::string tip = std::string(row.help) + (row.help.empty() ? "" : "\n") + sentence(row.expected());
+    std::string tip = std::string(row.help) + (row.help.empty() ? "" : "\n") + upper_first(row.expected());
     if (counts(row) && row.unit.empty()) tip += ", no unit";
     const std::string standard = defaults != nullptr ? text_of(row, row.get(defaults)) : std::string();
     return standard.empty() ? tip : tip + "; " + standard + " by default";

@@ -19,6 +19,12 @@ inline std::string lower(std::string_view text) {
     return made;
 }
 
+/// "no smoke" as "No smoke": as a sentence begins.
+inline std::string upper_first(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
 /// Whether they are equal but for the case of letters.
 constexpr bool same_letters(std::string_view a, std::string_view b) noexcept {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char p, char q) { return lower(p) == lower(q); });
