@@ -27,7 +27,7 @@ class Body {
     /// is another one and the shader of that does not compile; a caller that has prepared the programs needs no care.
     void take(const Simulation& simulation);
     void set_seed(std::uint32_t seed) { seed_ = seed; }  ///< with the next take()
-    /// As Effects::set_shape.
+    /// Effects::set_shape() says what it does.
     void set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
     void set_overlay(Overlay overlay, const Simulation& simulation);
     void set_color(glm::vec3 linear) { organ_gpu_.set_color(linear); }

@@ -384,7 +384,7 @@ std::optional<OrganHit> Effects::pick(glm::dvec3 origin, glm::dvec3 direction) c
 }
 
 std::string bleeding_shader() {
-    // Without the #line marks: their file numbers mean nothing to a host.
+    // The text goes without the #line marks: their file numbers mean nothing to a host.
     std::istringstream lines(gl::shader_source(bleeding::shaders_of(bleeding::Model::spread).for_hosts).text);
     std::string text, line;
     while (std::getline(lines, line))

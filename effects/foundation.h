@@ -33,7 +33,7 @@ struct Foundation {
     organ::Unsplit unsplit;
     std::optional<organ::Plate> plate;  ///< the organ is one; its picture is the only image
     Surface surface;
-    organ::PixelList pixels;         ///< for each image; null where nobody needs the pixels
+    organ::PixelList pixels;         ///< each image has them; null where nobody needs the pixels
     bleeding::TissueDensity tissue;  ///< refers to `surface`; whoever changes it copies it first
 };
 
@@ -43,7 +43,7 @@ struct PreparedOrgan::State {
 
     Organ organ;
     std::shared_ptr<const Foundation> foundation;
-    // For prepare_organ(scene): the scene that it was made from.
+    // prepare_organ(scene) needs the scene that it was made from.
     std::optional<Organ> tool;
     organ::PixelList tool_pixels;  // the pixels of its images, which have none themselves
     Scene source;                  // without events and curves

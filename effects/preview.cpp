@@ -69,7 +69,7 @@ struct Preview::State {
     std::vector<glm::vec3> tool_end;  // of its vertices
     render::ViewBlock view_block;
     render::Frame frame;
-    gl::Texture plate_picture;  // for the frame, if there is a plate
+    gl::Texture plate_picture;  // the frame shows it, if there is a plate
 
     const std::optional<organ::Plate>& plate() const { return PreparedOrganAccess::state(*prepared).foundation->plate; }
 
@@ -83,7 +83,7 @@ struct Preview::State {
     SceneCamera camera(glm::ivec2 size) const {
         return through_plate() ? render::fitted(scene.camera, plate()->aspect, size) : scene.camera;
     }
-    /// With a plate the picture of the video already has its vignette.
+    /// A plate's picture of the video already has its vignette.
     void finish(unsigned framebuffer, const SceneCamera& seen, glm::ivec2 size) const noexcept {
         const auto exposure = static_cast<float>(seen.exposure);
         if (!through_plate())
@@ -316,7 +316,7 @@ void Preview::reload_shaders(const std::filesystem::path& folder) {
     gl::ShaderTrial trial(folder);
     std::vector<gl::Program> made;
     for (const gl::Program* program : own) made.push_back(program->rebuilt());
-    s.effects.reload_shaders(folder);  // from here on nothing throws
+    s.effects.reload_shaders(folder);  // nothing throws from here on
     for (std::size_t i = 0; i < own.size(); ++i) *own[i] = std::move(made[i]);
     trial.keep();
 }

@@ -84,7 +84,7 @@ void Simulation::put(const Curves& curves) {
     log_.set_power(curves.cautery_power);
 }
 
-/// For another gravity or model. What the tool has done is to be taken again.
+/// Another gravity or model needs it. What the tool has done is to be taken again.
 void Simulation::renew_blood() {
     auto renewed =
         bleeding::make_bleeding(bleeding::model_of(parameters_.bleeding), tissue_->foundation->surface, down_);

@@ -30,7 +30,7 @@
 
 namespace lapfx {
 
-/// Of a preset, what the simulation depends on: numbers alone. It does not know the clips.
+/// The simulation depends on these of a preset: numbers alone. It does not know the clips.
 struct SimulationParameters {
     SimulationParameters() = default;
     SimulationParameters(const Preset& preset)
@@ -123,7 +123,7 @@ class Simulation {
     tool::Log log_;
     FactorCurve bleeding_factor_, emission_factor_;
     std::unique_ptr<Tissue> tissue_;
-    std::vector<smoke::Emission> emissions_;  // of each part of the burns
+    std::vector<smoke::Emission> emissions_;  // each part of the burns has one
     smoke::HazeCurve haze_;
     double time_ = 0.0;
 };

@@ -4,7 +4,7 @@
 
 layout(location = 0) in vec3 a_position;  // mm: x along the clip, y away from the tissue
 layout(location = 1) in vec3 a_normal;
-layout(location = 2) in vec3 a_place;     // of the instance, mm, organ space
+layout(location = 2) in vec3 a_place;     // the instance lies there, mm, organ space
 layout(location = 3) in vec3 a_along;
 layout(location = 4) in vec3 a_up;
 

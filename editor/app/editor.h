@@ -128,7 +128,7 @@ class Editor {
     bool frame(double now, const std::function<void()>& build, const FrameOptions& options = {});
     /// A person did something, at the `now` of the frame() that follows: without a GPU the scene then gets less time.
     void touch(double now) { pace_.touch(now); }
-    /// While the UI is built: the one UI that this editor has; for commands that open dialogs.
+    /// Call it while the UI is built. It is the one UI that this editor has, for commands that open dialogs.
     void set_ui(ui::Ui& ui);
     ui::Ui& ui() { return *screen_.ui(); }
     ui::Clipboard* clipboard() const { return screen_.clipboard(); }  ///< null: there is none

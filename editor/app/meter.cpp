@@ -3,7 +3,7 @@
 namespace lapfx::app {
 
 void Meter::frame(double now, bool playing, bool drawn) {
-    constexpr double weight = 0.1;  // of a new frame in the mean
+    constexpr double weight = 0.1;  // a new frame has this share in the mean
     constexpr double look_every = 1;
     const double passed = now - last_;
     if (playing && played_ && drawn && passed > 0)

@@ -79,7 +79,7 @@ void add_fit(ContentHash& hash, const FitOptions& o) {
     hash.add_file(o.files.scene);
     const Scene scene = load_scene(o.files.scene);
     for (const fs::path& file : read_files(o.files, scene)) hash.add_file(file);
-    for (const std::string& mesh : {scene.organ.file, scene.tool.file})  // with the files that it names
+    for (const std::string& mesh : {scene.organ.file, scene.tool.file})  // the files that a scene names are read, too
         if (!mesh.empty())
             for (const PackedFile& file : pack_organ(named_path(scene.folder, mesh, Reach::anywhere)))
                 hash.add({reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()});
@@ -120,7 +120,7 @@ void bring_clips(const FitFiles& files, std::vector<fs::path>& brought) {
             if (fs::weakly_canonical(place, error) == fs::canonical(image, error)) continue;  // the file itself
             brought.push_back(place);
             if (is_same_file(image, place)) continue;
-            fs::remove(place, error);  // of a run before, with another clip
+            fs::remove(place, error);  // a run before may have left it, with another clip
             fs::create_directories(place.parent_path(), error);
             fs::create_hard_link(fs::canonical(image, error), place, error);
             if (error) write_file(place, read_file(image, std::numeric_limits<std::size_t>::max()));
@@ -151,7 +151,7 @@ void remove_files(const fs::path& folder) {
         fs::remove(folder / name, none);
 }
 
-/// With the folders that are empty then.
+/// Folders that are empty then go, too.
 void remove_clips(const fs::path& folder, const std::vector<fs::path>& brought) {
     std::error_code none;
     for (const fs::path& clip : brought) {

@@ -13,7 +13,7 @@ namespace lapfx::commands {
 struct BatchRunOptions {
     std::filesystem::path folder, results;  ///< of the items; what is written goes into a folder for each item
     FitOptions fit = {};                    ///< files.scene: with which videos are fitted; empty: they are measured
-    bool again = false;                     ///< also what is done
+    bool again = false;                     ///< items that are done are done again
 };
 
 /// Where an item's files are written.

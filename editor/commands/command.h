@@ -23,7 +23,7 @@ Verb help_verb();
 
 /// `lapfx` with all of them.
 Verb program();
-/// With these alone.
+/// The program has these verbs alone.
 Verb program_of(std::vector<Verb> verbs);
 
 /// What the help of the program says below its lists.

@@ -75,7 +75,7 @@ class Parser {
     }
 
     void parse(std::vector<std::string> arguments) {
-        std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+        std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
         app_.parse(std::move(arguments));
         for (const auto& [option, given] : given_) *given = *given || option->count() > 0;
     }

@@ -28,11 +28,11 @@ enum class Number { any, finite, above_0, whole };  ///< "nan" and "inf" are num
 struct Rules {
     bool required = false;
     bool shows_default = false;              ///< what is in `to` already is told as the default
-    bool one_each = false;                   ///< of a list: one value behind each name, which may be repeated
+    bool one_each = false;                   ///< a list has one value behind each name, which may be repeated
     char separator = 0;                      ///< of a list: between values behind one name; 0: none
     int count = 0;                           ///< of a list: exactly so many values; 0: one or more
-    Number number = Number::any;             ///< which numbers are allowed
-    std::optional<Range> range = {};         ///< of finite numbers; whole ones for an int
+    Number number = Number::any;             ///< only these numbers are allowed
+    std::optional<Range> range = {};         ///< finite numbers are within it; they are whole for an int
     std::vector<std::string> words = {};     ///< no others are allowed; empty: any
     std::vector<std::string> excludes = {};  ///< names of options that are not given beside it; they are added before
     bool* given = nullptr;                   ///< becomes true where it is on the command line

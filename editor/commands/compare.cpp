@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr int progress_steps = 100;
-constexpr double reference_part = 0.5;  // of the progress: measuring the reference
+constexpr double reference_part = 0.5;  // measuring the reference takes this share of the progress
 constexpr int format_version = 1;
 
 struct Options {

@@ -16,7 +16,7 @@ std::string bash_completion(const Verb& program);
 /// What a value may be.
 struct Values {
     std::vector<std::string> words;
-    std::vector<std::string> endings;  ///< of names of files; "" is that of all files, "/" are folders alone
+    std::vector<std::string> endings;  ///< names of files end so; "" fits all files, "/" folders alone
 };
 
 /// By what an option or an argument says that it takes: "dark|light", "FILE.json", "VIDEO", "KEY=VALUE" (nothing).

@@ -114,7 +114,7 @@ class MemoryLog {
 /// Jobs and compiled shaders fragment the heap: without trimming a tenth of it would never be returned.
 class HeapKeeper {
   public:
-    /// After each frame.
+    /// Call it after each frame.
     void tidy(bool busy) {
         constexpr std::chrono::seconds now_and_then{10}, at_most{2};  // jobs may be short and many
         const auto now = std::chrono::steady_clock::now();

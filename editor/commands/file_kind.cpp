@@ -39,7 +39,7 @@ FileKind kind_of(const FileFormat& format) {
     }
 }
 
-/// By the first bytes of the file, for a name that says nothing.
+/// The first bytes of the file tell it when its name says nothing.
 FileKind kind_by_content(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::string head(16, '\0');
@@ -59,7 +59,7 @@ bool is_sequence(const fs::path& file) {
     return !fs::exists(file, code) && file.filename().string().find('%') != std::string::npos;
 }
 
-/// Also of a file that does not exist yet; empty where it cannot be told.
+/// The file need not exist yet; empty where its place cannot be told.
 fs::path real_path(const fs::path& path) {
     std::error_code error;
     return fs::weakly_canonical(fs::absolute(path, error), error);

@@ -9,7 +9,7 @@ namespace lapfx::commands {
 enum class FileKind : std::uint8_t {
     organ,
     image,     ///< a picture that the core decodes as a texture
-    video,     ///< or numbered images (smoke_%04d.png), or another picture
+    video,     ///< numbered images (smoke_%04d.png) or another picture are one, too
     document,  ///< a preset or a scene
 };
 

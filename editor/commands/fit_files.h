@@ -9,7 +9,7 @@
 
 namespace lapfx::commands {
 
-/// By the names that were given; empty: none.
+/// The members are the names that were given; empty: none.
 struct FitFiles {
     std::string scene, reference, preset;           ///< are read
     std::string output, fitted_scene, csv, report;  ///< are written

@@ -21,7 +21,7 @@ namespace lapfx::commands {
 namespace {
 
 constexpr int progress_steps = 100;
-constexpr double reference_part = 0.3;  // of the progress: measuring the reference
+constexpr double reference_part = 0.3;  // measuring the reference takes this share of the progress
 
 using Clock = std::chrono::steady_clock;
 
@@ -186,7 +186,7 @@ FitRun run_fit(const FitOptions& given) {
     if (!files.report.empty()) {
         match::add_pictures(report, video, reference.aspect, curve, [&steps](double) {
             (void)steps.to(1.0);  // throws where it was interrupted
-            return true;          // not ended by the budget: what was found is to be shown
+            return true;          // the budget does not end this: what was found is to be shown
         });
         write_file(files.report, match::report_html(report));
     }

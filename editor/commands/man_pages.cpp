@@ -125,7 +125,7 @@ std::string command(const Verb& verb, const std::string& name, std::string_view 
     return words.examples.empty() ? out : out + heading(macro, "EXAMPLES") + words.examples;
 }
 
-/// Of the file or of other things that a topic is about.
+/// Section 5 has the topics about a file, section 7 the others.
 char section_of(const HelpTopic& topic) {
     return topic.name == "preset" || topic.name == "scene" ? '5' : '7';
 }

@@ -40,7 +40,7 @@ class SceneFiles {
 
 struct ShownScene {
     Scene scene;
-    std::vector<Preset> presets;       ///< at least one
+    std::vector<Preset> presets;       ///< there is at least one
     std::shared_ptr<ClipCache> clips;  ///< knows the clips of all presets
 };
 

@@ -34,7 +34,7 @@ std::size_t size_of(Kind kind) {
 }
 
 const void* value_of(const Parameter& row, const void* owner) {
-    return row.member(const_cast<void*>(owner));  // only the address is taken
+    return row.member(const_cast<void*>(owner));  // only an address is taken, nothing is written
 }
 
 bool is_text(const Parameter& row) {

@@ -74,7 +74,7 @@ class Delta {
 
     const Table* table_ = nullptr;
     std::vector<Change> changes_;
-    std::vector<std::filesystem::path> folders_;  ///< before and after; empty: they are the same
+    std::vector<std::filesystem::path> folders_;  ///< the folder before and the one after; empty: they are the same
 };
 
 }  // namespace lapfx::document

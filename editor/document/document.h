@@ -226,7 +226,7 @@ class Document {
                            const std::filesystem::path& to) const;
 
     Content content_;
-    Content settled_;  ///< as the last step left it: differs from content_ in an open gesture only
+    Content settled_;  ///< the last step left it so; it differs from content_ in an open gesture only
     Changed scene_changed_, preset_changed_;
     std::vector<std::filesystem::path> clip_folders_;
     std::uint64_t version_ = 1;

@@ -66,7 +66,7 @@ struct LeftBehind {
     std::filesystem::path folder;
     Lock lock;
     std::vector<std::filesystem::path> files;  ///< the newest first
-    std::int64_t time = 0;                     ///< of the newest, s since 1970, UTC
+    std::int64_t time = 0;                     ///< the newest was written at this time, s since 1970, UTC
 };
 
 /// The newest first.

@@ -19,7 +19,7 @@ constexpr std::size_t most_matched =
     400 * 400;  // cells of the table that matches elements; beyond it they are paired in order
 
 const void* element(const Table& list, const void* vector, std::size_t index) {
-    return list.list->at(const_cast<void*>(vector), index);  // only the address is taken
+    return list.list->at(const_cast<void*>(vector), index);  // only an address is taken, nothing is written
 }
 
 /// "Clip" for "Clips".

@@ -40,7 +40,7 @@ class VideoFile {
     VideoFile(const VideoFile&) = delete;
     VideoFile& operator=(const VideoFile&) = delete;
 
-    /// Of the size of the video (assert). Throws Error (runtime), such as for a full disk.
+    /// The image has the size of the video (assert). Throws Error (runtime), such as for a full disk.
     void add(const Image& image);
     /// Reads one frame back; called after the last frame was added. Returns false when all have been read, and they are
     /// as many and as large as those that were added. Throws Error (runtime).

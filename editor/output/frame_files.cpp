@@ -25,7 +25,7 @@ std::size_t hash_of(const cv::Mat& bgr) {
 /// Where a name has its number: "%04d".
 struct NumberPlace {
     std::size_t begin, end;
-    bool zeros;          ///< in front, where it is shorter than `digits` say; else blanks
+    bool zeros;          ///< a number that is shorter than `digits` say gets zeros in front; else blanks
     std::string digits;  ///< how long it is at least; may be empty
 };
 
@@ -91,7 +91,7 @@ class PngFiles : public FrameFiles {
     bool sequence_;
     glm::ivec2 size_;
     std::unique_ptr<Beside> beside_;
-    std::vector<std::size_t> hashes_;  ///< of the pixels that were added, for each picture
+    std::vector<std::size_t> hashes_;  ///< each picture has a hash of the pixels that were added
     std::size_t checked_ = 0;
     cv::Mat bgr_;
 };

@@ -50,7 +50,7 @@ std::vector<std::filesystem::path> LayerFiles::names(const std::filesystem::path
 }
 
 LayerFiles::~LayerFiles() {
-    for (auto& files : pictures_) files.reset();  // which leaves nothing
+    for (auto& files : pictures_) files.reset();  // files that are given up leave nothing
     std::error_code error;
     if (made_) std::filesystem::remove(folder_, error);
 }

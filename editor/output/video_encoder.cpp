@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double slowest = 0.001, fastest = 10'000;  // frames per second
-constexpr int largest_number = 65'535;               // of the fraction of a rate: MPEG-4 part 2 takes no larger one
+constexpr int largest_number = 65'535;               // MPEG-4 part 2 takes no larger number in the fraction of a rate
 constexpr int high_definition = 720;                 // rows from which BT.709 is assumed of a video without tags
 
 struct Free {
@@ -65,7 +65,7 @@ void set_up(AVCodecContext& c, std::string_view encoder, const QualityRow& quali
     c.pix_fmt = AV_PIX_FMT_YUV420P;
     if (encoder == "libx264") {
         av_opt_set_int(c.priv_data, "crf", quality.crf_h264, 0);
-        c.thread_count = 0;  // as many as x264 thinks right
+        c.thread_count = 0;  // x264 takes as many as it thinks right
     } else if (encoder == "libx265") {
         av_opt_set_int(c.priv_data, "crf", quality.crf_h265, 0);
         av_opt_set(c.priv_data, "x265-params", "log-level=none", 0);  // it does not print through FFmpeg
@@ -147,7 +147,7 @@ struct VideoEncoder::State {
     Owned<AVFormatContext> file;
     Owned<AVCodecContext> codec;
     Owned<SwsContext> scaler;
-    Owned<AVFrame> picture, frame;  ///< as it comes, and as it is encoded
+    Owned<AVFrame> picture, frame;  ///< the picture as it comes, and the frame as it is encoded
     Owned<AVPacket> packet = made(av_packet_alloc());
     AVStream* stream = nullptr;
     std::int64_t frames = 0;

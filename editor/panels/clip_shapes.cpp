@@ -19,8 +19,8 @@ namespace {
 
 using document::Content;
 
-constexpr double least_side = 0.005;  // of the frame, that a mask has
-constexpr double most_cut = 0.95;     // as the table's rule has it
+constexpr double least_side = 0.005;  // a mask is at least this part of the frame wide and high
+constexpr double most_cut = 0.95;     // the table's rule allows no more
 
 /// What is drawn below the handles, px of the screen.
 struct ShapesLook {

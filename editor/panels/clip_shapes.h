@@ -14,7 +14,7 @@ namespace lapfx::panels {
 struct ClipShapes {
     app::KeyingBench& bench;
     const Edited& edited;
-    std::size_t number;  ///< of the clip that the bench shows
+    std::size_t number;  ///< the bench shows the clip with this number
     /// `with`: a ClipShapes.
     static void build(ui::Ui& ui, const ui::View& view, void* with);
 };

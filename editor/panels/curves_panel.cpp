@@ -31,7 +31,7 @@ constexpr double roundest = 1000.0;                   // parts of a s, and of th
 constexpr double same_moment = 2e-3;                  // s; a point is there already
 constexpr float number_width = 7.5F;                  // em
 constexpr float least_height = 10, curve_height = 6;  // em
-constexpr double usual_high = 2.0;                    // of the value axis, until a point goes there
+constexpr double usual_high = 2.0;                    // the value axis ends here until a point goes beyond
 
 /// One curve as it is shown.
 struct ShownCurve {

@@ -305,7 +305,7 @@ void no_video(ui::Ui& ui, const MeasureParts& on) {
     if (ui::button(ui, "Sample reference", {.tip = "A video that comes with lapfx"})) on.reference.choose_sample();
 }
 
-/// In a small panel one scrolls from the picture to all else.
+/// One scrolls from the picture to all else in a small panel.
 void small(ui::Ui& ui, const MeasureParts& on, const ui::Rect& room) {
     const ui::ScrollArea area(ui, "Measured all", {.gap = 0.3F});
     {

@@ -13,13 +13,13 @@ namespace {
 using document::Content;
 
 constexpr std::size_t least_corners = 3;
-constexpr double least_side = 0.05;    // of the picture, as the table has it for the region
+constexpr double least_side = 0.05;    // the table allows no smaller part of the picture for the region
 constexpr float closing_reach = 0.9F;  // em around the first corner
 
 /// What is drawn below the handles, px of the screen: polygons one after the other.
 struct ShapesLook {
     std::span<const glm::vec2> corners;
-    std::span<const std::size_t> ends;  ///< of each polygon
+    std::span<const std::size_t> ends;  ///< each polygon has one
     std::span<const glm::vec2> drawn;   ///< the one that is being drawn, with the pointer as its last corner
     ui::Rect region;
 };

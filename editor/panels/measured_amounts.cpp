@@ -92,7 +92,7 @@ void one_plot(ui::Ui& ui, const AmountsParts& on, MeasuredPlots& plots, std::str
     std::size_t count = 0;
     const std::array<std::size_t, 4> sizes = {plot.reference.values().size(), plot.preview.values().size(),
                                               plot.fit.values().size(), plot.true_data.size()};
-    // With values three names would leave no room for the plot's own.
+    // Three names with values would leave no room for the plot's own.
     const bool with_values = !narrow || std::ranges::count(sizes, std::size_t{0}) >= 2;
     const auto add = [&](const char* title, const app::MeasuredCurve& curve, int of) {
         if (curve.values().size() == 0) return;

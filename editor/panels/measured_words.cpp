@@ -30,7 +30,7 @@ using match::Said;
 struct Words {
     std::uint64_t of_preview = 0, of_reference = 0, of_document = 0;
     std::vector<Clause> clauses;
-    std::vector<std::string> sentences;  ///< of each clause
+    std::vector<std::string> sentences;  ///< each clause has one
     match::Likeness likeness;
 };
 

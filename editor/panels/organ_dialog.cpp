@@ -234,7 +234,7 @@ class OrganDialog {
 void organ_dialog(ui::Ui& ui, app::OrganChoice& choice, ui::CommandTable& commands) {
     if (choice.take_asked()) ui::open_dialog(ui, dialog_name);
     ui::Dialog dialog(ui, dialog_name, "Load organ",
-                      {.width = 34, .height = 38});  // of a fixed size, so that its buttons do not move
+                      {.width = 34, .height = 38});  // the size is fixed, so that buttons do not move
     if (dialog.cancelled()) choice.give_up();
     if (!dialog) return;
     {

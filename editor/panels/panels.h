@@ -93,7 +93,7 @@ struct TimelineParts {
     Edited edited;
     app::Timeline& timeline;
     std::vector<std::size_t>& selected;  ///< of the scene's events
-    const app::ToolInHand& tool;         ///< of events that are added
+    const app::ToolInHand& tool;         ///< events that are added get its values
     const app::ToolHold& hold;
     const app::PreviewHost& preview;  ///< for their place
     const app::Measuring& measuring;  ///< for marks that it proposes
@@ -135,7 +135,7 @@ void scene_panel(ui::Ui& ui, const Edited& edited, const app::PreviewHost& previ
 // --- dialogs: nothing while they are closed --------------------------------------------------------------------------
 void organ_dialog(ui::Ui& ui, app::OrganChoice& choice, ui::CommandTable& commands);
 void export_dialog(ui::Ui& ui, app::Exports& exports, app::FileChooser& chooser, app::Notices& notices);
-void export_status(ui::Ui& ui, app::Exports& exports);  ///< in the status bar, while one runs
+void export_status(ui::Ui& ui, app::Exports& exports);  ///< the status bar shows it while an export runs
 void closing_dialog(ui::Ui& ui, app::Files& files);
 void recovery_dialog(ui::Ui& ui, app::Autosave& autosave, app::Files& files);
 void settings_dialog(ui::Ui& ui, app::Settings& settings, ui::CommandTable& commands);

@@ -33,7 +33,7 @@ struct Browsing {
     ui::Selection selection;
     std::uint64_t current = ui::no_key;  ///< the one that is open, as it was selected last
     std::uint64_t asked = ui::no_key;    ///< key of the preset that the question is about
-    std::uint64_t menu_of = ui::no_key;  ///< and of the one with the menu
+    std::uint64_t menu_of = ui::no_key;  ///< key of the preset that the menu is about
 };
 
 /// The number of the file with this key; ui::no_row where it is gone.

@@ -45,7 +45,7 @@ void take_dropped(app::Files& opens, std::string_view paths) {
     if (files.empty()) return;
     const std::filesystem::path first = files.front();
     if (app::is_organ_name(first) || app::is_document_name(first)) return opens.bring(files);
-    opens.bring_reference(files.front());  // if it is no video, the panel says so
+    opens.bring_reference(files.front());  // the panel says so if it is no video
 }
 
 void accept_drops(ui::Ui& ui, app::Files& files) {

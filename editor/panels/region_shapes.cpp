@@ -11,7 +11,7 @@ namespace {
 
 using document::Content;
 
-constexpr double least_side = 0.01;  // of the picture, as the table has it
+constexpr double least_side = 0.01;  // the table allows no smaller part of the picture
 
 /// Not finer than places are, and never below what the table allows.
 double side_between(double low, double high) {

@@ -35,7 +35,7 @@ struct TableRowOptions {
     bool locked = false;                    ///< shown with a lock
     bool favourite = false;                 ///< for the menu of a number
     ui::ParamActions* actions = nullptr;    ///< of the menu of a number
-    const ui::FileFilter* files = nullptr;  ///< of paths: what the dialog shows first
+    const ui::FileFilter* files = nullptr;  ///< the dialog of a path shows these first
 };
 
 /// One parameter. Gives the edit, which the document has already taken.

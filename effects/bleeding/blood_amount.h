@@ -51,7 +51,7 @@ class AmountSum {
     glm::dvec3 down_;
     organ::PointSet changed_;      // vertices since the last measure()
     organ::TriangleSums<2> sums_;  // area, volume
-    std::vector<Shape> shapes_;    // by the numbers of the triangles in sums_
+    std::vector<Shape> shapes_;    // the index is the triangle's number in sums_
 };
 
 }  // namespace lapfx::bleeding

@@ -100,7 +100,7 @@ class Clearing {
 
     const Surface& surface_;
     glm::dvec3 down_;
-    std::array<double, tool_action_count> reaches_;  // of each action, mm; 0: it clears nothing
+    std::array<double, tool_action_count> reaches_;  // each action has its reach, mm; 0: it clears nothing
     tool::Reader reader_;
     std::vector<Sweep> sweeps_;
     // Finished sweeps keep their caps as time advances: a frame costs only the running sweep.

@@ -128,7 +128,7 @@ DensityMap::Converted DensityMap::Source::convert() const {
     cv::cvtColor(rgb, converted, cv::COLOR_RGB2Lab);
     std::array<std::int16_t, 256> red, green;
     for (std::size_t i = 0; i < 256; ++i) {
-        const double light = linear_of_srgb(static_cast<double>(i) / 255.0), one = 1.0 - least_light;  // whose log is 0
+        const double light = linear_of_srgb(static_cast<double>(i) / 255.0), one = 1.0 - least_light;  // log(one) is 0
         red[i] = static_cast<std::int16_t>(std::lround(bleeding::redness(light, one) / redness_step));
         green[i] = static_cast<std::int16_t>(std::lround(bleeding::redness(one, light) / redness_step));
     }

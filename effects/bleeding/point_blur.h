@@ -27,7 +27,7 @@ class PointBlur {
         std::uint32_t begin = 0, end = 0;
     };
     struct Cell {
-        glm::dvec3 centre{0.0};  // of weight
+        glm::dvec3 centre{0.0};  // weight is centred here
         double weight = 0.0;
         std::uint32_t block = 0;
     };
@@ -38,7 +38,7 @@ class PointBlur {
     double deviation_;
     std::span<const glm::vec3> points_;
     std::span<const float> weights_;
-    std::vector<std::uint32_t> cell_of_;  // of each point, or none
+    std::vector<std::uint32_t> cell_of_;  // each point has its cell, or none
     std::vector<Cell> cells_;             // block by block
     std::vector<std::array<Run, 27>>
         neighbours_;  // per block, which is as wide as the Gaussian reaches: its cells and those around it

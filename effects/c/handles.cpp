@@ -29,7 +29,7 @@ std::size_t kind_of(std::uintptr_t number) {
 }
 
 struct Slot {
-    std::atomic<std::uintptr_t> number{0};  ///< of the handle that leads here; 0: none does
+    std::atomic<std::uintptr_t> number{0};  ///< a handle with this number leads here; 0: none does
     std::atomic<unsigned> holders{0};
     std::atomic<Object*> object{nullptr};
 };
@@ -50,7 +50,7 @@ struct FreeSlots {
     /// A new handle; its slot is not filled yet.
     std::uintptr_t take(Kind kind) {
         const std::lock_guard lock(mutex);
-        given_back.reserve(most_objects);  // so that giving back never fails
+        given_back.reserve(most_objects);  // giving back never fails then
         if (given_back.empty() && used_so_far == most_objects)
             throw Misuse(std::to_string(most_objects) + " objects are alive already: destroy those that are not used");
         std::size_t index = used_so_far;

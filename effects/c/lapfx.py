@@ -57,7 +57,7 @@ _ERRORS = {1: Error, 2: BadInput, 3: NoOpenGL, 4: Misuse}
 
 
 def _open():
-    name = "liblapfx.so.0.1"  # of another version structs may differ
+    name = "liblapfx.so.0.1"  # a library of another version may have other structs
     prefix = glob.escape(os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", ".."))
     beside = [path for where in ("lib", "lib/*", "lib64") for path in glob.glob(os.path.join(prefix, where, name))]
     path = os.environ.get("LAPFX_LIBRARY") or (beside[0] if beside else name)

@@ -41,7 +41,7 @@ class Bioheat {
     const std::vector<std::uint32_t>& touched() const { return touched_; }
 
     const WoundList& wounds() const { return wounds_; }
-    void seal_wounds() { wounds_.seal(); }  ///< after a change of the clips
+    void seal_wounds() { wounds_.seal(); }  ///< call it after a change of the clips
     /// Points in play now.
     std::size_t active() const { return heat_.field().points.size(); }
 
@@ -94,7 +94,7 @@ class Bioheat {
     std::int64_t furthest_ = std::numeric_limits<std::int64_t>::min();  // step up to which the wounds are known
     double at_ = 0.0;                                                   // s, of the last seek
 
-    std::vector<Snapshot> snapshots_;  // by step
+    std::vector<Snapshot> snapshots_;  // the index is the step
     std::int64_t interval_ = 64;       // steps between snapshots
     // The states before each of the last steps, for live use, where the newest contact still changes. They keep only
     // the marks that the step has changed.

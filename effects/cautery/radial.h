@@ -55,7 +55,7 @@ class Radial {
     void bells(const Track& track, std::uint32_t number, double time, std::vector<Bell>& out) const;
 
     const WoundList& wounds() const { return wounds_; }
-    void seal_wounds() { wounds_.seal(); }  ///< after a change of the clips
+    void seal_wounds() { wounds_.seal(); }  ///< call it after a change of the clips
     /// Stations, heatings, sites and wounds that were looked at so far: the cost, as a count.
     std::uint64_t work() const { return work_; }
 
@@ -65,7 +65,7 @@ class Radial {
     /// A contact heats a station, or an earlier one has heated it and goes on.
     struct Heating {
         std::uint32_t station = 0;
-        double from = 0.0, to = 0.0;  ///< while the tip is near and the station is known
+        double from = 0.0, to = 0.0;  ///< the tip is near and the station is known from one to the other
     };
     struct Station {
         Place place;

@@ -1,7 +1,7 @@
 # Every file in shaders/ as a string in the library: the core needs no data folder to draw. The editor reads the
 # same files from disk instead, so that a change shows while it runs (gl/shader_source.h).
 file(GLOB shader_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/shaders/*)
-list(FILTER shader_files EXCLUDE REGEX "/ui[^/]*$")  # of the UI toolkit, which embeds them itself
+list(FILTER shader_files EXCLUDE REGEX "/ui[^/]*$")  # the UI toolkit embeds these itself
 set(embedded ${PROJECT_BINARY_DIR}/embedded_shaders.cpp)
 add_custom_command(OUTPUT ${embedded}
     COMMAND ${CMAKE_COMMAND} -DOUTPUT=${embedded} "-DFILES=${shader_files}"

@@ -13,7 +13,7 @@ struct Context::Owner {
     virtual bool of_host() const noexcept { return false; }
     virtual GetProcAddress get_proc_address() const = 0;
     virtual std::string name() const = 0;
-    virtual bool is_current() const noexcept = 0;    ///< on this thread, as the driver says
+    virtual bool is_current() const noexcept = 0;    ///< the driver says so, for this thread
     virtual bool make_current() const noexcept = 0;  ///< false: the driver refuses; nothing is then current
     /// What is current on this thread now, also a context of the host's if it is of this backend.
     struct Current {

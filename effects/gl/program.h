@@ -48,7 +48,7 @@ class Program {
   private:
     struct Uniform {
         GLint location = -1;  ///< -1: declared, not used
-        GLenum type = 0;      ///< from GL, which knows only used uniforms
+        GLenum type = 0;      ///< GL tells it, which knows only used uniforms
     };
     void find_used();
     GLint location(const char* uniform, GLenum type) const;

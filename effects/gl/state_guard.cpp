@@ -16,7 +16,7 @@ GLuint as_name(GLint value) {
     return static_cast<GLuint>(value);
 }
 
-PolygonOffsetClamp loaded_clamp = nullptr;  // in addition to the functions of gl.h
+PolygonOffsetClamp loaded_clamp = nullptr;  // gl.h lacks this function
 
 bool has_extension(std::string_view name) {
     GLint count = 0;

@@ -14,7 +14,7 @@ struct ClipFrame {
     GLuint chroma = 0;                    ///< RG8 Cb and Cr, at PictureFormat::chroma_size(); 0 for Layout::rgb
     GLuint alpha = 0;                     ///< R8 opacity; 0 where the clip has none
     int layer = 0;                        ///< in all of them
-    const ColorMatrix* matrix = nullptr;  ///< of Layout::planar
+    const ColorMatrix* matrix = nullptr;  ///< Layout::planar has one
 };
 
 }  // namespace lapfx::media

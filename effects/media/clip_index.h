@@ -41,7 +41,7 @@ struct ClipIndex {
     std::string warning;
     ClipColor color;
     std::optional<ImageSequence>
-        sequence;  ///< for a sequence everything above is empty except `color`, `times` and `duration`
+        sequence;  ///< everything above is empty for a sequence, except `color`, `times` and `duration`
 
     /// The frame at the file's time `pts`, or the nearest one.
     int frame_at(std::int64_t pts) const;

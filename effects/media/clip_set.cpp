@@ -89,7 +89,7 @@ struct ClipSet::State {
     StreamingTimes sums;
     ClipStream::Work gone;  // times of players that have been removed
     std::uint64_t cycle = 0;
-    bool missed = false, late = false;  // in this cycle, in the one before
+    bool missed = false, late = false;  // `missed` is about this cycle, `late` about the one before
     std::vector<ClipStatus> status;     // as last asked for
 
     std::shared_ptr<ClipFile> opened(const std::filesystem::path& path, const FileStamp& stamp) const;
@@ -196,7 +196,7 @@ void ClipSet::State::cast(std::span<const SmokeClip> wanted, std::span<Plan> pla
         plan.player =
             std::make_unique<ClipPlayer>(pool, plan.file, std::move(decoder), wanted[i], plan.scheme, plan.buffers);
     }
-    // From here on nothing throws.
+    // Nothing throws from here on.
     for (std::size_t i = 0; i < plans.size(); ++i)
         if (taken[i] != nullptr) plans[i].player = std::move(taken[i]->player);
 }

@@ -101,7 +101,7 @@ class ClipStream : private DecodePool::Job {
     Decoder decoder_;       // belongs to the worker while it runs
     bool closing_ = false;  // its task is closing the file; found by urgency()
 
-    // under the pool's mutex
+    // The pool's mutex guards what follows.
     std::vector<Slot> slots_;
     std::size_t buffers_;      // how many of them are in use
     std::vector<int> window_;  // the next frames that are not kept, as many as there are buffers

@@ -95,7 +95,7 @@ void FrameReader::restart() {
     fresh_ = true;
     last_ = -1;
     count_ = 0;
-    codec_.reset();  // if the file is not a video any more, there must be no decoder of another file
+    codec_.reset();  // there must be no decoder of another file if the file is not a video any more
     file_.restart();
     open_codec();
 }

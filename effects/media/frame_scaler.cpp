@@ -27,7 +27,7 @@ void FrameScaler::prepare(const Source& source) {
                              color_.full_range, 0, 1 << 16, 1 << 16);
     if (!scaled_ || scaled_->width != source.size.x || scaled_->height != source.size.y)
         scaled_ = libav::frame_of(source.size.x, source.size.y, format_);
-    scaler_ = std::move(scaler);  // from here on nothing throws
+    scaler_ = std::move(scaler);  // nothing throws from here on
     source_ = source;
 }
 

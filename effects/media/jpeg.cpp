@@ -11,7 +11,7 @@ namespace lapfx::media {
 
 namespace {
 
-constexpr int most_scans = 500;  // of a progressive file; each one costs as much as a whole picture
+constexpr int most_scans = 500;  // a progressive file has no more; each one costs as much as a whole picture
 
 struct Reader {
     Reader() {

@@ -15,7 +15,7 @@ namespace {
 constexpr int looked_at = 48;        // frames
 constexpr int study_width = 160;     // px at which frames are judged: noise and compression do not count
 constexpr int dark_patch = 7;        // px of that
-constexpr double least_light = 0.6;  // of the median: frames with less are dark
+constexpr double least_light = 0.6;  // frames with less than this part of the median are dark
 constexpr double still = 0.2;  // px: a camera that moves the corners by less has not moved, and nothing is resampled
 
 std::string seconds(double value) {

@@ -91,7 +91,7 @@ class Shrinking {
     Size size_, shrunk_;
     std::size_t factor_ = 1;
     bool in_order_ = true;
-    std::vector<std::uint16_t> sums_;  // of 16 x 16 bytes at most
+    std::vector<std::uint16_t> sums_;  // each is that of 16 x 16 bytes at most
 };
 
 /// Row by row; an interlaced file has seven images of every eighth, fourth or second pixel.

@@ -34,9 +34,9 @@ class SdrConverter {
     libav::Frame made_;
     const TransferRow* transfer_ = nullptr;  ///< what the tables are for
     const PrimariesRow* primaries_ = nullptr;
-    std::array<float, codes> light_{};        ///< by code value
+    std::array<float, codes> light_{};        ///< the index is the code value
     std::array<float, roots> display_{};      ///< HLG: display's light over the scene's, by the root of luminance
-    std::array<std::uint8_t, roots> code_{};  ///< by the root of light
+    std::array<std::uint8_t, roots> code_{};  ///< the index is the root of light
     glm::mat3 gamut_{1.0f};
     glm::vec3 luminance_{0.0f};
 };

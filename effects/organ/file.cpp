@@ -52,7 +52,7 @@ void append_utf8(std::string& out, std::uint32_t c) {
     put(0x80 | (c & 0x3f));
 }
 
-/// Of either byte order; half a pair becomes U+FFFD.
+/// The text may have either byte order; half a pair becomes U+FFFD.
 std::string utf8_of_utf16(std::string_view bytes, bool big_endian) {
     std::string out;
     const auto unit = [&](std::size_t at) -> std::uint32_t {

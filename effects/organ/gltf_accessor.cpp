@@ -186,7 +186,7 @@ FloatArray read_floats(GltfDocument& document, int index, const Expected& expect
     const std::size_t components = components_of(accessor.type), size = bytes_per_value(accessor.componentType);
     require(expected, accessor.count, components, document.file, place);
     FloatArray array{static_cast<int>(components), {}};
-    array.values.assign(accessor.count * components, 0.0f);  // without a view: zeros
+    array.values.assign(accessor.count * components, 0.0f);  // an accessor without a view has zeros
     const auto put = [&](std::size_t element, const std::uint8_t* bytes) {
         for (std::size_t c = 0; c < components; ++c)
             array.values[element * components + c] =
@@ -208,7 +208,7 @@ std::vector<std::uint32_t> read_indices(GltfDocument& document, int index, const
         refuse(document.file, at, "cannot be indices: they are unsigned scalars of 8, 16 or 32 bits");
     if (accessor.bufferView < 0 && !accessor.sparse.isSparse)
         refuse(document.file, at, "indices need a buffer view or sparse values");
-    std::vector<std::uint32_t> indices(accessor.count);  // without a view: zeros
+    std::vector<std::uint32_t> indices(accessor.count);  // an accessor without a view has zeros
     const auto put = [&](std::size_t element, const std::uint8_t* bytes) {
         indices[element] = index_at(bytes, accessor.componentType);
     };

@@ -28,7 +28,7 @@ class Skins {
 
     GltfDocument& document_;
     std::vector<glm::dmat4> places_;                             // of the nodes
-    std::vector<std::optional<std::vector<glm::dmat4>>> poses_;  // by skin
+    std::vector<std::optional<std::vector<glm::dmat4>>> poses_;  // the index is the skin
     bool any_ = false, moved_ = false;
 };
 

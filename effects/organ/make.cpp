@@ -8,7 +8,7 @@ namespace lapfx {
 namespace {
 
 using organ::farthest;
-constexpr double farthest_uv = 1e6;  // as of a file
+constexpr double farthest_uv = 1e6;  // a file has the same limit
 
 class Check {
   public:

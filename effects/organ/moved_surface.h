@@ -35,7 +35,7 @@ class MovedSurface {
 
     const Surface& rest_;
     std::vector<glm::dvec3> positions_;  // per point; empty: not moved
-    std::vector<glm::dvec3> sums_;       // of normals, per point
+    std::vector<glm::dvec3> sums_;       // each point has its sum of normals
     TriangleTree tree_;
 };
 

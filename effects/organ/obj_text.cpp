@@ -176,7 +176,7 @@ class Reader {
     std::vector<glm::vec2> uvs_;
     std::vector<glm::vec3> normals_;
     std::vector<char> hard_;       ///< vertices with normals that contradict each other
-    std::vector<Corner> corners_;  ///< of all faces
+    std::vector<Corner> corners_;  ///< all faces have theirs here
     std::size_t vertex_colors_ = 0;
 };
 

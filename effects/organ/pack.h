@@ -39,7 +39,7 @@ class Packing {
   private:
     std::filesystem::path folder_;
     OwnNames names_;
-    /// By path: the index in `files`; none: the file is left out.
+    /// The key is kind and path, the value the index in `files`; none: the file is left out.
     std::map<std::pair<PackedKind, std::filesystem::path>, std::optional<std::size_t>> known_;
 };
 

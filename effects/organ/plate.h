@@ -13,8 +13,8 @@ struct Plate {
     double aspect = 1.0;      ///< width over height of its picture
     double distance = 100.0;  ///< mm along the view, of its middle
     PlateDepth depth = PlateDepth::bowl;
-    glm::dvec2 center{0.5};  ///< of the round view, in the picture: 0..1 from its upper left corner
-    glm::dvec2 radius{0.5};  ///< of the round view, shares of the picture's width and height
+    glm::dvec2 center{0.5};  ///< the round view's middle in the picture: 0..1 from the upper left corner
+    glm::dvec2 radius{0.5};  ///< the round view's radii: shares of the picture's width and height
 
     /// Distance along the view, mm, at a place of the picture, 0..1 from its upper left corner.
     double depth_at(glm::dvec2 place) const;

@@ -34,7 +34,7 @@ struct RawOrgan {
     std::vector<RawPart> parts;
     std::vector<Material> materials;
     std::vector<Image> images;
-    std::vector<Encoded> encoded;  ///< for each image, the file that it was decoded from
+    std::vector<Encoded> encoded;  ///< each image has the file that it was decoded from
     std::vector<std::string> warnings;
     std::vector<std::filesystem::path> files;  ///< further files that were read successfully
     std::vector<std::filesystem::path> unread_files;

@@ -228,9 +228,9 @@ class Seams {
 
     Weld& weld_;
     std::vector<std::uint32_t> corners_;  ///< points of the triangles
-    std::vector<std::uint32_t> parent_;   ///< for each point: one that it is joined to, and finally itself
+    std::vector<std::uint32_t> parent_;   ///< each point has one that it is joined to, and finally itself
     std::vector<glm::dvec3> places_;
-    std::vector<float> tolerance_;  ///< for each point; below 0 if no edge there is open
+    std::vector<float> tolerance_;  ///< each point has one; below 0 if no edge there is open
     std::vector<std::uint32_t> heads_;
     std::vector<Entry> entries_;
     bool any_ = false;

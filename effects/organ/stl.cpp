@@ -68,7 +68,7 @@ class Facets {
         bool known = false;
         std::uint32_t vertex = next;
         if (is_place(place)) {
-            const auto [at, is_new] = vertices_.try_emplace(place + 0.0f, next);  // not -0
+            const auto [at, is_new] = vertices_.try_emplace(place + 0.0f, next);  // -0 becomes 0
             vertex = at->second, known = !is_new;
         }
         if (!known) soup_.positions.push_back(place);

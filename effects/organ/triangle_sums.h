@@ -76,7 +76,7 @@ class TriangleSums {
     };
 
     Zeroed<std::uint32_t> number_;       // per triangle: 1 + its number, 0 where nothing was marked
-    std::vector<Touched> touched_;       // by number
+    std::vector<Touched> touched_;       // the index is its number
     std::vector<std::uint32_t> marked_;  // numbers
     std::array<std::int64_t, Count> sums_{};
 };

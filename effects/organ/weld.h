@@ -9,7 +9,7 @@
 namespace lapfx::organ {
 
 struct Weld {
-    std::vector<std::uint32_t> point;  ///< of each vertex
+    std::vector<std::uint32_t> point;  ///< each vertex has its point here
     std::uint32_t points = 0;          ///< numbered in the order of their first vertex
     std::uint32_t sewn = 0;            ///< places that were joined to a different one
     double gap = 0.0;                  ///< greatest distance of one of them from the place it was joined to

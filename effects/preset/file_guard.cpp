@@ -74,7 +74,7 @@ bool is_numbered(const fs::path& pattern, const fs::path& path) {
 
 struct Output {
     std::string option;
-    fs::path name, real;  ///< as it was given, and where that is
+    fs::path name, real;  ///< the name as it was given, and the place where that is
 };
 
 /// Asks no disk.

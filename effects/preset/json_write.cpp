@@ -13,7 +13,7 @@ namespace lapfx::preset {
 
 namespace {
 
-/// Not a JSON number: null, which no reader takes for a value.
+/// What is no JSON number becomes null, which no reader takes for a value.
 std::string json_number(double value) {
     return std::isfinite(value) ? number_text(value) : "null";
 }

@@ -66,7 +66,7 @@ OrganGpu::OrganGpu(const Organ& organ, const bleeding::BleedingGpu* blood, std::
     vertex_array_.attribute(5, marks_, 2);  // marks and blood of an instrument stay 0
     vertex_array_.attribute(6, marks_, 2);
     vertex_array_.attribute(7, vertices_[0], 3);
-    vertex_array_.attribute(8, marks_, 2);  // until densities exist
+    vertex_array_.attribute(8, marks_, 2);  // marks stand in until densities exist
     if (blood != nullptr) set_blood(*blood);
     take_materials(organ);
 }

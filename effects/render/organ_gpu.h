@@ -71,7 +71,7 @@ class OrganGpu {
     void set_color(glm::vec3 color) { color_ = color; }
     std::size_t geometry_memory() const;                           ///< bytes on the GPU
     std::size_t texture_memory() const;                            ///< bytes on the GPU
-    bool free_texture() noexcept { return textures_.free_one(); }  ///< as Body's
+    bool free_texture() noexcept { return textures_.free_one(); }  ///< Body's says what it does
     OrganPrograms& programs() const { return *programs_; }
     /// `model`: organ space to scene space, rigid. `touched`: all triangles with blood or marks; null: any may have
     /// some.

@@ -18,7 +18,7 @@ class ContactFat {
   public:
     static constexpr double grid = 0.5;     ///< mm
     static constexpr double spacing = 2.0;  ///< mm
-    static constexpr int most_places = 16;  ///< of one contact
+    static constexpr int most_places = 16;  ///< one contact has no more
     using Sample = std::function<double(const glm::dvec3&)>;
 
     /// 0..1; 0 at places where no organ can be. `sample` gives the fat density at a place, 0..1; it must stay the same

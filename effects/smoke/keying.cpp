@@ -206,7 +206,7 @@ class Light {
     Light(const KeyingFrame& frame, const KeyingLook& look)
         : frame_(frame), key_(smoke::keying_of(look.keying, look.clip.polarity)) {}
 
-    /// As own_light() in shaders/smoke.glsl.
+    /// own_light() in shaders/smoke.glsl does the same.
     glm::vec3 operator()(std::size_t i) const {
         const float y = frame_.luma[i];
         const glm::vec2 chroma(frame_.cb[i], frame_.cr[i]);

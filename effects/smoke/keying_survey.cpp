@@ -16,7 +16,7 @@ namespace {
 
 constexpr int block_edge = 8;              // pixels: a macroblock's quarter, so that mosquito noise is averaged
 constexpr glm::ivec2 most_blocks{64, 48};  // blocks examined in a picture
-constexpr float border = 0.125f;           // of the picture, on each side
+constexpr float border = 0.125f;           // share of the picture, on each side
 constexpr float border_weight = 3.0f;      // how much blocks there count: smoke is rare at the border
 constexpr double noise_share = 0.99;       // share of the background's pixels that the lower threshold removes
 constexpr float off_tint = 28.0f;          // code values of chroma that are neither smoke nor spill

@@ -53,7 +53,7 @@ class KeyingSurvey {
     void add(glm::ivec2 size, std::span<const std::uint8_t> rgb);
 
     bool empty() const { return pictures_.empty(); }  ///< no picture
-    /// Without pictures: defaults and confidence 0.
+    /// Defaults and confidence 0 are suggested without pictures.
     KeyingSuggestion suggest() const;
     /// What the pictures are of, smoke before a plain background or something else. Without pictures: all is 0.
     ClipLook look() const;
@@ -68,7 +68,7 @@ class KeyingSurvey {
 
     glm::ivec2 size_{0};
     BarSurvey bars_;
-    std::vector<glm::ivec2> corners_;                 ///< of the blocks that are looked at, pixels
+    std::vector<glm::ivec2> corners_;                 ///< the blocks that are looked at start there, pixels
     int edge_ = 0;                                    ///< pixels
     std::vector<std::vector<glm::u8vec3>> pictures_;  ///< pixels of the blocks, block after block
 };

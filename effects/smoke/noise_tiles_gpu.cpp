@@ -10,7 +10,7 @@ namespace {
 constexpr double texels_per_lobe =
     8.0;  // texels per lobe of the larger octave: linear filtering is within a few hundredths of the noise
 constexpr double least_texels = 16.0, most_texels = 512.0;
-constexpr int most_side = 4096;            // of the atlas; every OpenGL 4.5 has 16384
+constexpr int most_side = 4096;            // the atlas has no longer one; every OpenGL 4.5 has 16384
 constexpr double drift_into_depth = 0.35;  // of the drift: smoke changes as it moves
 
 /// Whole lobes, wrapped around at 2^32 as the lattice is.

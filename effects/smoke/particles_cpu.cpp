@@ -11,10 +11,10 @@ namespace lapfx::smoke {
 
 namespace {
 
-constexpr double shortest_life = 0.6;  // of `lifetime`
-constexpr double fading = 0.4;         // of a speck's life, at its end
-constexpr double slowest = 0.3;        // of `speed`
-constexpr double smallest = 0.35;      // of `size`
+constexpr double shortest_life = 0.6;  // a speck lives at least this share of `lifetime`
+constexpr double fading = 0.4;         // a speck fades in this last share of its life
+constexpr double slowest = 0.3;        // a speck has at least this share of `speed`
+constexpr double smallest = 0.35;      // a speck has at least this share of `size`
 
 /// The random numbers of one speck, one after the other.
 class Chance {

@@ -27,7 +27,7 @@ constexpr double drag_time = 0.3;
 constexpr double settling = 35.0;
 constexpr double glow_time = 0.15;  ///< s in which a speck's glow falls to 1/e
 
-constexpr std::size_t most_particles = 256;  ///< at a time; older ones are left out
+constexpr std::size_t most_particles = 256;  ///< no more live at a time; older ones are left out
 
 struct Particle {
     glm::vec3 position{0.0f};  ///< mm

@@ -11,7 +11,7 @@
 
 namespace lapfx::smoke {
 
-constexpr std::size_t most_specks = 256;  ///< in one draw
+constexpr std::size_t most_specks = 256;  ///< one draw has no more
 
 /// The uniform block LapfxSpecks of shaders/particles.vert, std140.
 struct SpeckBlock {

@@ -86,7 +86,7 @@ class Smoke {
     SmokeParameters parameters_;
     // Kept, so that setting values while they are dragged allocates nothing.
     SmokeParameters wanted_;
-    std::vector<bool> used_;  // for each clip that is set: one that plays has taken its values
+    std::vector<bool> used_;  // each clip that is set has one: one that plays has taken its values
     media::ClipSet clips_;    // parallel to parameters_.clips
     bool updated_ = true;     // nothing has been drawn since
     std::array<Particle, most_particles> particles_;

@@ -76,7 +76,7 @@ class SmokeGpu {
         int count;  ///< 1, 2 or 4
         std::size_t tile;
     };
-    using Programs = std::array<std::optional<gl::Program>, variants>;  ///< by Variant
+    using Programs = std::array<std::optional<gl::Program>, variants>;  ///< the index is Variant
     /// Everything that belongs to one role.
     struct Role {
         SmokeMedium medium;
@@ -85,7 +85,7 @@ class SmokeGpu {
         std::vector<LayerBlock> blocks;  ///< parallel to layers
         std::vector<Batch> batches;
         gl::Buffer buffer;
-        glm::vec4 bounds{0.0f};  ///< of what the layers cover, 0..1 of the view
+        glm::vec4 bounds{0.0f};  ///< the layers cover it, 0..1 of the view
         int clip_pixels = 0;
         gl::Texture sum;  ///< thickness of all layers, at their clips' resolution
         gl::Framebuffer target;

@@ -9,7 +9,7 @@ namespace {
 constexpr float same = 4.0f;                // code values within which a block's mean is the background's
 constexpr float around = 16.0f;             // code values: between `same` and this a plain background has a gap
 constexpr double least_share = 0.03;        // share of the clip that a background fills
-constexpr double small_share = 0.15;        // with a smaller share, a background has to stay at its place
+constexpr double small_share = 0.15;        // a background with a smaller share has to stay at its place
 constexpr int candidates = 5;               // number of colours that are tried as background
 constexpr float still = 3.0f;               // code values within which a block's mean does not change
 constexpr std::size_t enough_pictures = 6;  // to tell what stands still

@@ -32,7 +32,7 @@ enum class BlockKind { changing, quiet, mark };
 /// The data of the survey, step by step.
 struct Study {
     std::size_t blocks = 0;           ///< a picture
-    int edge = 0;                     ///< of a block, pixels
+    int edge = 0;                     ///< a block's side, pixels
     glm::ivec2 size{0};               ///< of the frame
     glm::ivec2 low{0}, high{0};       ///< of it, what the crop leaves
     glm::ivec2 pitch{0};              ///< from block to block

@@ -66,7 +66,7 @@ class Log {
         std::uint32_t before = Piece::none;                     // the entry that it continues
         bool is_continued = false;                              // another entry continues it
         std::size_t end = 0;                                    // of its pieces
-        std::array<std::uint32_t, PowerCurve::levels> parts{};  // at each level of the curve
+        std::array<std::uint32_t, PowerCurve::levels> parts{};  // each level of the curve has its number
     };
     std::size_t keep(std::size_t same);
     std::size_t append(std::span<const ToolContact> contacts);

@@ -37,7 +37,7 @@ class Forces {
 
     glm::ivec3 cells_;
     std::vector<glm::vec3> force_;
-    std::vector<glm::vec4> vorticity_;  ///< and its length
+    std::vector<glm::vec4> vorticity_;  ///< w is its length
 };
 
 }  // namespace clips

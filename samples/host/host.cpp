@@ -107,7 +107,7 @@ class PresetFile {
 
   private:
     std::filesystem::file_time_type written(std::filesystem::file_time_type if_gone) const {
-        std::error_code gone;  // for a moment, as some programs write
+        std::error_code gone;  // the file is gone for a moment, as some programs write
         const auto when = std::filesystem::last_write_time(file_, gone);
         return gone ? if_gone : when;
     }
@@ -234,7 +234,7 @@ void run(Host& host, PresetFile& file, GLFWwindow* window) {
         host.frame.finish(0, host.response());
         glfwSwapBuffers(window);
     }
-    if (glfwWindowShouldClose(window) == 0) hand.join();  // on a busy computer it may be behind
+    if (glfwWindowShouldClose(window) == 0) hand.join();  // the hand may be behind on a busy computer
     hand = {};                                            // stopped and joined
     host.effects.seek(host.scene.duration);
     const lapfx::Amounts amounts = host.effects.amounts();
@@ -246,7 +246,7 @@ void write_picture(Host& host, double time) {
     std::vector<lapfx::ToolContact> events = host.scene.events;
     std::ranges::stable_sort(events, {}, &lapfx::ToolContact::time);
     for (std::size_t i = 0; i < events.size() && events[i].time <= time; host.effects.seek(events[i++].time))
-        host.effects.set_contacts(std::span(events).first(i + 1));  // as the hand continues
+        host.effects.set_contacts(std::span(events).first(i + 1));  // each contact comes as the hand continues
     host.draw(time);
     std::vector<std::uint8_t> pixels(4 * static_cast<std::size_t>(host.size.x) * static_cast<std::size_t>(host.size.y));
     host.frame.read(pixels, host.response());

@@ -250,7 +250,7 @@ Surface largest_part(const Organ& organ) {
         if (all.component[all.triangles[t][0]] == largest->first)
             part.indices.insert(part.indices.end(), organ.indices.begin() + static_cast<std::ptrdiff_t>(3 * t),
                                 organ.indices.begin() + static_cast<std::ptrdiff_t>(3 * t + 3));
-    // Without the vertices of other parts.
+    // The vertices of other parts are left out.
     std::map<std::uint32_t, std::uint32_t> kept;
     Organ compact;
     for (const std::uint32_t i : part.indices) {

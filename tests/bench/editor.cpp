@@ -151,7 +151,7 @@ void measure_drag(commands::HeadlessEditor& headless, const Extent& extent, Benc
 BenchReport bench_editor(const BenchOptions& options) {
     const Extent& extent = options.short_form ? least : whole;
     commands::HeadlessEditor headless(extent.window, 1.0F, "auto",
-                                      false);  // with decoding and jobs at the same time, as in the window
+                                      false);  // decoding and jobs run at the same time, as in the window
     BenchReport report{
         .bench = "editor", .renderer = headless.context().renderer(), .rows = {}, .ratios = {}, .table = {}};
     app::Opened opened = app::open_sample(commands::data_folder());

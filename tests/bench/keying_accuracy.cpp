@@ -44,7 +44,7 @@ struct Clip {
     const Smoke* smoke;
     std::filesystem::path file;
     Frames rgb;     ///< as decoded to RGB: each pair of rows and columns has one chroma
-    Frames planar;  ///< as a GPU filters the planes, with smooth chroma; CV_32FC3
+    Frames planar;  ///< a GPU filters the planes so, with smooth chroma; CV_32FC3
 
     bool coloured() const { return glm::length(chroma(background)) > 20.0f; }
 };

@@ -15,10 +15,10 @@ TOP = {"CMakeLists.txt", "README.md", "editor", "effects", "shaders", "presets",
 TEXT = source_files.CPP + source_files.SHADERS + (".cmake", "CMakeLists.txt", ".py", ".sh", ".md")
 LIMITED = source_files.CPP + source_files.SHADERS
 MAX_LINES = 600
-MAX_COLUMNS = 120  # of a comment
+MAX_COLUMNS = 120  # a comment has no more
 # What a person reads, such as a unit, may be UTF-8: raw strings, strings; characters only so that '"' opens none.
 STRING = re.compile(rb'''R"\((?s:.*?)\)"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])[']''')
-PRINTED = "presets/REFERENCE.md"  # by the program, from such strings
+PRINTED = "presets/REFERENCE.md"  # the program prints it from such strings
 COMMANDS = ("editor/start", "tests/run", "tests/accept", ".ci/run")
 
 

@@ -50,7 +50,7 @@ def quoted(text):
 
 def main(program, tests, out, label, by_file=""):
     tests = os.path.realpath(tests)
-    group = {}  # of each suite; one that several files share is of the first
+    group = {}  # each suite has one; a suite that several files share has that of the first
     for suite, file in cases(program, tests):
         group.setdefault(suite, group_of(file, tests, by_file))
     groups = collections.defaultdict(list)

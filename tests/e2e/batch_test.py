@@ -145,7 +145,7 @@ def check_runs(lapfx, folder, items):
     process = start_parallel(lapfx, folder, items)
     kill_in_the_middle(folder, killed)
     code, said, told = finished(process)
-    assert code == 2, (code, said, told)  # as many as failed: the broken one and the killed one
+    assert code == 2, (code, said, told)  # two have failed: the broken one and the killed one
     assert BROKEN in told and len(said) == len(ITEMS) - 2, (said, told)
     first = results(folder)
     assert sorted(first) == sorted(set(ITEMS) - {killed}), sorted(first)
@@ -178,7 +178,7 @@ def check_again(lapfx, folder):
         fcntl.flock(lock, fcntl.LOCK_EX)
         code, said, told = run(lapfx, *one, "--again", cwd=folder)
         assert code == 0 and said == "clip_1.mp4: is being done by another process\n", (code, said, told)
-    assert run(lapfx, *one, cwd=folder)[0] == 0  # as it was: also the lock that a kill left holds nobody up
+    assert run(lapfx, *one, cwd=folder)[0] == 0  # all is as it was: the lock that a kill left holds nobody up, either
 
 
 def check_files(lapfx, folder):

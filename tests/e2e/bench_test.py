@@ -134,7 +134,7 @@ def check_host(rows, ratios):
     assert tuple(changed) == CHANGES, changed
     for change, row in changed.items():
         assert 0 < row["frame_ms"] and 0 < row["changed_ms"] <= row["worst_ms"], row
-        # In the short form each is measured once.
+        # The short form measures each once.
         assert abs(row["worst_hitch_ms"] - (row["changed_ms"] - row["frame_ms"])) < 1e-6, row
         assert row["hitch_ms"] == max(row["worst_hitch_ms"], 0), row
         assert abs(ratios[f"hitch_{change}_over_16ms"] - row["hitch_ms"] / 16) < 1e-6, (row, ratios)

@@ -369,7 +369,7 @@ def run_interrupted(lapfx, output, number, folder):
     if render.returncode not in (1, 128 + number, -number):
         yield f"exit code {render.returncode} after an interrupt: {messages[-500:]!r}"
     for name in sorted(contents(folder).keys() - before.keys()):
-        try:  # of numbered images the finished ones may stay
+        try:  # finished images of a sequence may stay
             assert "%" in output and re.fullmatch(r"out_\d{4}\.png", name), f"left {name}"
             is_png(folder, name, (640, 480))
         except AssertionError as fault:

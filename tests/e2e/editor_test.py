@@ -19,7 +19,7 @@ from real_window import node, nodes, wait_for
 
 SIZE = (1200, 800)
 IDLE_S = 10
-IDLE_WAKES = 50  # of all threads in that time, at most; one a second was seen
+IDLE_WAKES = 50  # all threads together wake no more often in that time; one a second was seen
 SAMPLE_CLIPS = ["plume_thick.mp4", "wisps_thin.mp4", "haze_rolling.mp4"]
 SPEED = "/Bleeding/Speed"  # end of the path of the parameter that is moved
 
@@ -35,7 +35,7 @@ class Editor(real_window.Window):
         # A home for each: an editor that a case ends with unsaved work would be offered for recovery in the next.
         self.home = tempfile.mkdtemp(prefix="home ", dir=folder)
         homes = {key: os.path.join(self.home, key.lower()) for key in ("XDG_CONFIG_HOME", "XDG_STATE_HOME")}
-        homes["XDG_CACHE_HOME"] = os.path.join(folder, "cache")  # of compiled shaders: the same for all
+        homes["XDG_CACHE_HOME"] = os.path.join(folder, "cache")  # compiled shaders are the same for all
         for path in homes.values():
             os.makedirs(path, exist_ok=True)
         # The first steps are not in what --dump tells, as in pictures of the editor.

@@ -21,7 +21,7 @@ import installed_hosts
 import real_window
 from installed_hosts import run
 
-# As the head of vtk.cpp has it.
+# The head of vtk.cpp has the same.
 PROJECT = """cmake_minimum_required(VERSION 3.25)
 project(host LANGUAGES C CXX)
 find_package(lapfx 0.1 REQUIRED COMPONENTS effects)

@@ -74,7 +74,7 @@ TEST_F(ExportTest, ProposesWhatIsShownBesideThePreset) {
 }
 
 TEST_F(ExportTest, WhatWasOpenedIsNotReplaced) {
-    guard_files(FileGuard::note);  // as the program does
+    guard_files(FileGuard::note);  // the program does the same
     const std::string file = path("operation.mp4");
     std::ofstream(file) << "a surgery video";
     note_read(file);

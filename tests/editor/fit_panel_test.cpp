@@ -301,7 +301,7 @@ class FitColors : public FitPanel {
         editor().document.change("Bleeds", [](document::Content& c) {
             c.preset.bleeding.speed = 12, c.preset.bleeding.max_extent = 30;
             c.preset.smoke.haze.accumulation = 0.06;
-            c.scene.duration = 4;  // until there is enough of both
+            c.scene.duration = 4;  // there is enough of both by then
         });
         start_ = hidden_ = editor().document.content();
         hidden_.preset.bleeding.color_thin = {0.75, 0.25, 0.125},

@@ -124,7 +124,7 @@ TEST_F(EditorDocument, UnsavedWorkOutlivesACrash) {
     autosave.update(1001.5);
     EXPECT_FALSE(fs::exists(folder() / "state" / "autosave"));
     autosave.update(1000 + app::Autosave::pause);
-    start();  // without end(), as after a crash
+    start();  // there was no end(), as after a crash
     editor().autosave().find();
     ui().frame().frame();
     ASSERT_EQ(editor().autosave().offers().size(), 1U);

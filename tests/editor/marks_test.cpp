@@ -78,7 +78,7 @@ TEST_F(MarksTest, AMarkThatIsMovedStaysSelected) {
     ui().click(item("Cauterise 1")).frame().frame();
     EXPECT_FALSE(ui().is(item("Smoke starts"), ui::Is::selected));
     ui().click(item("Smoke starts")).frame();
-    editor().selected = {0};  // as in the view
+    editor().selected = {0};  // the view does the same
     ui().frame().frame();
     EXPECT_FALSE(ui().is(item("Smoke starts"), ui::Is::selected));
 }

@@ -158,7 +158,7 @@ TEST_F(MeasurePanel, AFrameWhoseMeasuringWasCancelledIsMeasuredWhenOneAsks) {
         HeldJobs held(editor().jobs);
         editor().timeline.seek(time);
         wait_for([&] { return bench().busy(); });
-        for (const auto& job : editor().jobs.running()) job->cancel();  // as the list of jobs does
+        for (const auto& job : editor().jobs.running()) job->cancel();  // the list of jobs does the same
         held.let_go();
         editor().jobs.finish();
         ui().frame().frame().frame();

@@ -70,7 +70,7 @@ class NarrowTest : public SampleTest {
     void expect_all_apart(float scale, glm::ivec2 size) {
         SCOPED_TRACE(std::to_string(size.x) + " px at scale " + std::to_string(scale));
         shape(scale, size);
-        for (const char* const panel : {"Snapshots", "Amounts"}) {  // in a small window one lies behind the other
+        for (const char* const panel : {"Snapshots", "Amounts"}) {  // one lies behind the other in a small window
             show(panel);
             expect_apart(panel);
         }

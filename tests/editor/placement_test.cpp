@@ -42,7 +42,7 @@ TEST(PlacedPicture, IsMovedScaledAndTurnedAboutItsMiddle) {
     EXPECT_EQ(red(small, 170, 50), 0);
     const Image turned = placed(image, {.scale = 0.5, .rotation = 90}, 2);
     EXPECT_EQ(red(turned, 100, 25), 240) << "counter-clockwise";
-    // Of a picture that is stored squeezed lengths are those that are seen.
+    // Lengths of a picture that is stored squeezed are those that are seen.
     const Image squeezed = placed(image, {.scale = 0.5, .rotation = 90}, 1);
     EXPECT_EQ(red(squeezed, 100, 37), 240);
     EXPECT_EQ(red(placed(image, {}, 2), 150, 50), 240);

@@ -36,7 +36,7 @@ constexpr std::ptrdiff_t kept_of_contexts = 2 * 128 * stretch + 1024, kept_of_no
 
 std::ptrdiff_t least_growth(const std::vector<std::size_t>& heap) {
     std::ptrdiff_t least = std::numeric_limits<std::ptrdiff_t>::max();
-    for (std::size_t i = 2; i < heap.size(); ++i)  // in the first stretch much is made once
+    for (std::size_t i = 2; i < heap.size(); ++i)  // much is made once in the first stretch
         least = std::min(least, static_cast<std::ptrdiff_t>(heap[i] - heap[i - 1]));
     return least;
 }

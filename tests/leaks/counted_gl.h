@@ -42,7 +42,7 @@ inline void born(const char* kind, Name name) {
         counted().faults.push_back(std::string(kind) + " made twice");
 }
 inline void gone(const char* kind, Name name) {
-    if (name != 0 && counted().live.erase({eglGetCurrentContext(), kind, name}) == 0)  // of 0 OpenGL takes no notice
+    if (name != 0 && counted().live.erase({eglGetCurrentContext(), kind, name}) == 0)  // OpenGL takes no notice of 0
         counted().faults.push_back(std::string(kind) + ' ' + std::to_string(name) + " deleted, which does not live");
 }
 

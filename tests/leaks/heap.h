@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // not every compiler brings the header
+extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // some compilers do not bring the header
 #endif
 
 namespace lapfx::test {

@@ -24,9 +24,9 @@ struct EditorOptions {
     /// For pictures and tests: clips and references are decoded exactly, jobs waited for, nothing is autosaved.
     bool exact = false;
     double exact_scale = 1.0;      ///< with `exact`: factor on width and height of the scene's pictures
-    bool measures_preview = true;  ///< while somebody looks at what it shows
+    bool measures_preview = true;  ///< the preview is measured while somebody looks at what that shows
     int measured_side = 256;  ///< px of the longer side of pictures that are drawn to be measured (match::preview_side)
-    std::shared_ptr<MeasuredVideos> measured = nullptr;  ///< of other editors, too; null: the editor's own
+    std::shared_ptr<MeasuredVideos> measured = nullptr;  ///< other editors may share it; null: the editor makes its own
     std::string renderer;                                ///< GL_RENDERER, for the status bar
     bool software = false;                               ///< no GPU
     std::function<double()> clock{};                     ///< s, for what pictures cost; empty: this computer's

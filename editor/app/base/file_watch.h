@@ -70,7 +70,7 @@ class FileWatch {
     // The thread's own.
     Paths paths_;
     std::set<std::filesystem::path> files_, folders_;         // what is watched
-    std::map<int, std::set<std::filesystem::path>> watched_;  // by watch: folders, several when they are one
+    std::map<int, std::set<std::filesystem::path>> watched_;  // a folder may have several paths
     std::set<std::filesystem::path> missing_;                 // folders that are not there
     std::set<std::filesystem::path> pending_;                 // changed, not yet told
     bool rearm_ = false;

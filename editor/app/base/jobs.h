@@ -78,7 +78,7 @@ class Jobs {
   private:
     struct Entry {
         std::shared_ptr<Job> job;
-        std::uint64_t number = 0;  ///< in the order in which they were begun
+        std::uint64_t number = 0;  ///< jobs are numbered in the order in which they were begun
         Work work;
         Failed failed;
         Apply apply;

@@ -36,7 +36,7 @@ class Saved {
     std::shared_ptr<const Preset> preset_;  ///< that content_ is of
     std::shared_ptr<const Scene> scene_;
     document::Content content_;
-    std::vector<std::size_t> clips_;  ///< of each clip, its number among the saved ones; no_clip: it is new
+    std::vector<std::size_t> clips_;  ///< each clip has its number among the saved ones here; no_clip: it is new
 };
 
 }  // namespace lapfx::app

@@ -20,7 +20,7 @@ constexpr std::size_t most_recent = 12, most_listed = 1000;
 constexpr std::size_t longest_file = std::size_t{1} << 20U;
 constexpr std::string_view shown_layout = "(shown)";
 constexpr float least_scale = 0.75F, most_scale = 3;
-constexpr std::int64_t most_screen = 1 << 20;  // of any desktop
+constexpr std::int64_t most_screen = 1 << 20;  // no desktop is larger
 
 /// Reads one key after the other; one of the wrong type is told, and left as it was.
 class Reader {

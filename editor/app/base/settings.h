@@ -31,7 +31,7 @@ class Settings {
     bool light = false;  ///< theme
     float scale = 0;     ///< of the UI; 0: the screen's
     bool reduced_motion = false;
-    bool half_resolution = false;     ///< of the view
+    bool half_resolution = false;     ///< the view is drawn with half of the pixels on each side
     bool hint_seen = false;           ///< the three lines of the first run
     WindowPlace window;               ///< where it was last
     std::vector<std::string> recent;  ///< files, the newest first

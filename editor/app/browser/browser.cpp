@@ -236,11 +236,11 @@ void Browser::take_thumbnails() {
 
 void Browser::show() {
     shown_ = true;
-    if (!seen_) screen_.wake("presets are searched");  // from the next update() on
+    if (!seen_) screen_.wake("presets are searched");  // the search begins with the next update()
 }
 
 void Browser::update(double) {
-    if (scanning_ && scanning_->cancelled()) scanning_.reset();  // by the list of jobs; "Look again" starts it again
+    if (scanning_ && scanning_->cancelled()) scanning_.reset();  // the list of jobs cancels; "Look again" begins anew
     take_thumbnails();
     const bool seen = std::exchange(shown_, false);
     if (!seen) {

@@ -58,7 +58,7 @@ class Browser {
     const std::vector<PresetFile>& files() const { return files_; }
     /// Indices of those that search and tags leave, in order.
     const std::vector<std::size_t>& found();
-    const std::vector<std::string>& tags() const { return tags_; }  ///< of all, the most frequent first
+    const std::vector<std::string>& tags() const { return tags_; }  ///< the most frequent ones come first
     bool has_tag(std::string_view tag) const;
     void choose_tag(std::string_view tag, bool on);  ///< presets must have all that are chosen
     bool starred(std::size_t file) const;

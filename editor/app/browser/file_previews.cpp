@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double thumbnail_at = 0.6;  // of the scene's duration, as in the panel of presets
+constexpr double thumbnail_at = 0.6;  // share of the scene's duration, the same as in the panel of presets
 
 /// The reason in "lapfx: FILE: reason"; the dialog shows the name above it.
 std::string reason_in(std::string fault, const std::string& path) {

@@ -26,7 +26,7 @@ class FilePreviews : public ui::FilePictures {
     static constexpr glm::ivec2 size{360, 288};
     static constexpr std::size_t most_kept = 24;        ///< pictures in memory, the newest looked at
     static constexpr double rests = 0.15;               ///< s that a file is selected before its picture is begun
-    static constexpr std::chrono::seconds longest{60};  ///< until a picture is given up
+    static constexpr std::chrono::seconds longest{60};  ///< a picture that takes longer is given up
     static constexpr int niceness = 5;                  ///< of the process that makes one; low, because a person waits
 
     /// All must outlive it.

@@ -20,7 +20,7 @@ namespace {
 constexpr glm::ivec2 thumbnail_size{128, 72};
 constexpr double between_asking = 0.25;  // s
 constexpr double sure_from = 0.5;        // confidence of a suggestion below which a person should look first
-constexpr std::size_t most_clips = 64;   // as many as the table of presets allows
+constexpr std::size_t most_clips = 64;   // the table of presets allows no more
 
 /// What a job has found out about a file.
 struct Found {
@@ -349,7 +349,7 @@ void ClipShelf::take_found(const std::vector<Good>& files, std::optional<std::si
         return document.change("Replace clip", [&](document::Content& c) {
             SmokeClip& clip = c.preset.smoke.clips[*replace];
             clip.file = files[0].file;
-            clip.in = clip.out = 0;  // of another file
+            clip.in = clip.out = 0;  // the old times are those of another file
             document.gather_clips(c.preset);
         });
     }
@@ -390,7 +390,7 @@ void ClipShelf::tell_keying(const std::vector<Good>& added) {
 
 void ClipShelf::copy_beside() {
     const fs::path to = home();
-    std::map<std::string, fs::path> from;  // by name in the preset
+    std::map<std::string, fs::path> from;  // the key is the name in the preset
     const std::vector<SmokeClip>& clips = document_.preset().smoke.clips;
     for (std::size_t i = 0; i < clips.size(); ++i)
         if (outside(i)) from[clips[i].file] = of(i).path;

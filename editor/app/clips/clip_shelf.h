@@ -36,7 +36,7 @@ class Settings;
 struct ClipFacts {
     std::filesystem::path path;  ///< empty: not found
     bool known = false;          ///< `report` holds
-    std::string summary{};       ///< of the report: "720x480, 5 s at 30 fps"
+    std::string summary{};       ///< the report says it in one line: "720x480, 5 s at 30 fps"
     ClipReport report{};
     std::vector<Fault> faults;      ///< why it cannot be used
     ui::ImageHandle thumbnail = 0;  ///< 16:9
@@ -59,7 +59,7 @@ class ClipShelf {
     ClipShelf(const ClipShelf&) = delete;
     ClipShelf& operator=(const ClipShelf&) = delete;
 
-    std::size_t selected = 0;  ///< of the preset's clips, the one that panels show
+    std::size_t selected = 0;  ///< panels show this one of the preset's clips
 
     /// Once before each frame. `now`: s.
     void update(double now);
@@ -96,7 +96,7 @@ class ClipShelf {
     void copy_to(const std::filesystem::path& folder, std::function<void()> then);
     /// A job of add() or copy_beside(); null: none runs.
     const std::shared_ptr<Job>& work() const { return work_; }
-    void cancel_work();  ///< also what waits for it
+    void cancel_work();  ///< what waits for it is cancelled, too
     /// Adds nothing of add() that has this file.
     void give_up(const std::string& file);
     const std::vector<Fault>& refused() const { return refused_; }
@@ -140,12 +140,12 @@ class ClipShelf {
     Notices& notices_;
     std::vector<std::filesystem::path> clip_folders_;
     bool exact_;
-    std::map<std::string, ClipFacts> known_;  ///< by folder and name
+    std::map<std::string, ClipFacts> known_;  ///< the key is folder and name
     Seen seen_;
-    std::uint64_t grown_ = 1;           ///< with every result of a job
+    std::uint64_t grown_ = 1;           ///< every result of a job adds one
     std::uint64_t followed_ = 0;        ///< version of the document
     std::uint64_t followed_grown_ = 0;  ///< grown_ then
-    std::string followed_file_;         ///< of the preset then
+    std::string followed_file_;         ///< the preset had this file then
     std::shared_ptr<Job> work_;
     std::vector<std::string> work_files_;  ///< that it looks through
     std::deque<Lot> waiting_;

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr glm::u8vec3 grey{118, 118, 118};  // middle grey: sRGB of a fifth of the light
-constexpr glm::u8vec3 tissue{142, 58, 50};  // of a liver under an endoscope
+constexpr glm::u8vec3 tissue{142, 58, 50};  // a liver under an endoscope has this colour
 constexpr int checker_side = 16;            // px
 constexpr int scope_samples = 350;          // per side: more would not change what is seen
 constexpr int quick_pixels = 720 * 576;     // that can be keyed within a frame when no edges are found
@@ -49,7 +49,7 @@ Image checker(glm::ivec2 size) {
     return image;
 }
 
-/// Of numbers: as many decimals as steps of the row have, and `more`.
+/// Numbers get as many decimals as steps of the row have, and `more`.
 std::string rounded_text(const Parameter& row, const Value& value, int more) {
     const double* const number = std::get_if<double>(&value);
     if (number == nullptr) return text_of(row, value);
@@ -261,7 +261,7 @@ void KeyingBench::follow_backdrop() {
 }
 
 void KeyingBench::update(double) {
-    if (job_ && job_->cancelled()) {  // by whoever lists jobs; its thread may still be at work
+    if (job_ && job_->cancelled()) {  // whoever lists jobs can cancel it; its thread may still be at work
         job_.reset();
         work_ = std::make_shared<BenchWork>();
     }

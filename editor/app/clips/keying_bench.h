@@ -173,7 +173,7 @@ class KeyingBench {
     std::optional<KeyingSuggestion> suggestion_;
     std::vector<Fault> suggestion_faults_;
     std::string suggestion_changes_;
-    std::uint64_t suggestion_version_ = 0;  ///< of the document, that the changes led to
+    std::uint64_t suggestion_version_ = 0;  ///< the changes led to this version of the document
     bool suggestion_undoes_ = false;
     std::string suggested_for_;  ///< the clip's file
     std::size_t suggested_clip_ = 0;

@@ -68,7 +68,7 @@ class Autosave {
     Snapshots& snapshots_;
     Notices& notices_;
     std::filesystem::path state_folder_;
-    std::uint64_t faults_seen_ = 0;  ///< of notices_
+    std::uint64_t faults_seen_ = 0;  ///< notices_.faults() had this value last
     document::KeepFolder folder_;    ///< used by the writer's thread; by others only while nothing runs there
     std::uint64_t seen_ = 0;         ///< state() when it was last checked
     bool unsaved_ = false, written_ = false, told_ = false, soon_ = false;

@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double most_pixels = 350'000;  // of a frame that is tried
+constexpr double most_pixels = 350'000;  // a frame that is tried has no more
 constexpr int tried_frames = 4;
 
 double pixels_of(glm::ivec2 size) {

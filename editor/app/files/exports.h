@@ -150,7 +150,7 @@ class Exports {
     bool loading() const;               ///< files are read, or both are measured; nothing is drawn yet
     const Job* job() const;             ///< the one that loads, measures or copies for it now; null: none
     std::string progress_text() const;  ///< "12 of 300 frames"
-    std::string_view name() const;      ///< of what is being written
+    std::string_view name() const;      ///< what is being written has this name
     double seconds_left() const;        ///< s; negative: not known
 
     /// The command line that makes the same. Throws Error (bad_input) when it could not: scene or preset are not saved.

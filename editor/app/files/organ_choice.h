@@ -73,7 +73,7 @@ class OrganChoice {
     OrganChoice(const OrganChoice&) = delete;
     OrganChoice& operator=(const OrganChoice&) = delete;
 
-    bool other_unit = false;  ///< in the dialog: a length is typed
+    bool other_unit = false;  ///< the dialog has a field in which a length is typed
 
     /// Reads the file; with the scale and rotation of the scene's organ where it is the same file.
     void open(const std::filesystem::path& file);

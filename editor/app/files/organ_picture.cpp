@@ -9,7 +9,7 @@ namespace lapfx::app {
 
 namespace {
 
-constexpr double margin = 0.05;                    // of the picture, on each side
+constexpr double margin = 0.05;                    // share of the picture that stays free on each side
 constexpr std::size_t most_triangles = 2'000'000;  // more take too long while one turns it
 constexpr double most_pixels = 2e7;                // looked at, of all triangles' boxes: a hundred for each pixel
 constexpr glm::dvec3 unlit{0.25}, lit{0.85};       // light of a surface beside the lamp, and towards it

@@ -68,7 +68,7 @@ bool AmountsOverTime::stale() const {
 
 void AmountsOverTime::update(double now) {
     due_ = Settling::never;
-    if (job_ && job_->cancelled()) {  // by the list of jobs: it starts again when something changes
+    if (job_ && job_->cancelled()) {  // the list of jobs can cancel it: it starts again when something changes
         job_.reset();
         known_ = asked_;
         stopped_ = true;

@@ -76,11 +76,11 @@ class AmountsOverTime {
     /// Null while nothing is known yet; while stale(), those of an older state of the document.
     const AmountSeries* scene() const { return scene_ ? scene_.get() : nullptr; }
     bool stale() const;
-    bool stopped() const { return stopped_; }  ///< by a person, until again() or a change
+    bool stopped() const { return stopped_; }  ///< a person has stopped it; again() or a change goes on
     void again() { known_ = 0, stopped_ = false; }
     /// A panel that shows them wants another frame, at due(): nothing else would make what it shows new.
     bool wants_frame() const { return stale() && (!busy() || exact_); }
-    bool has_organ() const { return !document_.scene().organ.file.empty(); }  ///< without one there are none
+    bool has_organ() const { return !document_.scene().organ.file.empty(); }  ///< without an organ there are no amounts
     bool busy() const { return job_ != nullptr; }  ///< a job works them out; its end wakes the UI
     /// Why they cannot be worked out.
     const std::vector<Fault>& faults() const { return faults_; }
@@ -101,7 +101,7 @@ class AmountsOverTime {
     bool wanted_ = false, stopped_ = false;
     bool held_ = false;                            // the model may hold something
     std::uint64_t followed_ = 0;                   // version of the document
-    std::uint64_t organ_ = 0;                      // and of the preview's organ
+    std::uint64_t organ_ = 0;                      // the preview's organ had this version
     std::shared_ptr<const document::Content> of_;  // what the last job is of; null: there was none
     std::uint64_t wanted_content_ = 0;             // counts contents that the amounts are wanted of
     std::uint64_t known_ = 0, asked_ = 0;          // that count, for scene_ or its faults, and for the job

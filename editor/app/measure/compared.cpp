@@ -10,7 +10,7 @@ namespace lapfx::app {
 
 namespace {
 
-constexpr double reference_part = 0.5;  // of the progress
+constexpr double reference_part = 0.5;  // the reference takes this share of the progress
 
 /// Why one of them has no curve, for people. What is no fault of theirs goes on.
 std::string not_measured(const char* which, const Error& error) {

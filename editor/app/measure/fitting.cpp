@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double told_from = 0.1;  // of the progress: before, how long it takes is not known
+constexpr double told_from = 0.1;  // below this share of the progress it is not known how long the fit takes
 
 std::vector<Fault> because(const char* reason) {
     return {{.file = "", .place = "", .reason = reason}};

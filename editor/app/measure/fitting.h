@@ -75,7 +75,7 @@ class Fitting {
     void start() { begin(false); }
     void cancel();  ///< with the best so far
     bool busy() const { return asked_.has_value(); }
-    bool measures_first() const { return asked_ && !run_; }  ///< and is not fitting yet
+    bool measures_first() const { return asked_ && !run_; }  ///< the fit waits for the measuring
     bool proposes() const { return asked_ && *asked_; }      ///< busy() with a proposal alone
     double progress() const { return run_ ? run_->progress() : 0.0; }
     double seconds_left() const;  ///< negative: not known yet
@@ -112,7 +112,7 @@ class Fitting {
     void end_run();
 
     const Parts parts_;
-    std::optional<bool> asked_;  ///< for a proposal alone; nothing: neither is wanted
+    std::optional<bool> asked_;  ///< true: a proposal alone is wanted, false: the whole fit; nothing: neither is
     bool measuring_asked_ = false;
     double began_ = 0.0, now_ = 0.0, due_ = std::numeric_limits<double>::infinity();
     std::unique_ptr<RenderSteps> steps_;

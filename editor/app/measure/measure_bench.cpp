@@ -22,7 +22,7 @@ namespace {
 
 constexpr int steady_frames = 3;  // so many frames on, the camera's way is still followed
 
-constexpr double redness_share = 0.8, brightness_share = 1.2;  // of the picked colour: blood around it varies
+constexpr double redness_share = 0.8, brightness_share = 1.2;  // factors on the picked colour: blood around it varies
 constexpr double least_red = 1.4;                              // redness below which a colour is not red
 constexpr double most_veil = 0.85;                             // what is behind more smoke than that is not seen
 
@@ -264,7 +264,7 @@ bool MeasureBench::stale() const {
 }
 
 void MeasureBench::update() {
-    if (job_ && job_->cancelled()) {  // by whoever lists jobs; its thread may still be at work
+    if (job_ && job_->cancelled()) {  // whoever lists jobs can cancel it; its thread may still be at work
         job_.reset();
         work_ = std::make_shared<MeasureWork>();
         given_up_ = true;

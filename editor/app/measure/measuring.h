@@ -74,7 +74,7 @@ class Measuring {
     // --- found -------------------------------------------------------------------------------------------------------
     /// The last that is complete; null: there is none yet.
     const match::Measurement* found() const { return found_ ? found_->found.get() : nullptr; }
-    const match::ColorsOverTime* colors() const { return found_ ? found_->colors.get() : nullptr; }  ///< of found()
+    const match::ColorsOverTime* colors() const { return found_ ? found_->colors.get() : nullptr; }
     const std::filesystem::path& file() const { return of_.file; }  ///< the video that found() is of
     /// found() is of another reference, or of other values of `reference.measure`.
     bool stale() const;
@@ -141,11 +141,11 @@ class Measuring {
     std::vector<Fault> faults_;
     std::shared_ptr<const MeasuredVideo> found_;
     Subject of_;                                    ///< what found_ is of
-    std::uint64_t found_serial_ = 0, serials_ = 0;  ///< of found_; how many measurements there were
+    std::uint64_t found_serial_ = 0, serials_ = 0;  ///< the number of found_, and how many measurements there were
     std::uint64_t version_ = 0;
 };
 
-/// Of the scene: the rows of `reference.measure`.
+/// The table has the rows of `reference.measure` of the scene.
 const Table& measure_table();
 
 }  // namespace lapfx::app

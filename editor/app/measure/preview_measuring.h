@@ -77,7 +77,7 @@ class PreviewMeasuring {
     }  ///< frames() are of the whole scene, else of its beginning
     bool busy() const { return run_ != nullptr; }
     double progress() const;                   ///< 0..1, while busy()
-    bool stopped() const { return stopped_; }  ///< by a person, until again() or a change
+    bool stopped() const { return stopped_; }  ///< a person has stopped it; again() or a change goes on
     void stop();
     void again() { known_ = stopped_ = false, known_of_.reset(); }
     const std::vector<Fault>& faults() const { return faults_; }  ///< why it cannot be measured
@@ -121,7 +121,7 @@ class PreviewMeasuring {
     bool wanted_ = false, stopped_ = false;
     std::uint64_t followed_ = 0, organ_ = 0;      ///< versions of the document and of the host's organ
     std::weak_ptr<const VideoReader> of_opened_;  ///< of the reference
-    bool truth_ = false;                          ///< as it was then
+    bool truth_ = false;                          ///< the true amounts were wanted then
     bool known_ = false;                          ///< nothing is to be measured:
     std::shared_ptr<const Subject> known_of_;     ///< that is known, or was stopped, or cannot be measured
     Settling settling_{0.4};

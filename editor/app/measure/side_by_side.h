@@ -50,7 +50,7 @@ class SideBySide : public output::FramePage {
     ui::Ui ui_;
     ui::Renderer renderer_;
     Target strip_;                           ///< below the pictures
-    MeasuredCurve blood_[2], veil_[2];       ///< of preview and reference
+    MeasuredCurve blood_[2], veil_[2];       ///< the first is the preview's, the second the reference's
     double most_blood_ = 0, most_veil_ = 0;  ///< %
     double clock_ = 0;                       ///< s, of the toolkit
     int shown_ = -1;                         ///< the frame of the reference that the page has

@@ -14,7 +14,7 @@ class DriverWatch {
     /// Looks, at most once a second and only when there was something to draw. Gives a fault the first time that
     /// something is wrong. `now`: s. Render thread, context current.
     std::optional<Fault> check(double now);
-    bool lost() const { return lost_; }  ///< for good: nothing can be drawn any more
+    bool lost() const { return lost_; }  ///< the driver is lost for good: nothing can be drawn any more
 
   private:
     bool unchecked_ = false, lost_ = false;  // it has been drawn since the last check; the context is lost

@@ -46,7 +46,7 @@ std::shared_ptr<const PreparedOrgan> wait_for(EarlyLoad& early, Job& job) {
         if (job.cancelled()) early.stopped = true;
     }
     std::shared_ptr<const PreparedOrgan> organ = early.organ.get();
-    early.clips_known.wait();  // or they would be looked through twice
+    early.clips_known.wait();  // without waiting they would be looked through twice
     return organ;
 }
 

@@ -37,7 +37,7 @@ std::vector<Stroke> strokes_of(std::span<const ToolContact> events) {
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return events[a].time < events[b].time; });
     std::vector<Stroke> strokes;
-    std::vector<std::size_t> stroke_of(order.size());  // of each, in the order of time
+    std::vector<std::size_t> stroke_of(order.size());  // each event in the order of time has one
     std::vector<char> is_continued(order.size(), false);
     for (std::size_t i = 0; i < order.size(); ++i) {
         const ToolContact& event = events[order[i]];

@@ -14,7 +14,7 @@
 
 namespace lapfx::app {
 
-inline constexpr std::size_t most_events = 4096;  ///< of a scene
+inline constexpr std::size_t most_events = 4096;  ///< a scene has no more
 inline constexpr double last_event_time = 3600;   ///< s, also the longest duration
 
 /// Contacts that continue each other, from press to release.

@@ -24,7 +24,7 @@ void GpuTimer::end() {
 }
 
 double GpuTimer::seconds() {
-    constexpr double weight = 0.2;  // of a new measurement in the mean
+    constexpr double weight = 0.2;  // a new measurement has this share in the mean
     for (std::size_t i = 0; i < count; ++i) {
         if (!pending_[i]) continue;
         GLuint ready = GL_FALSE;

@@ -13,7 +13,7 @@ struct Looking {
     SceneCamera camera;
     Overlay overlay = Overlay::none;
     bool underlay = false;        ///< the reference lies in the view, translucent, to place the camera by
-    double underlay_share = 0.5;  ///< of the reference in that
+    double underlay_share = 0.5;  ///< the reference has this share of the picture in that
 
     /// The camera that the view shows the scene through.
     SceneCamera through(const SceneCamera& of_scene) const;

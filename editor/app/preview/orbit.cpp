@@ -87,7 +87,7 @@ void see_whole(Scene& scene, const OrganReport& organ) {
 SceneCamera fit(std::span<const glm::vec3> points, double aspect) {
     SceneCamera camera;
     if (points.empty()) return camera;
-    constexpr double rim = 0.94;  // of the picture's half, where the outermost point lies
+    constexpr double rim = 0.94;  // the outermost point lies at this share of the picture's half
     const double up = rim * std::tan(glm::radians(camera.field_of_view) / 2.0), right = up * aspect;
     // The eye sees a point at x within its side's half if x - eye.x <= right (eye.z - z), and so for the other sides:
     // each bound on x + right z, -x + right z and the same of y holds for all points.

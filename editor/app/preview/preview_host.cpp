@@ -22,7 +22,7 @@ bool same_camera(const SceneCamera& a, const SceneCamera& b) {
            a.exposure == b.exposure && a.vignette == b.vignette;
 }
 
-/// Of what its organ is loaded from.
+/// The name says what the organ is loaded from.
 std::string organ_name(const Scene& scene) {
     return std::filesystem::path(scene.plate.use ? scene.reference.file : scene.organ.file).filename().string();
 }

@@ -37,7 +37,7 @@ struct Shot {
 struct PreviewCopy {
     Target target;
     Shot shot;
-    std::uint64_t revision = 0;  ///< of the host; 0: nothing yet
+    std::uint64_t revision = 0;  ///< the host had this revision; 0: nothing is copied yet
 };
 
 /// What is being loaded for the preview.
@@ -181,9 +181,9 @@ class PreviewHost {
     std::vector<std::filesystem::path> opening_;  ///< clips that are being examined
     std::vector<std::filesystem::path> organ_files_;
     std::vector<Fault> preset_faults_, organ_faults_;
-    bool scene_fault_ = false;  ///< of organ_faults_: the scene as it is, not its file
+    bool scene_fault_ = false;  ///< organ_faults_ are about the scene as it is, not about its file
     bool changed_ = true;
-    std::uint64_t revision_ = 1, drawn_ = 0;  ///< of what it shows beside the shot; the one in the target
+    std::uint64_t revision_ = 1, drawn_ = 0;  ///< the revision of what it shows beside the shot; the one in the target
     Image pixels_;                            ///< of the target, where pixels_known_
     bool pixels_known_ = false;
     std::uint64_t read_back_ = 0;

@@ -76,7 +76,7 @@ bool SeenColors::plume_over(const SolvedColor& solved, const Shot& shot, glm::iv
 glm::dvec3 SeenColors::solve(std::string_view name, const glm::dvec3& picked, const glm::dvec3& now,
                              const std::function<void(document::Content&, const glm::dvec3&)>& put) {
     const std::optional<Picture> clicked = std::exchange(picture_, std::nullopt);
-    if (!clicked) return picked;  // from no picture of this window
+    if (!clicked) return picked;  // the click was on no picture of this window
     Picture picture = *clicked;
     if (!preview_.can_try()) {
         notices_.add(

@@ -22,7 +22,7 @@ constexpr double pure_share = 0.93;    // of the largest share of the light, fro
 constexpr double pointed_share = 0.2;  // of the strongest gain, from which the place that was pointed at will do
 constexpr double as_near = 2;          // Delta E, less than an eye tells apart (2.3: Mahy and others, 1994)
 constexpr double clipped = 0.96;       // light from which a channel says nothing
-constexpr double knee = 0.7;           // of shaders/color.glsl
+constexpr double knee = 0.7;           // shaders/color.glsl has the same knee
 
 /// What the camera's shoulder does, taken back: light that is a straight line over the field's.
 double before_shoulder(double shown) {

@@ -18,7 +18,7 @@
 namespace lapfx::app {
 
 struct SolvedColor {
-    glm::dvec3 color{0.0};  ///< for the field, in whole code values
+    glm::dvec3 color{0.0};  ///< the field gets this colour, in whole code values
     bool acts = false;      ///< something in the picture has it; else `color` is the one that was picked
     glm::dvec2 place{0.0};  ///< where it was solved for, shares of the picture from its upper left corner
     glm::dvec3 picked{0.0};

@@ -94,7 +94,7 @@ void* ParameterEntry::owner(Preset& preset) const {
 }
 
 const void* ParameterEntry::owner(const Preset& preset) const {
-    return owner(const_cast<Preset&>(preset));  // only an address is taken
+    return owner(const_cast<Preset&>(preset));  // only an address is taken, nothing is written
 }
 
 bool ParameterEntry::same(const Preset& a, const Preset& b) const {

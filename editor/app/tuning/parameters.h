@@ -47,7 +47,7 @@ struct ParameterEntry {
     }
     template <typename T>
     const T& in(const Preset& preset) const {
-        return in<T>(const_cast<Preset&>(preset));  // only an address is taken
+        return in<T>(const_cast<Preset&>(preset));  // only an address is taken, nothing is written
     }
     /// No text is copied.
     bool same(const Preset& a, const Preset& b) const;

@@ -59,7 +59,7 @@ void SnapshotPreviews::follow() {
     for (std::size_t slot = 0; slot < all_.size(); ++slot) {
         if (!kept(slot) || !(wanted_[slot] || slot == making_))
             all_[slot].reset();
-        else if (organ)  // while another one is loaded, the former pictures stay
+        else if (organ)  // the former pictures stay while another one is loaded
             follow(slot, organ);
     }
 }

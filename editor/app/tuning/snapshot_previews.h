@@ -52,7 +52,7 @@ class SnapshotPreviews {
     void update();
     /// After the panels: previews that are wanted are made and take what has changed in the document's scene.
     void follow();
-    /// After that: thumbnails. Gives whether it has drawn.
+    /// Call it after that, for thumbnails. It returns whether it has drawn.
     bool draw();
     /// While time stands, another draw() of one that is compared could give a better picture.
     bool late() const;

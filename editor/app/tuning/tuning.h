@@ -82,7 +82,7 @@ class Tuning {
     bool wants_search = false;       ///< the search field gets the keyboard in the next build
     std::size_t current = no_entry;  ///< the row that has or had the keyboard
     std::size_t wanted = no_entry;   ///< the row that gets it in the next build of the panel, and comes into sight
-    void want(std::size_t entry);    ///< also ends a search that would hide it
+    void want(std::size_t entry);    ///< a search that would hide it ends
 
   private:
     struct State {
@@ -100,7 +100,7 @@ class Tuning {
     const PreviewHost& preview_;
     Settings& settings_;
     Notices& notices_;
-    std::vector<State> states_;  ///< of each entry
+    std::vector<State> states_;  ///< each entry has one
     std::vector<int> changed_in_;
     int changed_in_all_ = 0;
     std::vector<std::string> other_faults_, favourite_keys_;

@@ -158,7 +158,7 @@ Edit edit_position(Ui& ui, const View& view, glm::dvec2 place, CompareState& sta
                                               .tip = "Drag: move the line. Double click: back to the middle",
                                               .at = glm::vec2(place) - origin});
     const bool upright = std::abs(line.normal.x) >= std::abs(line.normal.y);
-    const double paged = std::abs(moves.steps.y) >= 10 ? moves.steps.y : 0;  // at any angle of the line
+    const double paged = std::abs(moves.steps.y) >= 10 ? moves.steps.y : 0;  // the line may have any angle
     const double steps = upright ? std::copysign(1.0, line.normal.x) * moves.steps.x + paged
                                  : std::copysign(1.0, line.normal.y) * -moves.steps.y;
     const Edit edit = edit_by_handle(ui, moves, {.step = 0.01, .reset = 0.5}, steps,
@@ -367,7 +367,7 @@ CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first,
         const bool beyond =
             state.kind == CompareKind::wipe &&
             WipeLine(views[0], state.angle).position_at(views[0].to_screen(glm::dvec2(pick.at) + 0.5)) > state.position;
-        const bool second_half = half == 1 && !pick.by_keys;  // with keys the place is in both
+        const bool second_half = half == 1 && !pick.by_keys;  // a place that was picked with keys is in both
         const int under = result.flicker || second_half || beyond ? 1 : 0;
         result.under = state.swapped ? 1 - under : under;
         result.picked = options.eyedropper && eyedropper_clicked(ui, id);

@@ -42,7 +42,7 @@ struct CompareResult {
     bool flicker = false;  ///< F is held: only the second is shown
     bool has_pick = false;
     glm::ivec2 pick{0};
-    glm::vec4 first{0}, second{0};  ///< at the pick, means of the sample box; as they are shown
+    glm::vec4 first{0}, second{0};  ///< means of the sample box at the pick, as they are shown
     int under = 0;        ///< 0 or 1: which of the arguments is seen at the pick; where they are mixed, the first shown
     bool picked = false;  ///< the eyedropper was used there
     Edit edit;            ///< of position, angle, mix, gain or swapped

@@ -25,9 +25,9 @@ struct Memory {
     std::size_t grabbed = 0;
     glm::vec2 from{0}, last{0}, way{0};
     Curve before;
-    std::vector<std::uint8_t> selected, selected_before;  ///< for each point
+    std::vector<std::uint8_t> selected, selected_before;  ///< each point has one
     std::vector<CurvePoint> scratch;
-    std::vector<Id> ids;              ///< of the points, as built last
+    std::vector<Id> ids;              ///< the points had them when they were built last
     std::size_t entering = no_point;  ///< the point whose values are typed
     bool invalid = false;
     std::string entry;

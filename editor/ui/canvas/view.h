@@ -15,7 +15,7 @@ struct ViewState {
 };
 
 inline constexpr double most_zoom = 64;  ///< smaller pictures may be fitted larger
-inline constexpr double grid_zoom = 8;   ///< from here on single pixels are shown as such
+inline constexpr double grid_zoom = 8;   ///< single pixels are shown as such from here on
 
 /// A ViewState at work: a picture of `size` in `area`. The picture's corner lies on a whole px.
 struct View {

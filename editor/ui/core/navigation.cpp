@@ -165,7 +165,7 @@ bool Ui::takes_under_pointer(const Event& event) {
 void Ui::route_key(const Event& event) {
     key_ran_shortcut_ = false;
     const Id held_now = active_[0] != 0 ? active_[0] : active_[1] != 0 ? active_[1] : active_[2];
-    if (held_now != 0) {  // in the middle of a drag only what drags is listened to
+    if (held_now != 0) {  // only what drags is listened to in the middle of a drag
         const Node* held_node = before(held_now);
         if (event.key == Key::escape) return cancel_held();
         if (held_node != nullptr && takes(held_node->sense, event.key, event.mods)) send(held_now, event);

@@ -61,7 +61,7 @@ enum class Role : std::uint8_t {
     link,
 };
 std::string_view name_of(Role role);
-bool arrows_move_focus(Role role);  ///< from one of its children to the next
+bool arrows_move_focus(Role role);  ///< arrow keys lead from one of its children to the next
 
 /// Which events a node receives. Bits.
 enum class Sense : std::uint32_t {

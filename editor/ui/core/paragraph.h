@@ -14,7 +14,7 @@ class LineBreaker {
   public:
     LineBreaker(Fonts& fonts, const TextStyle& style) : fonts_(fonts), style_(style) { ascii_.fill(-1); }
     struct Line {
-        std::size_t bytes;  ///< with the spaces, or the line break, that it ends with
+        std::size_t bytes;  ///< the spaces or the line break at its end are counted, too
         float width;        ///< px, of its spaces too
     };
     /// How much of `text` fits into a line of `width` px; at least one character.

@@ -95,7 +95,7 @@ class UiState {
     UiOptions options_;
     FrameInput input_;
     FrameOutput output_;
-    DrawList list_, shown_;  ///< of this frame and of the one before
+    DrawList list_, shown_;  ///< the list of this frame, and that of the one before
     /// What `shown_` was drawn with. If any of it differs now, nothing of `shown_` can be used again.
     struct DrawnWith {
         const Theme* theme = nullptr;
@@ -126,7 +126,7 @@ class UiState {
     bool routing_ = false;
     bool key_ran_shortcut_ = false;  ///< the text that comes with the key is no text then
     int unsettled_ = 0;              ///< frames in a row that did not come to rest
-    bool letters_missing_ = false;   ///< in the frame before
+    bool letters_missing_ = false;   ///< the frame before lacked letters
     std::string dropped_;
     Id pressed_hot_ = 0;  ///< was pressed since the pointer came to it
     Id hot_ = 0, active_[3] = {}, focus_ = 0, reveal_ = 0;
@@ -138,7 +138,7 @@ class UiState {
     Mods mods_ = Mods::none;
     std::vector<Key> keys_down_;
     Id typed_for_ = 0;       ///< had the keyboard when the newest key went down
-    bool key_came_ = false;  ///< and no text or key_up since
+    bool key_came_ = false;  ///< a key came, and no text or key_up since
     bool again_ = false;     ///< another build is wanted before drawing
     bool fresh_ = true;      ///< the next build is the first of its frame
     int settled_ = 0;        ///< builds of this frame that no event asked for

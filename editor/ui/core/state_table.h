@@ -12,7 +12,7 @@ namespace lapfx::ui {
 struct Seen {
     Id id = 0;
     std::uint32_t node = no_node, before = no_node;
-    std::uint32_t ordinal = 0;  ///< of the last widget of the same label, in build `ordinal_build`
+    std::uint32_t ordinal = 0;  ///< the last widget of the same label had it in build `ordinal_build`
     std::uint32_t ordinal_build = 0;
     std::uint32_t events = 0;  ///< the build that has events for it
 };

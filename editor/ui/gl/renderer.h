@@ -72,7 +72,7 @@ class Renderer {
     glm::ivec2 atlas_size_{0};
     std::uint32_t atlas_resets_ = 0;
     std::size_t clip_alignment_ = 16;  ///< entries
-    std::vector<Picture> pictures_;    ///< by index in the store
+    std::vector<Picture> pictures_;    ///< the index is that in the store
     std::vector<glm::vec4> clip_table_;
     RenderStatistics last_;
 };

@@ -13,7 +13,7 @@ namespace lapfx::ui {
 namespace {
 
 constexpr float grid = 24;
-constexpr std::size_t most_points = 16;  // of a part, and of an arc as drawn
+constexpr std::size_t most_points = 16;  // a part has no more, and an arc as drawn has no more
 
 constexpr struct {
     Icon value;

@@ -10,7 +10,7 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr std::uint32_t most_clips = 256;  // of a batch: an instance's index has 8 bits
+constexpr std::uint32_t most_clips = 256;  // a batch has no more: an instance's index has 8 bits
 constexpr std::string_view ellipsis = "\xE2\x80\xA6";
 
 std::uint8_t whole_byte(float value) {

@@ -38,7 +38,7 @@ struct Theme {
     Color warning;
     Color error;
     Color shadow;
-    /// For plots; people with colour blindness can tell them apart (Okabe and Ito 2008).
+    /// Plots use them; people with colour blindness can tell them apart (Okabe and Ito 2008).
     Color series[8];
 
     // metrics; em are font heights

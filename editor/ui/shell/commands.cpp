@@ -67,7 +67,7 @@ constexpr struct {
     Mods mod;
     std::string_view name;
 } mod_names[] = {
-    {Mods::command, "Ctrl"}, {Mods::alt, "Alt"}, {Mods::shift, "Shift"}};  // in the order of a chord's text
+    {Mods::command, "Ctrl"}, {Mods::alt, "Alt"}, {Mods::shift, "Shift"}};  // a chord's text has them in this order
 
 /// Keys whose name is the character on them.
 constexpr std::string_view written = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ',-./;=[]`\\";

@@ -14,7 +14,7 @@ namespace lapfx::ui {
 namespace {
 
 constexpr Id dialogs = 0x6469616c6f672e73ULL;
-constexpr float shade = 0.5F;  // of the layer over everything below
+constexpr float shade = 0.5F;  // the layer over everything below is so opaque
 
 constexpr float least_button = 6;  // em
 
@@ -136,7 +136,7 @@ void Dialog::begin_body(bool grows) {
     body.sense = Sense::wheel;
     body.scrolls[1] = true;
     body.scroll = &state;
-    body.clips = state.content.y - state.view.y >= 1;  // without clipping, focus rings may extend beyond it
+    body.clips = state.content.y - state.view.y >= 1;  // focus rings may extend beyond it without clipping
     if (body.clips) body.padding[2] = static_cast<std::uint8_t>(std::min(ui_.em(1), 255.0F));
     body_ = &state;
 }

@@ -97,7 +97,7 @@ class FileDialog {
     std::optional<LookedAt> looked_at_;
     std::string new_folder_;  ///< its name, while it is typed
     std::string replaces_;    ///< path that exists: waits for the answer
-    std::string cell_;        ///< of the table, which copies it before it asks for the next
+    std::string cell_;        ///< a cell's text is made here: the table copies it before it asks for the next
     std::string count_;       ///< "3 files", in the field while it is empty
     std::vector<std::string_view> filter_names_;
     bool fresh_ = false;  ///< the keyboard has not been given to the field yet

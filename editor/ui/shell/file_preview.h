@@ -17,7 +17,7 @@ struct FilePicture {
     State state = State::none;
     ImageHandle image = 0;
     glm::ivec2 size{0};           ///< px
-    std::string_view fault = {};  ///< of `failed`: why, one line. Until the next build
+    std::string_view fault = {};  ///< one line says why it `failed`; it is valid until the next build
 };
 
 class FilePictures {

@@ -46,7 +46,7 @@ FileSystem& system_files();
 std::string resolve_path(std::string_view folder, std::string_view path);
 /// "~" and "~/a" are `home` and what is in it; all else is as it was.
 std::string expand_home(std::string_view path, std::string_view home);
-std::string_view parent_of(std::string_view path);  ///< of "/": "/"
+std::string_view parent_of(std::string_view path);  ///< "/" is its own parent
 std::string_view name_of_path(std::string_view path);
 /// "823 B", "1.2 MB"; thousands, as disks are sold.
 std::string size_text(std::uint64_t bytes);

@@ -8,7 +8,7 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr std::size_t most_letters = 32;  // of one word of a pattern
+constexpr std::size_t most_letters = 32;  // one word of a pattern has no more
 constexpr float letter = 1, word_start = 8, side_by_side = 9, gap = -2, per_byte = -0.02F;
 constexpr float impossible = -1e9F;
 

@@ -28,7 +28,7 @@ class PathCompletion {
 
     PathCompletion(FileSystem& files, RunBeside beside) : files_(files), reader_(files, std::move(beside)) {}
 
-    /// After `typed` was edited by hand.
+    /// Call it after `typed` was edited by hand.
     void search(Ui& ui, std::string_view typed, const Shown& shown);
     void close();
     /// What folders hold may have changed.

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view overlay = "toasts", log_name = "notices log";
 constexpr Sense card_sense = Sense::hover | Sense::press | Sense::focus | Sense::activate | Sense::arrows_y |
-                             Sense::erase | Sense::escape;  // not in the Tab order, see take_focus()
+                             Sense::erase | Sense::escape;  // Tab does not reach it, see take_focus()
 constexpr float widest = 24;                                // em
 constexpr float edge = 0.8F;                                // em, to the window's edges and the status bar
 constexpr float gap = 0.5F;                                 // em, between two
@@ -227,7 +227,7 @@ Toasts::Answer Toasts::build_one(Ui& ui, Shown& shown) {
                  [&](const Event& event) { answer.gone |= event.kind == EventKind::key && event.key == Key::escape; });
     const bool closes =
         icon_button(ui, Icon::cross, "Close", {.tip = "Closes it; All notices keeps it", .quiet = true});
-    ui.last().sense = Sense::hover | Sense::press;  // not in the Tab order: keys close it by Esc
+    ui.last().sense = Sense::hover | Sense::press;  // Tab does not reach it: keys close it by Esc
     hovered_ |= has(ui.last().is, Is::hovered);
     answer.gone |= closes;
     if (!toast.action.empty()) {

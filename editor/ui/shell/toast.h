@@ -39,7 +39,7 @@ struct ToastNote {
 class Toasts {
   public:
     static constexpr std::size_t most_kept = 4;     ///< that can be on the screen
-    static constexpr std::size_t most_notes = 200;  ///< in the log; the oldest go first
+    static constexpr std::size_t most_notes = 200;  ///< the log has no more; the oldest go first
 
     /// The same kind and text again: counts, becomes the newest, and stays as long as a new one. Where there are too
     /// many, the oldest that would go by itself gives way, else the oldest.
@@ -86,7 +86,7 @@ class Toasts {
     std::size_t hidden_ = 0;  ///< that gave way since there was none last
     double time_ = 0;
     bool added_ = false;
-    bool hovered_ = false;  ///< or has the keyboard
+    bool hovered_ = false;  ///< the pointer is over it, or it has the keyboard
     bool wants_focus_ = false;
 };
 

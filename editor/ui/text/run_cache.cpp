@@ -83,7 +83,7 @@ void RunCache::next_frame() {
             ++sweep_;
             continue;
         }
-        table_.erase_slot(sweep_);  // and another may stand there now
+        table_.erase_slot(sweep_);  // another may stand there now
         release(index);
     }
 }

@@ -18,7 +18,7 @@ class Shaper {
         std::uint32_t byte;
         Face* face;  ///< nullptr: no font has it
         hb_script_t script;
-        bool starts_cluster;  ///< as next_character() parts them
+        bool starts_cluster;  ///< next_character() parts clusters
     };
 
     void read(std::string_view text);

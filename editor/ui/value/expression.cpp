@@ -95,7 +95,7 @@ struct Function {
 constexpr Function functions[] = {
     {"sqrt", [](double a) { return std::sqrt(a); }, false, false},
     {"abs", [](double a) { return std::abs(a); }},
-    {"min", [](double a) { return a; }, true},  // of each and what was before: call()
+    {"min", [](double a) { return a; }, true},  // call() compares each number with what was before
     {"max", [](double a) { return a; }, true},
     {"round", [](double a) { return std::round(a); }},
 };
@@ -192,7 +192,7 @@ std::variant<double, ExpressionError> Parser::result() {
     if (at_ < text_.size()) fail(at_, text_[at_] == ')' ? "no bracket is open" : "expected an operator: + - * / ^");
     value = checked({.number = in_field(value)}, begin);
     if (failed_) return error_;
-    return value.number + 0.0;  // not -0
+    return value.number + 0.0;  // -0 becomes 0
 }
 
 Parser::Value Parser::sum() {

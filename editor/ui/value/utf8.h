@@ -19,7 +19,7 @@ struct Decoded {
 /// The code point at the front of `text`, which is not empty. Overlong forms, surrogates and what is beyond U+10FFFF
 /// are not valid.
 Decoded decode(std::string_view text);
-void append(std::string& text, char32_t codepoint);  ///< not a scalar value: U+FFFD
+void append(std::string& text, char32_t codepoint);  ///< what is no scalar value becomes U+FFFD
 bool valid_utf8(std::string_view text);
 /// Bytes of the character before `byte` and at it, which need not be at the edge of one. A character is what a reader
 /// takes for one: an extended grapheme cluster of Unicode (UAX 29), as utf8proc knows them; a byte that is no UTF-8

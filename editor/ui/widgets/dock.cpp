@@ -61,7 +61,7 @@ struct Wish {
     int leaf = -1, tab = -1;
     int to = -1, position = -1;
     DockSide side = DockSide::center;
-    std::string_view panel = {};  // for `show`: a closed panel, which goes into leaf `to`
+    std::string_view panel = {};  // a closed panel that `show` puts into leaf `to`
 };
 
 /// The panel whose tab the menu was opened at.

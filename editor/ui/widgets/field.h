@@ -6,7 +6,7 @@
 
 namespace lapfx::ui {
 
-inline constexpr float caption_share = 0.45F;  ///< of a row, where it has a caption
+inline constexpr float caption_share = 0.45F;  ///< a row with a caption gives it this part
 inline constexpr float caption_inset = 0.35F;  ///< em before it: clear of the focus ring
 /// The field of a row: what is right of the caption, or all of it when there is none.
 Rect field_part(const Rect& row, bool caption);

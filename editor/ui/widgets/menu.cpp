@@ -26,7 +26,7 @@ struct Level {
     Id key_target = 0;                              ///< the node that had the keyboard then
     Id first = 0, last = 0, after = 0, before = 0;  ///< items that can be chosen, or that begin with the letter
     bool passed = false;                            ///< key_target has been built
-    bool opened_by_key = false;                     ///< in this build
+    bool opened_by_key = false;                     ///< a key opened it in this build
     Id keys = 0;                                    ///< the node that has the keyboard while no item is marked
 };
 
@@ -320,7 +320,7 @@ Submenu::Submenu(Ui& ui, std::string_view label, Icon icon) : ui_(ui) {
     bool opens = r.clicked;
     if (id == outer.key_target && outer.key == Key::right) {
         opens = true;
-        outer.key = Key::none;  // so that it does not also lead to the next menu of the bar
+        outer.key = Key::none;  // the key does not lead to the next menu of the bar as well
     }
     if (!has(ui.last().is, Is::disabled) && pointer_acts(ui, outer, id, submenu_after)) opens = true;
     if (opens && !open) {

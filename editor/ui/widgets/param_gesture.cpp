@@ -126,7 +126,7 @@ void NumberGesture::open(NumberState& s) {
 }
 
 void NumberGesture::type(NumberState& s, const Response& r) {
-    if (!r.focused && !r.focus_out) return close(s, false);  // if it was disabled meanwhile, the entry is dropped
+    if (!r.focused && !r.focus_out) return close(s, false);  // the entry is dropped if the field was disabled meanwhile
     // What was typed just before the keyboard went elsewhere may come in the same build as that.
     const NumberEntry::Outcome outcome = s.entry.take(ui_, id_, field_, context_of(o_, shown()));
     if (!r.focused) return close(s, outcome != NumberEntry::Outcome::given_up);

@@ -8,7 +8,7 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr float least_zone = 0.15F;   // of the field, of each handle
+constexpr float least_zone = 0.15F;   // each handle has at least this part of the field
 constexpr float beside_value = 1.6F;  // em: a letter, the gap to the number, and both ends of the field
 constexpr float least_field = 3.8F;   // em: a letter and a number of three digits
 

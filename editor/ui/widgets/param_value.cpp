@@ -8,7 +8,7 @@ namespace lapfx::ui {
 namespace {
 
 constexpr double fine_part = 0.1;
-constexpr double whole_step = 0.01;  // of the range, where steps follow the scale
+constexpr double whole_step = 0.01;  // steps have this part of the range where they follow the scale
 
 ValueRange range_of(const ParamOptions& o) {
     return {o.minimum, o.maximum, o.scale, o.smallest};

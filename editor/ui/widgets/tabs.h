@@ -21,7 +21,7 @@ struct TabOptions {
 /// Numbers of tabs; -1: none.
 struct TabEvents {
     int chosen = -1;
-    int pressed = -1;        ///< by the pointer, whether or not it is in front already
+    int pressed = -1;        ///< the pointer pressed it, whether or not it is in front already
     int closed = -1;         ///< is to be closed: the program takes it away
     int place = 0;           ///< so many have their middle left of the pointer: where a dropped one would stand
     int grabbed = -1;        ///< is being dragged now

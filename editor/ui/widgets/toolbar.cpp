@@ -96,7 +96,7 @@ void toolbar(Ui& ui, std::string_view label, float room, std::span<const ToolIte
         done |= chosen(ui, ui.last());
     }
     ui.close_overlay_node();
-    if (done && ui.overlay_on_top(name)) ui.close_overlay(name);  // but not an overlay that the button opened
+    if (done && ui.overlay_on_top(name)) ui.close_overlay(name);  // an overlay that the button has opened stays
 }
 
 }  // namespace lapfx::ui

@@ -228,7 +228,7 @@ typedef struct lapfx_sample {
     size_t size;
     double time;
     double position[3];
-    int touching;  ///< not 0: in contact with the organ and acting (pedal down, blades closed)
+    int touching;  ///< not 0: the tool touches the organ and acts (pedal down, blades closed)
     int action;
     double power;
     double strength;

@@ -81,7 +81,7 @@ struct Organ {
     std::vector<glm::vec4> colors;       ///< linear RGBA, white where the file has none
     std::vector<std::uint32_t> indices;  ///< three per triangle, counter-clockwise from outside
     std::vector<Part> parts;             ///< cover all indices, in order
-    std::vector<Material> materials;     ///< at least one
+    std::vector<Material> materials;     ///< there is at least one
     std::vector<Image> images;
     std::vector<std::string> warnings;         ///< what was repaired or left out, a line each
     std::vector<std::filesystem::path> files;  ///< the files that it was read from, the mesh first; all are in its

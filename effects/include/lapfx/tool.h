@@ -19,7 +19,7 @@ enum class ToolAction { cauterise, cut, coagulate, tear, suction, irrigation, cl
 /// in lapfx.h and lapfx.py, which tests compare with it.
 struct ToolActionRow {
     ToolAction action;
-    std::string_view key;    ///< in JSON: "cauterise"
+    std::string_view key;    ///< JSON has this name for it: "cauterise"
     std::string_view title;  ///< "Cauterise"
     std::string_view help;   ///< what it does, in a few words for behind a colon
     std::string_view

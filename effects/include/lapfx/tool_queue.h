@@ -32,7 +32,7 @@ namespace lapfx {
 struct ToolSample {
     double time = 0.0;
     glm::dvec3 position{0.0};
-    bool touching = false;  ///< in contact with the organ and acting (pedal down, blades closed)
+    bool touching = false;  ///< the tool touches the organ and acts (pedal down, blades closed)
     ToolAction action = ToolAction::cauterise;
     double power = 1.0;     ///< 0..1
     double strength = 1.0;  ///< of the wound

@@ -24,7 +24,7 @@ enum class Overlay { none, vessels, fat, bleed };
 /// them OVERLAY_NONE and so on.
 struct OverlayRow {
     Overlay overlay;
-    std::string_view key;           ///< as `lapfx render --overlay` takes it: "vessels"
+    std::string_view key;           ///< `lapfx render --overlay` takes this name: "vessels"
     std::string_view title;         ///< "Vessels"
     std::string_view command = {};  ///< command of the editor that turns it on and off: "Vessel overlay"; empty: none
     std::string_view help;          ///< what its colours mean

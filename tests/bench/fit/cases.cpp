@@ -13,7 +13,7 @@ namespace lapfx::bench {
 
 namespace {
 
-constexpr std::uint32_t part = 40;  // of the random numbers (random.h)
+constexpr std::uint32_t part = 40;  // scenes take this part of the random numbers (random.h)
 constexpr double apart = 22.0;      // mm between burn and cut: heat must not close the wound
 constexpr double sampled = 0.01;    // s
 constexpr int most_tries = 50;

@@ -277,7 +277,7 @@ void compare_frames(Preview& smoky, Preview& clear, const Extent& extent, const 
 void compare_frames(const HostFrame& host, const Played& played, BenchReport& report, commands::Progress& progress) {
     Preview smoky(played.scene, played.smoky, played.organ, {.clip_folders = {}, .wait_for_clips = true}),
         clear(played.scene, played.clear, played.organ, {});
-    for (int i = 0; i <= bench_clip_frames; ++i)  // until every clip is resident; small
+    for (int i = 0; i <= bench_clip_frames; ++i)  // every clip is resident after these small frames
         smoky.draw(8.0 + i * frame_seconds, {64, 48}, host.framebuffer());
     compare_frames(smoky, clear, played.extent, host, "frame_15_over_0", "as the sample scene is", report, progress);
     const SceneCamera camera = far_away(clear, played.scene.camera, played.extent.size, host.framebuffer());

@@ -56,7 +56,7 @@ std::vector<ToolContact> strokes(const Effects& effects, const glm::dvec3& centr
 }
 
 struct Cost {
-    double us = std::numeric_limits<double>::infinity();  // of CPU for each sample
+    double us = std::numeric_limits<double>::infinity();  // CPU time of each sample
     Amounts before;                                       // blood and burns that the history left
 };
 

@@ -5,7 +5,7 @@
 
 namespace lapfx::bench {
 
-constexpr std::size_t ample_memory = std::size_t{3} << 30;  // for 60 resident clips
+constexpr std::size_t ample_memory = std::size_t{3} << 30;  // 60 resident clips fit in
 
 struct Way {
     const char* name;

@@ -11,7 +11,7 @@
 namespace lapfx::bench {
 
 double decoding_rate(std::span<const std::filesystem::path> clips, int loops, int threads) {
-    constexpr int buffers = 4;  // as many as each of 15 clips has while they play
+    constexpr int buffers = 4;  // each of 15 clips has as many while they play
     media::DecodePool pool(threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency()));
     std::vector<std::unique_ptr<media::ClipStream>> streams;
     std::vector<int> counts;

@@ -14,7 +14,7 @@ enum class Screen {
     plots,        ///< 256 bars and 8 curves of 512 points
     million,      ///< a curve of a million points, panned in each frame; ours alone
     small,        ///< the first at 640x400, as pictures in tests are
-    sliders_368,  ///< for drawing at 1920x1080: panels full of sliders
+    sliders_368,  ///< panels full of sliders are drawn at 1920x1080
 };
 
 struct Drawn {

@@ -34,7 +34,7 @@ const std::string against = "imgui_debian_build_";
 #endif
 
 struct Extent {
-    int rounds, frames;  ///< for each toolkit, in turns
+    int rounds, frames;  ///< each toolkit has them, in turns
 };
 constexpr Extent whole{60, 20}, least{1, 2};
 
@@ -88,7 +88,7 @@ void add_row(bench::BenchReport& report, const char* screen, const char* toolkit
                                         {"memory_kib", static_cast<double>(memory) / 1024}}});
 }
 
-/// Without comparison: Dear ImGui has no plot for a million points.
+/// There is no comparison: Dear ImGui has no plot for a million points.
 void measure_million(bench::Toolkit& ours, const Extent& extent, bench::BenchReport& report) {
     ours.show(Screen::million);
     Times times;

@@ -19,7 +19,7 @@ class EditorDocument : public SampleTest {
         const std::filesystem::path file = folder() / name;
         Preset preset;
         preset.name = "own";
-        preset.vessels = editor().document.preset().vessels;  // to find others takes a second
+        preset.vessels = editor().document.preset().vessels;  // finding other vessels takes a second
         save_preset(preset, file);
         open({file.string()});
         return file;

@@ -35,7 +35,7 @@ TEST_F(MisuseTest, WhatWasDestroyedIsNeverFoundAgain) {
     lapfx_preset* const before = gone;
     expect_ok(lapfx_preset_destroy(gone));
     expect_fails(lapfx_preset_destroy(before), LAPFX_MISUSE, "it was destroyed, or lapfx never made it");
-    for (int i = 0; i < 100; ++i) {  // in the same place
+    for (int i = 0; i < 100; ++i) {  // the next one lies in the same place
         lapfx_preset* next = nullptr;
         expect_ok(lapfx_preset_parse(plain_preset, nullptr, &next));
         ASSERT_NE(next, before);

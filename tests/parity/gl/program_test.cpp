@@ -22,7 +22,7 @@ class ProgramTest : public test::GpuTest {
     static std::vector<std::string> faults(const Program& program, const char* uniform, const T& value) {
         return test::faults_of([&] { program.set(uniform, value); }, Failure::runtime);
     }
-    /// As the shader has it.
+    /// The shader has this value.
     static float value_of(const Program& program, const char* uniform) {
         float value = -1.0f;
         glGetUniformfv(program.name(), glGetUniformLocation(program.name(), uniform), &value);

@@ -268,7 +268,7 @@ TEST_F(ClipSetOnce, AJumpingClipBecomesResidentToo) {
     this->set(set, clips({"a.avi"}));
     int i = 0;
     const auto cycle = [&] {
-        shown(set, 0, i++ * 4 % frames);  // only every fourth
+        shown(set, 0, i++ * 4 % frames);  // only every fourth frame is shown
         set.end_cycle();
     };
     EXPECT_TRUE(test::wait_until([&] { return set.status()[0].resident == frames; }, cycle));

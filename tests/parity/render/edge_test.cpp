@@ -36,7 +36,7 @@ class EdgeTest : public test::SceneTest {
 
     glm::ivec2 frame{400, 400};
 
-    /// So that a triangle of the largest sheet that is not split is 38 pixels wide.
+    /// A triangle of the largest sheet that is not split is then 38 pixels wide.
     void look_closely() { scene.camera.field_of_view = 13.2; }
 
     double mm_per_pixel() const {

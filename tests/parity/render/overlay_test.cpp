@@ -62,7 +62,7 @@ class OverlayTest : public SceneTest {
         int compared = 0, covered = 0;
         for (int i = 0; i < extent.x * extent.y; ++i) {
             const float share = density(place(i));
-            if (share < 0.0f) continue;  // not known well enough
+            if (share < 0.0f) continue;  // the share is not known well enough
             const auto pixel = static_cast<std::size_t>(i);
             const glm::vec3 wanted = glm::mix(glm::vec3(luma(plain[pixel])), tint, cover * share);
             ++compared;

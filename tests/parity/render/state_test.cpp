@@ -310,7 +310,7 @@ TEST_F(StateTest, WhatTheHostHasSetDoesNotChangeThePicture) {
                     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer.name());
                 }))
         << "clip frames are uploaded while drawing";
-    GLuint sampler = 0;  // as of a host that draws text, the editor among them: no mipmaps, no repeating
+    GLuint sampler = 0;  // a host that draws text has one, and so has the editor: no mipmaps, no repeating
     glCreateSamplers(1, &sampler);
     for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         glSamplerParameteri(sampler, name, GL_CLAMP_TO_EDGE);

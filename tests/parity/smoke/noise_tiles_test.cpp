@@ -48,7 +48,7 @@ class NoiseTilesTest : public test::GpuTest {
         at = glm::clamp(at, glm::ivec2(0), size - 1);
         return glm::vec4(texels[static_cast<std::size_t>(at.y * size.x + at.x)]) / 255.0f * 2.0f - 1.0f;
     }
-    /// As the layers' shaders sample it: bilinear.
+    /// The layers' shaders sample it so: bilinear.
     glm::vec4 sample(const NoiseTiles& tiles, std::size_t tile, glm::dvec2 uv) const {
         const glm::vec4 place = tiles.place(tile);
         const glm::dvec2 at = (glm::dvec2(place) + uv * glm::dvec2(place.z, place.w)) * glm::dvec2(size) - 0.5;

@@ -418,7 +418,7 @@ TEST_F(SmokeGpuTimings, CountFramesWithSmokeAndOnlyIfAskedTo) {
             EXPECT_EQ(gpu.timer().spans(), 0u);
             EXPECT_EQ(gpu.timer().seconds(), 0.0);
         } else {
-            EXPECT_GE(gpu.timer().spans(), 12u);  // of 20; the last ones are not known yet
+            EXPECT_GE(gpu.timer().spans(), 12u);  // there are 20; the last ones are not known yet
             EXPECT_LE(gpu.timer().spans(), 20u);
             EXPECT_GT(gpu.timer().seconds(), 0.0);
             EXPECT_LE(std::chrono::duration<double>(gpu.timer().seconds()), std::chrono::steady_clock::now() - begin);

@@ -79,7 +79,7 @@ TEST(CompareView, EachKindHasItsMode) {
 TEST(CompareView, BesideEachOtherBothShowTheSamePart) {
     Compared c;
     c.state.kind = CompareKind::side_by_side;
-    c.options.height = px(900);  // in a tall view pictures are larger one above the other
+    c.options.height = px(900);  // pictures of a tall view are larger one above the other
     c.ui.size = {640, 960};
     c.ui.frame();
     std::vector<Rect> images;

@@ -403,7 +403,7 @@ TEST_F(RendererTest, AShaderThatCompilesIsUsedAtOnce) {
     while (glGetError() != GL_NO_ERROR) {
     }
     EXPECT_EQ(at(drawn(draw), 70, 30), green);
-    while (glGetError() != GL_NO_ERROR) {  // for uniforms that this shader does not have
+    while (glGetError() != GL_NO_ERROR) {  // the renderer sets uniforms that this shader lacks
     }
 }
 

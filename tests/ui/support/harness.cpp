@@ -83,7 +83,7 @@ Harness& Harness::click(std::string_view path, const Click& click) {
         send({.kind = EventKind::press, .button = click.button, .mods = click.mods, .at = at});
         send({.kind = EventKind::release, .button = click.button, .mods = click.mods, .at = at});
     }
-    return frame(click.clicks > 1 ? 1.0 / 60 : 0.5);  // so that the next click does not count as a double click
+    return frame(click.clicks > 1 ? 1.0 / 60 : 0.5);  // the next click does not count as a double click then
 }
 
 Harness& Harness::press(std::string_view path, glm::vec2 at, Mods mods) {

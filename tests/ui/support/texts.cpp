@@ -222,7 +222,7 @@ std::vector<std::string> cut_texts(std::span<const Node> tree, const std::vector
         }
         if (in_panned(tree, node)) continue;
         if (text.elided && text.glyphs.size() <= 2) found.push_back(place_of(tree, text) + ": nothing of it is left");
-        // Of a tab, half of a name looks like a mistake, although the strip scrolls.
+        // Half of a name looks like a mistake on a tab, although the strip scrolls.
         if (sides > 0.15F * em && (tree[node].role == Role::tab || !scrolled(tree, node, 0)))
             found.push_back(place_of(tree, text) + ": cut at the side by" + box_text(text.clip));
         if (height > 0.15F * em && !scrolled(tree, node, 1))

@@ -173,7 +173,7 @@ TEST(Utf8, AnyBytesHaveTheSamePlacesForwardsAndBackwards) {
         for (auto left = random() % 12; left > 0; --left) text += pieces[random() % std::size(pieces)];
         ASSERT_EQ(places_forward(text), places_backward(text)) << testing::PrintToString(text);
         const auto places = places_forward(text);
-        for (std::size_t byte = 1; byte <= text.size(); ++byte) {  // from inside a character, too, to its beginning
+        for (std::size_t byte = 1; byte <= text.size(); ++byte) {  // the start may lie inside a character
             const auto at_or_after = std::lower_bound(places.begin(), places.end(), byte);
             ASSERT_EQ(byte - previous_character(text, byte), *std::prev(at_or_after))
                 << testing::PrintToString(text) << byte;

@@ -60,7 +60,7 @@ TEST_F(Param, ThePointerIsHiddenAndGoesBeyondTheWindow) {
     ui.press("Speed").drag_by({100, 0});
     EXPECT_TRUE(ui.output().pointer_locked);
     EXPECT_EQ(ui.output().cursor, Cursor::resize_x);
-    options.maximum = 3520;  // from here on, each px is ten times as much
+    options.maximum = 3520;  // each px is ten times as much from here on
     ui.drag_by({200, 0});
     EXPECT_EQ(speed, 1000) << "the hard maximum, 2197 without";
     options.hard_maximum = 1e6;

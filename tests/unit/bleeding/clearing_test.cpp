@@ -71,7 +71,7 @@ TEST_F(ClearingTest, AMovingTipClearsWhatItHasPassed) {
         std::vector<ToolContact>{
             {.action = ToolAction::suction, .time = 0.0, .duration = 4.0, .position = {-20, 0, 0}, .to = {20, 0, 0}}},
         reach(5, 15));
-    clearing.update(2.0);  // at x = 0
+    clearing.update(2.0);  // the tip is at x = 0 then
     EXPECT_NEAR(cap_at(-10, 3), -6.0, 1e-5);
     EXPECT_NEAR(cap_at(3, 4), 0.0, 1e-5) << "5 mm off the tip";
     EXPECT_EQ(cap_at(12, 0), 1000.0);

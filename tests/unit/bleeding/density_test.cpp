@@ -165,7 +165,7 @@ TEST(Density, ARepeatingTextureGoesOnAtItsOtherSide) {
     parameters.smoothing = 1.0;
     const DensityMap single = map_of(organ, parameters);
     for (std::size_t i = 0; i < organ.uvs.size(); ++i) organ.uvs[i] = organ.uvs[i] * 2.0f + 3.0f;
-    for (glm::vec3& p : organ.positions) p *= 2.0f;  // as many texels per mm as before
+    for (glm::vec3& p : organ.positions) p *= 2.0f;  // there are as many texels per mm as before
     const DensityMap tiled = map_of(organ, parameters);
     EXPECT_FALSE(single.layout().beyond.any);
     EXPECT_TRUE(tiled.layout().beyond.any);

@@ -235,7 +235,7 @@ TEST_F(ClipStreamOnce, ManyShareFewThreads) {
         streams.push_back(std::make_unique<ClipStream>(one, Decoder(clip, Layout::planar), Loop{0, frames - 1}, 2));
     for (int i = 0; i < 2 * frames; ++i)
         for (auto& stream : streams) ASSERT_EQ(shown(*stream, i % frames), i % frames);
-    streams.erase(streams.begin() + 5, streams.begin() + 15);  // while others play
+    streams.erase(streams.begin() + 5, streams.begin() + 15);  // others play meanwhile
     for (auto& stream : streams) ASSERT_EQ(shown(*stream, 7), 7);
 }
 

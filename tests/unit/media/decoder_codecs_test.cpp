@@ -420,7 +420,7 @@ TEST_F(CodecTest, FfmpegIsSilentThoughOpencvHasMadeItTalk) {
     Picture picture;
     testing::internal::CaptureStderr();
     for (const int frame : {29, 0, 15, 2}) {
-        av_log_set_level(AV_LOG_ERROR);  // as cv::VideoWriter and cv::VideoCapture do
+        av_log_set_level(AV_LOG_ERROR);  // cv::VideoWriter and cv::VideoCapture do the same
         decoder.rest();
         decoder.read(frame, picture);
     }

@@ -57,7 +57,7 @@ TEST(Playhead, CrossFadeLaysTheEndOverTheBeginning) {
     EXPECT_EQ(playhead(info, settings, 0, 3.0).fading, 75);
     EXPECT_EQ(main_loop(info, settings), (Loop{0, 74}));
     EXPECT_EQ(fading_loop(info, settings), (Loop{75, 99}));
-    settings.crossfade = 30.0;  // at most half
+    settings.crossfade = 30.0;  // a crossfade is at most half
     EXPECT_EQ(main_loop(info, settings), (Loop{0, 49}));
 }
 

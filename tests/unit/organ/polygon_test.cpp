@@ -29,7 +29,7 @@ void expect_covered(const std::vector<glm::vec3>& ring, std::size_t flat = 0) {
         const double z = glm::cross(b - a, c - a).z / 2.0;
         EXPECT_GE(z, 0.0) << "turned round";
         const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
-        without_area += z <= 0.5e-7 * longest * longest;  // as organ::mend() would leave it out
+        without_area += z <= 0.5e-7 * longest * longest;  // organ::mend() would leave it out
         sum += z;
     }
     EXPECT_EQ(without_area, flat);
@@ -131,7 +131,7 @@ const std::vector<std::vector<glm::vec3>> with_corners_on_edges{
 
 TEST(Polygon, CornersOnEdgesLeaveNoTriangleWithoutArea) {
     for (std::vector<glm::vec3> ring : with_corners_on_edges) {
-        for (glm::vec3& p : ring) p *= 0.1f;  // in floats, the corners are only almost on the edges
+        for (glm::vec3& p : ring) p *= 0.1f;  // the corners are only almost on the edges, in floats
         for (std::size_t turned = 0; turned < ring.size(); ++turned) {
             expect_covered(ring);
             std::rotate(ring.begin(), ring.begin() + 1, ring.end());

@@ -51,7 +51,7 @@ TEST(Surface, NearestOnFaceEdgeAndCorner) {
     EXPECT_EQ(p.position, glm::dvec3(10, 5, 10));
     EXPECT_DOUBLE_EQ(p.distance, 5.0);
     EXPECT_EQ(surface.closest_point({-1, -2, -2}).position, glm::dvec3(0));
-    EXPECT_DOUBLE_EQ(surface.closest_point({5, 5, 9}).distance, 1.0);  // from inside
+    EXPECT_DOUBLE_EQ(surface.closest_point({5, 5, 9}).distance, 1.0);  // the place lies inside
 }
 
 TEST(Surface, RayHitsTheNearSide) {

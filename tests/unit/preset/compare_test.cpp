@@ -202,7 +202,7 @@ TEST(Compare, AKeptBleedFieldIsLikeANewOneWhateverChanges) {
         BleedingParameters after = before;
         row.set(&after, other(row, &after));
         bool changes = false;
-        for (const double time : {1.1, 3.2, 12.0}) {  // at last all is settled
+        for (const double time : {1.1, 3.2, 12.0}) {  // all is settled at the last one
             const glm::dvec3 down = glm::normalize(glm::dvec3(0.3, -1, 0));
             bleeding::BleedField kept(surface, down), fresh(surface, down);
             kept.set(wounds, before);
@@ -263,7 +263,7 @@ TEST(Compare, AKeyedFrameChangesWithNoValueThatDoesNotSaySo) {
     KeyingLook after = before;
     const auto look_at = [&](const Table& table, const void* old, void* changed, const std::string& name) {
         for_each_value(table, changed, name, [&](const std::string& place, const Parameter& row, void* owner) {
-            if (place.find("/keying/") != std::string::npos) return;  // of its own: KeyingLook has one
+            if (place.find("/keying/") != std::string::npos) return;  // KeyingLook has one of its own
             const Value value = row.get(owner);
             row.set(owner, other(row, owner));
             if (pictures(after) != first) {

@@ -165,7 +165,7 @@ TEST(Log, IsAFunctionOfItsListAndCurve) {
         ASSERT_TRUE(std::equal(kept.pieces().begin(), kept.pieces().end(), fresh.pieces().begin(), fresh.pieces().end(),
                                [](const Piece& a, const Piece& b) { return a.same_as(b); }))
             << step;
-        if (number(3) == 0) continue;  // not every revision is looked at
+        if (number(3) == 0) continue;  // some revisions are not looked at
         const std::size_t first = kept.first_after(known);
         ASSERT_LE(first, followed.size()) << step;
         followed.resize(first);

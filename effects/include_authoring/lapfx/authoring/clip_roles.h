@@ -39,7 +39,7 @@ void leave_out_part(SmokeParameters& smoke) {
 /// that the compiler names them.
 struct ClipRoleRow {
     ClipRole role;
-    std::string_view key;      ///< in JSON: "plume"
+    std::string_view key;      ///< JSON has this name for it: "plume"
     std::string_view help;     ///< where its smoke is, in a few words for behind a colon
     std::string_view without;  ///< what is seen while no clip has this role
     /// Lies between the camera and all that it sees, as wide as the view. Otherwise its layers stand in the scene,

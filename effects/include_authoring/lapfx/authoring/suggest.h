@@ -46,7 +46,7 @@ struct KeyingSuggestion {
 KeyingSuggestion suggest_keying(const std::filesystem::path& clip, const std::atomic<bool>* stop = nullptr);
 
 struct SourceSuggestion {
-    glm::dvec2 place{0.5, 0.92};  ///< for source_x and source_y of the clip: fractions of its frame
+    glm::dvec2 place{0.5, 0.92};  ///< source_x and source_y of the clip get it: fractions of its frame
     bool found = false;           ///< smoke was found; otherwise `place` is the default
     bool begins =
         false;  ///< the clip begins without smoke and shows where it comes from; otherwise it is the root of the plume

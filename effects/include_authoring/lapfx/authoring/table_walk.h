@@ -11,7 +11,7 @@ namespace lapfx {
 
 /// The object or list that `table` describes, in its parent's struct.
 inline const void* member_of(const Table& table, const void* owner) {
-    return table.member(const_cast<void*>(owner));  // only the address is taken
+    return table.member(const_cast<void*>(owner));  // only an address is taken, nothing is written
 }
 
 /// Whether the object exists: only some may be left out.
@@ -34,7 +34,7 @@ inline std::string_view take_part(std::string_view& key, char separator = '.') {
 
 /// The value that a key such as "bleeding.speed" leads to. Throws Error (bad_input) with the nearest known key.
 inline Value value_at(const Table& root, const void* document, std::string_view key) {
-    const FoundParameter found = find_parameter(root, const_cast<void*>(document), key);  // only the address is taken
+    const FoundParameter found = find_parameter(root, const_cast<void*>(document), key);  // only an address is taken
     return found.row->get(found.owner);
 }
 

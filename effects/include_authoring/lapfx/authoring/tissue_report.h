@@ -29,8 +29,8 @@ struct TissueReport {
 /// the surface, so that a person can set the bands by looking. Values outside the range are not counted.
 struct TissueHistogram {
     static constexpr std::size_t bins = 96;
-    static constexpr double least_contrast = 0.0, most_contrast = 0.96;  ///< of vessel_low and vessel_high
-    static constexpr double least_hue = 0.0, most_hue = 96.0;            ///< of fat_low and fat_high, degrees
+    static constexpr double least_contrast = 0.0, most_contrast = 0.96;  ///< vessel_low and vessel_high lie within
+    static constexpr double least_hue = 0.0, most_hue = 96.0;            ///< fat_low and fat_high lie within, degrees
     std::array<std::uint32_t, bins> contrast{};  ///< contrast at this vessel_width, where the hue can be that of blood
     std::array<std::uint32_t, bins> hue{};       ///< hue, where there is a colour
 
@@ -45,7 +45,7 @@ struct TissueHistogram {
 
 /// As report_tissue().
 TissueHistogram tissue_histogram(const Organ& organ, const VesselParameters& parameters = {});
-/// For a prepared organ (prepared_organ.h) only counting remains.
+/// Only counting remains for a prepared organ (prepared_organ.h).
 TissueHistogram tissue_histogram(const PreparedOrgan& organ, const VesselParameters& parameters = {});
 
 /// Throws nothing but std::bad_alloc. `parameters` must be in range (they are when they come from a preset).

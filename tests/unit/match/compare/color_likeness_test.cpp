@@ -73,7 +73,7 @@ TEST(ColorLikeness, SmokeIsTheLightWhereTheVeilIs) {
     const MeasuredColors found = colors_of(test::image_of(picture), measured(clear, picture, light));
     ASSERT_TRUE(found.smoke);
     EXPECT_TRUE(found.tinted);
-    expect_near(*found.smoke, light.color, 0.04);  // as near as the veil is measured
+    expect_near(*found.smoke, light.color, 0.04);  // the veil is measured no better
 }
 
 TEST(ColorLikeness, SmokeIsWhatTheVeilPutBeforeTheTissueWhateverLightWasAssumed) {

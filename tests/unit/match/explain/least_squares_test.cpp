@@ -32,7 +32,7 @@ TEST(LeastSquares, EndsAtTheLeast) {
 
 TEST(LeastSquares, StaysWithinItsBounds) {
     LeastSquares problem = valley();
-    problem.high[0] = 0.5;  // on that edge the least is at x1 = 0.25, where the cost is 0.5^2 / 2
+    problem.high[0] = 0.5;  // the least on that edge is at x1 = 0.25, where the cost is 0.5^2 / 2
     std::vector<double> x = {-1.2, 1.0};
     EXPECT_NEAR(*solve(problem, x), 0.125, 1e-3);
     EXPECT_NEAR(x[0], 0.5, 1e-6);

@@ -22,7 +22,7 @@ document::Content scene() {
     b.speed = 4.0, b.max_extent = 12.0;
     b.noise_strength = b.gravity_bias = b.crease_bias = b.rivulets = 0.0;
     tuned.preset.smoke.haze.accumulation = 0.12, tuned.preset.smoke.haze.ventilation = 0.05;
-    tuned.preset.smoke.clips = {{.file = "smoke.mkv"}};  // without one there is no smoke; it is not opened
+    tuned.preset.smoke.clips = {{.file = "smoke.mkv"}};  // there is no smoke without a clip; it is not opened
     tuned.scene.duration = seconds;
     tuned.scene.events = {{.action = ToolAction::cut, .time = 1.0, .duration = 0.0},
                           {.action = ToolAction::coagulate,

@@ -148,7 +148,7 @@ TEST(Estimator, TellsNoCutWhereTheCameraPans) {
     const std::vector<cv::Mat> beside = {test::tissue(), test::tissue(5)};
     cv::hconcat(beside, wide);
     Estimator estimator(test::image_of(test::tissue()), {});
-    for (int x = 0; x <= test::width; x += 20)  // until nothing of the baseline is seen
+    for (int x = 0; x <= test::width; x += 20)  // the last one has nothing of the baseline
         EXPECT_FALSE(estimator.measure(test::image_of(wide(cv::Rect(x, 0, test::width, test::height))), x).flags &
                      told::cut)
             << x;

@@ -185,7 +185,7 @@ TEST(Report, SaysThatAnAmountIsMissing) {
     EXPECT_THAT(words, HasSubstr("Reference: not measurable. Before: at most 1.5 %, at 3 s."));
     EXPECT_THAT(words, HasSubstr("Reference blood unknown, veil 15.0 %"));
     EXPECT_THAT(words, Not(HasSubstr("most blood")));
-    EXPECT_EQ(count(html, "class=\"band\" points"), 1);  // of the veil
+    EXPECT_EQ(count(html, "class=\"band\" points"), 1);  // the veil has one
     EXPECT_EQ(count(html, "class=\"gap\""), 2);          // over all of the blood's time, and in its legend
 }
 

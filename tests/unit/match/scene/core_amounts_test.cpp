@@ -18,7 +18,7 @@ const std::shared_ptr<const PreparedOrgan>& organ() {
 
 document::Content scene() {
     document::Content tuned;
-    tuned.preset.smoke.clips = {{.file = "smoke.mkv"}};  // without one there is no smoke; it is not opened
+    tuned.preset.smoke.clips = {{.file = "smoke.mkv"}};  // there is no smoke without a clip; it is not opened
     tuned.scene.events = {{.action = ToolAction::cut, .time = 0.5, .duration = 0.0},
                           {.action = ToolAction::coagulate, .time = 1.0, .duration = 2.0, .position = {20.0, 0.0, 0.0}},
                           {.action = ToolAction::suction, .time = 4.0, .duration = 1.0}};
