@@ -21,7 +21,7 @@ namespace {
 
 // Shares of the whole time, for a textured organ.
 constexpr double loaded = 0.3, refined = 0.35, tool_loaded = 0.4;
-constexpr std::size_t most_kept_bytes = std::size_t{64} << 20;  // a plate's picture has no more
+constexpr std::size_t most_kept_bytes = std::size_t{64} << 20;  // a larger picture of a plate is not kept
 constexpr double split = 0.1;                                   // share of that for an organ that is already loaded
 
 template <typename T>

@@ -30,7 +30,7 @@
 
 namespace lapfx {
 
-/// The simulation depends on these of a preset: numbers alone. It does not know the clips.
+/// What the simulation takes of a preset: numbers alone. It does not know the clips.
 struct SimulationParameters {
     SimulationParameters() = default;
     SimulationParameters(const Preset& preset)

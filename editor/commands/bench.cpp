@@ -62,7 +62,7 @@ Verb bench_verb(RunBench run) {
                    "sequence S, its baseline; frame_S_N.png later, with its blood white in blood_S_N.png",
                    &measure_options->labelled);
     measure.flag("--quick",
-                 "Measure the main classes in two or three minutes: an eighth of the renders, half as "
+                 "Measure the main classes in two or three minutes: a tenth of the renders, half as "
                  "many pictures over each file, and not how fast that is",
                  &measure_options->quick, {.excludes = {"--short"}});
     measure.option("--pairs", "SMOKY CLEAR",

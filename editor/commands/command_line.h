@@ -28,7 +28,7 @@ enum class Number { any, finite, above_0, whole };  ///< "nan" and "inf" are num
 struct Rules {
     bool required = false;
     bool shows_default = false;              ///< what is in `to` already is told as the default
-    bool one_each = false;                   ///< a list has one value behind each name, which may be repeated
+    bool one_each = false;                   ///< true: a list takes one value behind each name, which may be repeated
     char separator = 0;                      ///< of a list: between values behind one name; 0: none
     int count = 0;                           ///< of a list: exactly so many values; 0: one or more
     Number number = Number::any;             ///< only these numbers are allowed

@@ -81,7 +81,7 @@ void invite(ui::Ui& ui, Reference& reference, app::FileChooser& chooser) {
     if (const std::size_t slot = reference.comparison().first_kept(); slot < app::Snapshots::count) {
         if (ui::button(ui, ui.join({"Preview next to snapshot ", app::Snapshots::names[slot]}),
                        {.tip = "Snapshots are compared without a video, too", .quiet = true}))
-            reference.comparison().sides = {app::CompareSide::preview, app::side_of(slot)};
+            reference.comparison().show({app::CompareSide::preview, app::side_of(slot)});
     }
     const ui::Row buttons(ui);
     if (ui::button(ui, "Open...", {.icon = ui::Icon::folder, .tip = "Opens a video or images", .primary = true}))

@@ -37,8 +37,8 @@ double longest_edge(const Surface& surface) {
 
 }  // namespace
 
-/// How far the blood of one wound has come again since a clearing: on many places clearings have ended at the same
-/// time.
+/// How far the blood of one wound has come again since a clearing, kept by the clearing's time, which many places
+/// share.
 class BleedField::Refills {
   public:
     template <class Source>
@@ -121,6 +121,13 @@ void BleedField::add_bleeder(const Wound& wound, Front front) {
     status_.push_back({.wound = wound});
 }
 
+/// Whether all that has changed is that a clip was put on a wound, or taken off, after it had clotted: its blood stays.
+bool BleedField::is_clip_on_clotted(const Wound& was, const Wound& now) const noexcept {
+    Wound sealed = was;
+    sealed.sealed = now.sealed;
+    return sealed == now && std::min(was.sealed, now.sealed) >= was.stop + parameters_.coagulation_time;
+}
+
 /// In the common case, wounds are added at the end or stopped, and no front changes.
 void BleedField::set_wounds(std::span<const Wound> wounds) {
     const auto in_place = [&] {
@@ -132,7 +139,7 @@ void BleedField::set_wounds(std::span<const Wound> wounds) {
         for (std::uint32_t i = 0; i < bleeders_.size(); ++i) {
             if (status_[i].wound == wounds[i]) continue;
             if (bleeders_[i].has_ended)
-                stale_ = true;
+                stale_ = stale_ || !is_clip_on_clotted(status_[i].wound, wounds[i]);
             else if (bleeders_[i].is_settled)
                 activate(i);
             else  // the flow since a clearing may also be smaller now
@@ -161,6 +168,7 @@ void BleedField::set_wounds(std::span<const Wound> wounds) {
         stale_ = true;
     }
     bleeders_.reserve(wounds.size());
+    clotted_.reserve(wounds.size());  // updates do not allocate
     for (std::size_t i = bleeders_.size(); i < wounds.size(); ++i) add_bleeder(wounds[i], new_front(wounds[i]));
 }
 
@@ -340,6 +348,7 @@ void BleedField::activate(std::uint32_t number) noexcept {
     Bleeder& b = bleeders_[number];
     b.is_settled = false;
     active_.push_back(number);
+    std::erase(clotted_, number);
     for_each_reached(b, [&](const Reached& at) {
         settled_anew_.add(at.vertex);
         anew_.add(at.vertex);
@@ -359,7 +368,6 @@ void BleedField::end_clotted() noexcept {
     ended_.advance(latest, clearing_);
     std::erase_if(clotted_, [&](std::uint32_t i) {
         Bleeder& b = bleeders_[i];
-        if (!b.is_settled) return true;
         if (end_of(b) > until) return false;
         b.has_ended = true;
         Refills refills;
@@ -472,7 +480,7 @@ void BleedField::write(Bleeder& b, Layer& layer, const Region& within) noexcept 
     });
 }
 
-/// Of a wound whose blood has not spread since it was written: where anything else can have changed.
+/// Writes a wound whose blood has not spread since it was written: only where anything else can have changed.
 void BleedField::write_refill(Bleeder& b) noexcept {
     b.cleared = never_cleared;
     Refills refills;
@@ -504,7 +512,8 @@ bool BleedField::may_raise(const Bleeder& b, const Reached& at, const ClearedPla
     // Outside the reach of a source values are lower than this.
     const auto at_most = [&](double source) { return static_cast<float>(source) - at.distance; };
     if (std::min(at_most(b.source), place.limit) > beyond) return true;
-    constexpr float rounding = 1e-4f;  // mm; two flows may differ by less than their digits hold
+    if (place.earliest > place.latest) return false;  // nothing was cleared there, so nothing has flowed since
+    constexpr float rounding = 1e-4f;                 // mm; two flows may differ by less than their digits hold
     return at_most(refilled(b, place.earliest, refills)) > beyond - rounding;
 }
 
@@ -529,8 +538,8 @@ void BleedField::put_value(Bleeder& b, const Reached& to, Layer& layer, Refills&
     if (&layer == &surface_values_) written_.push_back(to.vertex);
 }
 
-/// The value of one wound with what was cleared before a time; one that is not above `beyond` may be any such. A
-/// clearing caps earlier blood but not later flow. Notes when blood of the wound was removed.
+/// The value of one wound with what was cleared before a time; where it is not above `beyond`, any value that is
+/// not is as good. A clearing caps earlier blood but not later flow. Notes when blood of the wound was removed.
 float BleedField::value_at(Bleeder& b, const Reached& at, Refills& refills, float beyond,
                            double before) const noexcept {
     const auto value_of = [&](double source) {

@@ -103,6 +103,7 @@ class BleedField final : public Bleeding {
     const Wound& wound_of(const Bleeder& bleeder) const { return status_[bleeder.number].wound; }
     void run_again();
     void add_bleeder(const Wound& wound, Front front);
+    bool is_clip_on_clotted(const Wound& was, const Wound& now) const noexcept;
     Front new_front(const Wound& wound) { return {room_, metric_of(parameters_), wound.position}; }
     bool has_settled(const Bleeder& bleeder, double time) const noexcept;
     bool refills(const Bleeder& bleeder, double flowed) const noexcept;

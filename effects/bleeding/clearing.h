@@ -20,7 +20,6 @@ namespace lapfx::bleeding {
 
 class Clearing {
   public:
-    static constexpr double never = -1e300;   // s
     static constexpr double cap_slope = 3.0;  // mm of cap per mm outside the reach
     static constexpr double rim = 6.0;        // mm outside the reach up to which there is a cap
 

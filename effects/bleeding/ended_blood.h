@@ -40,10 +40,11 @@ class EndedBlood {
     /// Before wounds are added that end at `time`: what was cleared until then goes into the values.
     void advance(double time, const Clearing& clearing) noexcept {
         if (!(time > since_)) return;
-        for (const std::uint32_t point : clearing.finished_places())
-            clearing.for_each(point, [&](const Clearing::Cap& cap) {
-                if (cap.time >= since_ && cap.time < time) cover(values_[point], cap.cap);
-            });
+        if (since_ != never)  // else all is dry
+            for (const std::uint32_t point : clearing.finished_places())
+                clearing.for_each(point, [&](const Clearing::Cap& cap) {
+                    if (cap.time >= since_ && cap.time < time) cover(values_[point], cap.cap);
+                });
         since_ = time;
     }
     /// `value`: of one wound, with what was cleared before since().

@@ -63,7 +63,7 @@ class ClipList {
     const Surface& surface_;
     double length_ = CauteryParameters{}.clip_length, reach_ = CauteryParameters{}.clip_reach;  // mm
     std::vector<Clip> clips_, before_;
-    Grid grid_{8.0};  // each clip is entered where it reaches
+    Grid grid_{8.0};  // clips lie in each cell that they reach
     std::vector<std::uint32_t> near_;
     std::uint64_t version_ = 0;
 };

@@ -65,7 +65,7 @@ class Radial {
     /// A contact heats a station, or an earlier one has heated it and goes on.
     struct Heating {
         std::uint32_t station = 0;
-        double from = 0.0, to = 0.0;  ///< the tip is near and the station is known from one to the other
+        double from = 0.0, to = 0.0;  ///< s, while the tip is near and the station is known
     };
     struct Station {
         Place place;

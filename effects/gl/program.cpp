@@ -75,7 +75,7 @@ constexpr std::array<std::pair<std::string_view, GLenum>, 12> types{{{"int", GL_
                                                                      {"sampler2D", GL_SAMPLER_2D},
                                                                      {"sampler2DArray", GL_SAMPLER_2D_ARRAY}}};
 
-/// GLSL has these words.
+/// The word of GLSL for a type.
 std::string_view word_of(GLenum type) {
     for (const auto& [word, known] : types)
         if (known == type) return word;

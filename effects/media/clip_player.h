@@ -44,7 +44,7 @@ class ClipPlayer {
     /// In and out points; the other settings do not concern this class.
     void set_loops(const SmokeClip& settings) noexcept;
 
-    /// ClipSet has the same.
+    /// ClipSet says what it does.
     ClipFrame frame(int head, int index, Policy policy, StreamingTimes& times) noexcept;
     ClipFrame shown(int head) const noexcept;
     int asked(int head) const noexcept { return heads_[static_cast<std::size_t>(head)].asked; }

@@ -63,7 +63,7 @@ std::optional<Turn> turn_of(const AVFrame& frame, const AVStream& video) {
     return Turn{.mirrored = {(transposed ? m[1] : m[0]) < 0, (transposed ? m[3] : m[4]) < 0}, .transposed = transposed};
 }
 
-/// EXIF's number tells the turn.
+/// The turn by EXIF's number.
 Turn turn_of(int orientation) {
     constexpr int last = 8;
     constexpr Turn turns[last + 1] = {

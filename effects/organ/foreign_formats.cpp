@@ -12,7 +12,7 @@ namespace {
 struct ForeignFormat {
     std::string_view is;                        ///< "a scene of Blender's"
     std::string_view instead;                   ///< what to do instead
-    std::span<const std::string_view> endings;  ///< names end so, in lower case
+    std::span<const std::string_view> endings;  ///< endings of names, in lower case
     std::span<const Signature> signatures = {};
 };
 

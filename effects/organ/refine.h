@@ -47,7 +47,7 @@ RefinePlan plan_refine(const Organ& organ, const work::Stages& stages = {});
 
 /// The organ before splitting. All members are empty if it was not split.
 struct Unsplit {
-    std::vector<glm::uvec2> midpoints;   ///< RefinedOrgan::midpoints has the same
+    std::vector<glm::uvec2> midpoints;   ///< as RefinedOrgan::midpoints
     std::vector<std::uint32_t> indices;  ///< the triangles before splitting
     std::vector<Part> parts;             ///< of those
     std::size_t memory() const {         ///< bytes

@@ -268,11 +268,12 @@ using Q = BloodQualifier;
 constexpr Parameter blood_rows[] = {
     number<&Q::redness>("redness", "Redness", {1, 20, 0.05, "", Scale::logarithmic},
                         "Least redness of blood: red over the mean of green and blue. About 2 is liver, 3 to 15 is "
-                        "blood. Higher finds less blood. Where the tissue of the baseline is in its place, thin blood "
-                        "counts too, from 0.7 of this."),
-    number<&Q::rise>("rise", "Rise", {1, 5, 0.02, "", Scale::logarithmic},
-                     "Least factor by which a place became redder than in the baseline. 1 also counts what was as red "
-                     "before; higher finds less blood. Of thin blood 0.15 of what is above 1 is asked."),
+                        "blood. Higher finds less blood. Thin blood counts too, from 0.7 of this."),
+    number<&Q::rise>(
+        "rise", "Rise", {1, 5, 0.02, "", Scale::logarithmic},
+        "Least factor by which a place became redder than in the baseline. 1 also counts what was as red "
+        "before; higher finds less blood. Of thin blood 0.15 of what is above 1 is asked. Where the tissue has "
+        "moved, 0.75 of it is asked over the reddest tissue near by."),
     number<&Q::brightness>("brightness", "Brightness", {0.05, 1, 0.01},
                            "Largest red of blood: what is brighter is a highlight or tissue. Lower finds less blood. "
                            "Where the tissue of the baseline is in its place, and brighter than 0.8 itself, as many "

@@ -18,7 +18,7 @@ namespace lapfx::smoke {
 
 class BarSurvey {
   public:
-    /// KeyingSurvey::add() takes the same.
+    /// The picture is one that KeyingSurvey::add() takes.
     void add(glm::ivec2 size, std::span<const std::uint8_t> rgb);
     /// The crop that removes the bars, each at most a quarter of a side, and the line that is mixed with them.
     ClipCrop crop() const;

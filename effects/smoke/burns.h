@@ -79,7 +79,7 @@ class BurnList {
     std::vector<BurnPart> parts_;
     std::vector<Suction> suctions_;
     std::vector<Burn> burns_;
-    std::vector<double> latest_;         // each burn has the time, s, at which it and all before it have ended
+    std::vector<double> latest_;         // when each burn and all before it have ended, s
     std::vector<ToolContact> touching_;  // kept for its memory
 };
 

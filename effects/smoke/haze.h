@@ -65,7 +65,7 @@ class HazeCurve {
         double start;
         double density;  ///< at `start`
         double factor;   ///< at `start`
-        double slope;    ///< the factor changes so fast, 1/s
+        double slope;    ///< slope of the factor, 1/s
         double power;    ///< all emissions together have this power
         int emissions, suctions;
     };
@@ -75,7 +75,7 @@ class HazeCurve {
     template <class Span>
     struct List {
         std::vector<Span> spans;
-        std::vector<double> latest;  // each has the time, s, at which it and all before it have ended
+        std::vector<double> latest;  // when each and all before it have ended, s
 
         double replace(std::span<const Span> wanted, std::size_t same);
         std::span<const Span> after(double time) const;

@@ -53,7 +53,7 @@ class KeyingSurvey {
     void add(glm::ivec2 size, std::span<const std::uint8_t> rgb);
 
     bool empty() const { return pictures_.empty(); }  ///< no picture
-    /// Defaults and confidence 0 are suggested without pictures.
+    /// Without pictures it suggests the defaults, with confidence 0.
     KeyingSuggestion suggest() const;
     /// What the pictures are of, smoke before a plain background or something else. Without pictures: all is 0.
     ClipLook look() const;

@@ -85,7 +85,7 @@ class SmokeGpu {
         std::vector<LayerBlock> blocks;  ///< parallel to layers
         std::vector<Batch> batches;
         gl::Buffer buffer;
-        glm::vec4 bounds{0.0f};  ///< the layers cover it, 0..1 of the view
+        glm::vec4 bounds{0.0f};  ///< what the layers cover, 0..1 of the view
         int clip_pixels = 0;
         gl::Texture sum;  ///< thickness of all layers, at their clips' resolution
         gl::Framebuffer target;

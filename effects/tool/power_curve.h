@@ -18,7 +18,7 @@ namespace lapfx::tool {
 
 class PowerCurve {
   public:
-    static constexpr double largest_step = 0.02;  ///< the factor changes by no more in one step
+    static constexpr double largest_step = 0.02;  ///< of the factor in one step, at level 0
     static constexpr double shortest = 0.005;     ///< s between steps, where the line is steep
     /// How fine the steps are: level 0 has the step above, each next level a step twice as large. At the last level
     /// each contact is one part with the mean of its time.

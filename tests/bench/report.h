@@ -25,7 +25,7 @@ struct BenchReport {
     std::vector<BenchRow> rows;
     std::map<std::string, double> ratios;
     std::string table;        ///< printed instead of the rows, unless empty
-    bool short_form = false;  ///< BenchOptions has the same
+    bool short_form = false;  ///< BenchOptions::short_form
 };
 
 /// Rows and ratios as text on stdout.

@@ -178,7 +178,7 @@ def check_again(lapfx, folder):
         fcntl.flock(lock, fcntl.LOCK_EX)
         code, said, told = run(lapfx, *one, "--again", cwd=folder)
         assert code == 0 and said == "clip_1.mp4: is being done by another process\n", (code, said, told)
-    assert run(lapfx, *one, cwd=folder)[0] == 0  # all is as it was: the lock that a kill left holds nobody up, either
+    assert run(lapfx, *one, cwd=folder)[0] == 0  # all is as it was: the lock that a kill left holds nobody up
 
 
 def check_files(lapfx, folder):

@@ -79,9 +79,12 @@ def check_classes(rows):
         assert found["veil_still"]["count"] > 1 and found["veil_moving"]["count"] > 1, found
 
 
+SEED = ["--seed", "3"]
+
+
 def measure_options(folder, work):
     """The shipped reference is a real clip."""
-    return ["--seed", "3", "--frames", os.path.join(work, "frames.csv"),
+    return [*SEED, "--frames", os.path.join(work, "frames.csv"),
             "--over", os.path.join(folder, "light/samples/reference/operation.mp4")]
 
 
@@ -94,7 +97,7 @@ def check_measure(lapfx, work, first):
     assert {row["operation"] for row in frames if row["real"] == "1"} == {"reference/operation"}, frames
     counted = sum("veil_still" in row["classes"].split() and row["real"] == "0" for row in frames)
     assert counted == first[0]["count"], (counted, first[0])
-    run(lapfx, "bench", "measure", "--short", "--seed", "3", "--json", path)
+    run(lapfx, "bench", "measure", "--short", *SEED, "--json", path)
     renders = [[row for row in rows if row.get("pictures") == "renders"]
                for rows in (first, json.load(open(path))["results"])]
     assert renders[0] and renders[0] == renders[1], "the same seed gives other figures"

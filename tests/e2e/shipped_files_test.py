@@ -35,7 +35,7 @@ def main(lapfx, source):
     with tempfile.TemporaryDirectory(prefix="lapfx files ") as folder:
         preset = os.path.join(folder, "own.json")
         shutil.copy(os.path.join(source, "presets", "slow_ooze.json"), preset)
-        works(lapfx, preset)  # the build folder has the files
+        works(lapfx, preset)  # they lie in the build folder
 
         bare = shutil.copy(lapfx, os.path.join(folder, "lapfx"))
         fails(run(bare, "help", "preset"), "share/lapfx", "LAPFX_DATA")

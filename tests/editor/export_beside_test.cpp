@@ -144,6 +144,32 @@ TEST_F(ExportBeside, WhatCannotBeMeasuredIsSaidOnThePage) {
     EXPECT_FALSE(measure_both(compared, wanted, [](double) { return false; })) << "it was stopped";
 }
 
+TEST_F(ExportBeside, BothAreMeasuredAtTheTimesOfTheScene) {
+    const Scene& scene = editor().document.scene();
+    app::Compared compared{.frame = {64, 64}, .duration = scene.duration};
+    compared.reference.offset = 0.5;
+    match::Measurement found;  // 0.5 to 2.5 s of the video are 0 to 2 s of the scene
+    for (int i = 0; i <= 10; ++i) {
+        match::FrameAmounts& frame = found.frames.emplace_back();
+        frame.time = 0.5 + 0.2 * i;
+        frame.blood = frame.veil = {.value = 0.1, .low = 0.05, .high = 0.15};
+    }
+    VideoReader video(editor().reference().file());
+    match::PreviewCurve curve(editor().preview.organ_of(scene),
+                              {.clip_folders = editor().options().clip_folders, .wait_for_clips = true},
+                              {.size = match::preview_size({5, 4}, 0.0, 96)});
+    const app::BothWanted wanted{.scene = scene,
+                                 .preset = editor().document.preset(),
+                                 .video = video,
+                                 .options = {},
+                                 .found = &found,
+                                 .curve = curve};
+    ASSERT_TRUE(measure_both(compared, wanted, {}));
+    ASSERT_FALSE(compared.of_preview.empty()) << compared.words;
+    EXPECT_NEAR(compared.of_preview.front().time, 0.0, 1e-9);
+    EXPECT_NEAR(compared.of_preview.back().time, 2.0, 0.11);
+}
+
 TEST_F(ExportBeside, ItIsComparedBesideTheUiAndCanBeGivenUp) {
     start({1440, 900}, false);
     open_few_frames();

@@ -37,7 +37,7 @@ struct Shot {
 struct PreviewCopy {
     Target target;
     Shot shot;
-    std::uint64_t revision = 0;  ///< the host had this revision; 0: nothing is copied yet
+    std::uint64_t revision = 0;  ///< the host's revision that was copied; 0: nothing yet
 };
 
 /// What is being loaded for the preview.

@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* sample = "samples/reference/operation.mp4";
+
 /// The name of a file in a scene in `folder`: relative if it is in that folder or below.
 std::string named_in(const fs::path& folder, const fs::path& file) {
     std::error_code error;

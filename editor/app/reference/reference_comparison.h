@@ -61,7 +61,8 @@ struct ScopesLook {
 
 class ReferenceComparison {
   public:
-    static constexpr glm::ivec2 largest{1280, 1024};  ///< px that the preview is drawn at, at most
+    static constexpr glm::ivec2 largest =
+        ReferencePicture::without_video;  ///< px that the preview is drawn at, at most
 
     /// All must outlive it; it is a part of `reference`.
     ReferenceComparison(const Reference& reference, const document::Document& document, const Timeline& timeline,

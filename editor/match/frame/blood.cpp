@@ -13,13 +13,17 @@ namespace {
 
 constexpr int least_area = 6;  // px of surely blood, for a patch to count
 constexpr int moves_by = 2;    // px by which tissue moves where the baseline lies well
-// Where it does not, tissue may lie as far from its place as this, by the likeness; red tissue that came nearer is no
-// blood. Chosen by known blood over real clips in which tissue moves, and by real blood that a person labelled.
-constexpr double far_likeness = 0.3, near_likeness = 0.5;
-constexpr int far_moves = 20, near_moves = 8;         // px of 256
+// Where it does not, tissue may lie as far from its place as this, by the likeness, with lines between; red tissue that
+// came nearer is no blood. Chosen by known blood over real clips in which tissue moves, and by real blood that a person
+// labelled.
+struct Moves {
+    double likeness, px;  // of 256
+};
+constexpr Moves tissue_moves[] = {{0.3, 20.0}, {0.5, 8.0}, {0.7, 3.0}};
 constexpr double maybe_nearer = 0.5;                  // of these px, for what may be blood
 constexpr double least_red = 0.72;                    // share of the qualifier's redness
 constexpr double sure_more = 0.75, maybe_more = 0.3;  // shares of the qualifier's rise over 1
+constexpr float least_code = 50.0F;                   // of red: what lies darker in a shadow seems redder
 constexpr double sure_share = 0.25;                   // of a patch
 // Thickness of a film (its edge has .06, as it is drawn) and how sure it is, of what may be blood, of what surely is,
 // and of what is left out when the veil is looked for. They were tuned on known blood over real and rendered tissue.
@@ -32,19 +36,27 @@ constexpr float code_power = 2.2F;      // of light, by its code value
 constexpr int fill_reach = 10;          // px from which hidden places are filled
 constexpr float redder_redness = 0.8F;  // of what is left out when the veil is looked for
 
-/// The reddest that tissue of the baseline is within so many px.
-void reddest_within(int px, const cv::Mat& baseline_redness, const cv::Mat& valid, cv::Mat& into) {
-    into.create(valid.size(), CV_32F);
+/// The reddest that tissue of the baseline is `around` each place. `tissue`: CV_8U, where the baseline shows it.
+void reddest_within(const cv::Mat& around, const cv::Mat& baseline_redness, const cv::Mat& tissue, cv::Mat& into) {
+    into.create(tissue.size(), CV_32F);
     into.setTo(0.0F);
-    baseline_redness.copyTo(into, valid);
-    const int shape = px > moves_by ? cv::MORPH_RECT : cv::MORPH_ELLIPSE;  // a wide disc takes far longer
-    cv::dilate(into, into, cv::getStructuringElement(shape, {2 * px + 1, 2 * px + 1}));
+    baseline_redness.copyTo(into, tissue);
+    cv::dilate(into, into, around);
+}
+
+cv::Mat square(double px) {  // a wide disc takes far longer
+    const int side = 2 * static_cast<int>(std::lround(px)) + 1;
+    return cv::getStructuringElement(cv::MORPH_RECT, {side, side});
 }
 
 /// px of 256 by which tissue may lie beside its place.
 double moves_of(double likeness) {
-    const double near = std::clamp((likeness - far_likeness) / (near_likeness - far_likeness), 0.0, 1.0);
-    return far_moves + (near_moves - far_moves) * near;
+    for (std::size_t i = 1; i < std::size(tissue_moves); ++i) {
+        const Moves &from = tissue_moves[i - 1], &to = tissue_moves[i];
+        if (likeness < to.likeness)
+            return std::lerp(from.px, to.px, std::max((likeness - from.likeness) / (to.likeness - from.likeness), 0.0));
+    }
+    return std::rbegin(tissue_moves)->px;
 }
 
 }  // namespace
@@ -55,7 +67,7 @@ void BloodFinder::find(const cv::Mat& baseline, const cv::Mat& baseline_redness,
     if (laid.well)
         find_film(baseline, baseline_redness, frame, veil, light, valid, qualifier);
     else
-        find_redder(baseline_redness, frame, veil, light, valid, qualifier, laid.likeness);
+        find_redder(baseline_redness, frame, veil, light, valid, qualifier, laid);
     grow(valid, laid.well ? sure_share_of_film : sure_share);
     fill_hidden(valid);
 }
@@ -79,15 +91,17 @@ void BloodFinder::clear_smoke(const cv::Mat& frame, const cv::Mat& veil, const c
 /// than invented.
 void BloodFinder::find_redder(const cv::Mat& baseline_redness, const cv::Mat& frame, const cv::Mat& veil,
                               const cv::Mat& light, const cv::Mat& valid, const BloodQualifier& qualifier,
-                              double likeness) {
+                              const Laid& laid) {
     for (cv::Mat* m : {&sure_, &maybe_, &hidden_, &redder_}) m->create(frame.size(), CV_8U);
     clear_smoke(frame, veil, light);
     cv::GaussianBlur(frame, seen_, {3, 3}, 0);
     redness_of(seen_, seen_redness_);
-    const double moves = moves_of(likeness) * std::max(frame.cols, frame.rows) / 256.0;
-    reddest_within(static_cast<int>(std::lround(moves)), baseline_redness, valid, near_);
-    reddest_within(static_cast<int>(std::lround(maybe_nearer * moves)), baseline_redness, valid, nearer_);
-    const float brightest = linear_of(static_cast<float>(255.0 * qualifier.brightness));
+    const cv::Mat& tissue = laid.tissue.empty() ? valid : laid.tissue;
+    const double moves = moves_of(laid.likeness) * std::max(frame.cols, frame.rows) / 256.0;
+    reddest_within(square(moves), baseline_redness, tissue, near_);
+    reddest_within(square(maybe_nearer * moves), baseline_redness, tissue, nearer_);
+    const float brightest = linear_of(static_cast<float>(255.0 * qualifier.brightness)),
+                darkest = linear_of(least_code);
     const auto least = static_cast<float>(least_red * qualifier.redness);
     const auto more = [&qualifier](double share) { return static_cast<float>(1.0 + share * (qualifier.rise - 1.0)); };
     const float sure_rise = more(sure_more), maybe_rise = more(maybe_more);
@@ -96,12 +110,13 @@ void BloodFinder::find_redder(const cv::Mat& baseline_redness, const cv::Mat& fr
             const float red = seen_redness_.at<float>(y, x), light_of = seen_.at<cv::Vec3f>(y, x)[2];
             const bool inside = valid.at<std::uint8_t>(y, x) != 0;
             const bool hidden = 1.0F - veil.at<float>(y, x) < least_through || light_of < darkest_red;
-            const bool can = inside && !hidden && light_of <= brightest && red >= least;
+            const bool lit = inside && !hidden && light_of >= darkest,
+                       can = lit && light_of <= brightest && red >= least;
             const auto mark = [&](cv::Mat& into, bool so) { into.at<std::uint8_t>(y, x) = so ? 255 : 0; };
             mark(hidden_, inside && hidden);
             mark(sure_, can && red >= sure_rise * near_.at<float>(y, x));
             mark(maybe_, can && red >= maybe_rise * nearer_.at<float>(y, x));
-            mark(redder_, inside && !hidden && red >= redder_redness * least && red >= nearer_.at<float>(y, x));
+            mark(redder_, lit && red >= redder_redness * least && red >= nearer_.at<float>(y, x));
         }
 }
 
@@ -114,7 +129,8 @@ void BloodFinder::find_film(const cv::Mat& baseline, const cv::Mat& baseline_red
     film_.hidden().copyTo(hidden_);
     cv::GaussianBlur(film_.clear(), clear_, {3, 3}, 0);
     redness_of(clear_, redness_);
-    reddest_within(moves_by, baseline_redness, valid, near_);
+    static const cv::Mat around = cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * moves_by + 1, 2 * moves_by + 1});
+    reddest_within(around, baseline_redness, valid, near_);
     for (cv::Mat* m : {&sure_, &maybe_, &redder_}) m->create(valid.size(), CV_8U);
     const float brightest = linear_of(static_cast<float>(255.0 * qualifier.brightness));
     const float redness = thin_redness * static_cast<float>(qualifier.redness),

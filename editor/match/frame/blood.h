@@ -19,6 +19,7 @@ class BloodFinder {
         /// How much of the baseline's texture is there, 0..1: the less, the farther tissue may have moved, and the
         /// wider the part of the baseline that it is compared with.
         double likeness = 1.0;
+        cv::Mat tissue = {};  ///< CV_8U, 255 where the baseline shows tissue; empty: where the frame is valid
     };
     /// `baseline`, `frame`, `light`: linear light, CV_32FC3; `veil`: CV_32F; `valid`: CV_8U.
     void find(const cv::Mat& baseline, const cv::Mat& baseline_redness, const cv::Mat& frame, const cv::Mat& veil,
@@ -34,7 +35,7 @@ class BloodFinder {
     void find_film(const cv::Mat& baseline, const cv::Mat& baseline_redness, const cv::Mat& frame, const cv::Mat& veil,
                    const cv::Mat& light, const cv::Mat& valid, const BloodQualifier& qualifier);
     void find_redder(const cv::Mat& baseline_redness, const cv::Mat& frame, const cv::Mat& veil, const cv::Mat& light,
-                     const cv::Mat& valid, const BloodQualifier& qualifier, double likeness);
+                     const cv::Mat& valid, const BloodQualifier& qualifier, const Laid& laid);
     void clear_smoke(const cv::Mat& frame, const cv::Mat& veil, const cv::Mat& light);
     void grow(const cv::Mat& valid, double of_patch);
     void fill_hidden(const cv::Mat& valid);

@@ -309,7 +309,7 @@ void Estimator::State::find_foreign() {
 
 void Estimator::State::find_blood(const cv::Mat& within) {
     blood.find(placed_linear, placed_redness, frame_linear, veil.veil(), light_map, within, options.blood,
-               {.well = placement.likeness() >= well_placed, .likeness = likeness});
+               {.well = placement.likeness() >= well_placed, .likeness = likeness, .tissue = placed_counted});
 }
 
 /// A camera that changes makes neither smoke nor blood: then both are looked for over the baseline as it would be now.

@@ -31,7 +31,7 @@ enum : unsigned {
     bag = 1U << 8,             ///< no tissue, but something plain fills the view: amounts mean nothing
     trocar = 1U << 9,          ///< the inside of a trocar is around what is seen: amounts mean nothing
     no_baseline = 1U << 10,    ///< no clear frame shows this shot's tissue: there is nothing to measure against
-    unregistered = 1U << 11,   ///< tissue, but that of the baseline is not found in its place: blood means nothing
+    unregistered = 1U << 11,   ///< tissue, but hardly anything of the baseline is found again: blood means nothing
     /// Any of those without which both amounts are found.
     unmeasured = not_measurable | dark | missing | bag | trocar | no_baseline,
     bloodless = unmeasured | dense | unregistered,  ///< any of those without which blood is found
@@ -64,7 +64,8 @@ inline constexpr ToldRow told_rows[] = {
     {told::trocar, "trocar", "not measurable, because the view is that out of a trocar"},
     {told::no_baseline, "no_baseline", "not measurable, because no clear frame of the same view is known"},
     {told::unregistered, "unregistered",
-     "blood is not measurable, because the tissue of the baseline is not found in its place: the camera or the tissue "
+     "blood is not measurable, because hardly anything of the baseline's tissue is found again: the camera or the "
+     "tissue "
      "moved far"},
 };
 

@@ -18,6 +18,8 @@ constexpr double blood_least = 0.01, blood_of_blood = 0.28, blood_of_veil = 0.28
 // taken for blood. What is left unexplained there (rest) says nothing of that: over known blood on real tissue that
 // moves it goes with the error at r = .1, the likeness at -.5.
 constexpr double usual_likeness = 0.8, blood_of_unlike = 0.1;
+// All of what is told may be false where so little of the baseline is there.
+constexpr double doubtful_likeness = 0.5;
 
 // What the flags say about a frame makes its intervals wider.
 struct Wider {
@@ -45,9 +47,11 @@ void set_intervals(FrameAmounts& a) {
         if ((a.flags & row.bit) != 0) factor *= row.factor;
     const double middle = a.veil.value * (1.0 - a.veil.value);
     set(a.veil, factor * (veil_least + veil_of_middle * middle + veil_of_rest * a.rest));
-    set(a.blood,
+    const double doubt = std::clamp((usual_likeness - a.likeness) / (usual_likeness - doubtful_likeness), 0.0, 1.0);
+    const double half =
         factor * (blood_least + blood_of_blood * a.blood.value + blood_of_veil * a.veil.value + blood_of_rest * a.rest +
-                  blood_of_unlike * std::max(usual_likeness - a.likeness, 0.0) + blood_of_hidden * a.hidden));
+                  blood_of_unlike * std::max(usual_likeness - a.likeness, 0.0) + blood_of_hidden * a.hidden);
+    set(a.blood, std::max(half, doubt * a.blood.value));
 }
 
 }  // namespace lapfx::match

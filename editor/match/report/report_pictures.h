@@ -1,6 +1,6 @@
 // The pictures of the report of a fit, as JPEG: frames of the reference beside what the scene shows.
 //
-//     if (!add_pictures(report, video, scene.reference.aspect, before, draw)) return;  // stopped
+//     if (!add_pictures(report, video, scene.reference.aspect, draw)) return;  // stopped
 //     write_file("report.html", report_html(report));
 //
 // Any thread.
@@ -26,7 +26,8 @@ glm::ivec2 report_picture_size(glm::dvec2 frame, double aspect = 0.0);
 /// One picture of a scene at `time` s; nothing: it was stopped.
 using DrawPicture = std::function<std::optional<Image>(const document::Content& tuned, double time, glm::ivec2 size)>;
 
-/// Fills the report's moments. `before`: what the result is held against; `aspect`: as of report_picture_size().
+/// Fills the report's moments; the result is held against what the fit began with. `aspect`: as of
+/// report_picture_size().
 /// `progress` is asked before each picture; `stop` ends the reading of one. False: one of them, or `draw`, stopped it.
 /// Throws what these throw.
 bool add_pictures(FitReport& report, VideoReader& reference, double aspect, const DrawPicture& draw,

@@ -9,7 +9,7 @@ namespace lapfx::ui {
 struct ImageViewOptions {
     bool grid = true;         ///< between pixels from grid_zoom on
     bool readout = true;      ///< the box beside the pointer
-    bool magnifier = false;   ///< the readout has one
+    bool magnifier = false;   ///< the readout has a magnifier
     bool eyedropper = false;  ///< a click, or Enter, takes a colour instead of panning
     int sample_box = 1;       ///< 1, 3, 5 or 11 pixels a side are averaged
     int decimals = 1;         ///< of values that are not whole

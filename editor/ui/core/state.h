@@ -126,7 +126,7 @@ class UiState {
     bool routing_ = false;
     bool key_ran_shortcut_ = false;  ///< the text that comes with the key is no text then
     int unsettled_ = 0;              ///< frames in a row that did not come to rest
-    bool letters_missing_ = false;   ///< the frame before lacked letters
+    bool letters_missing_ = false;   ///< letters were missing in the frame before
     std::string dropped_;
     Id pressed_hot_ = 0;  ///< was pressed since the pointer came to it
     Id hot_ = 0, active_[3] = {}, focus_ = 0, reveal_ = 0;

@@ -14,7 +14,7 @@ namespace lapfx::ui {
 namespace {
 
 constexpr Id dialogs = 0x6469616c6f672e73ULL;
-constexpr float shade = 0.5F;  // the layer over everything below is so opaque
+constexpr float shade = 0.5F;  // opacity of the layer over everything below
 
 constexpr float least_button = 6;  // em
 

@@ -18,7 +18,7 @@ class Shaper {
         std::uint32_t byte;
         Face* face;  ///< nullptr: no font has it
         hb_script_t script;
-        bool starts_cluster;  ///< next_character() parts clusters
+        bool starts_cluster;  ///< it is the first of a cluster, as next_character() parts them
     };
 
     void read(std::string_view text);

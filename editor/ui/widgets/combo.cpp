@@ -23,7 +23,7 @@ struct Choosing {
     TypeAhead typed;
     std::vector<std::uint32_t> shown;  ///< choices that pass the filter
     std::string filtered_by;
-    const void* filtered = nullptr;  ///< `shown` was filtered out of this list
+    const void* filtered = nullptr;  ///< `shown` was made from this list
     std::size_t filtered_count = 0;
     int at = -1;  ///< index in `shown` of the marked choice, which Enter takes
     float width = 0;

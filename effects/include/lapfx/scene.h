@@ -51,11 +51,12 @@ struct SceneLight {
     glm::dvec3 color{1.0, 0.97, 0.92};
 };
 
-/// Which pixels of the reference count as blood, once smoke is removed. Redness is (red + 8) / (mean of green and
+/// Which pixels of the reference count as blood, its smoke removed, or, where its tissue has moved, as they are seen.
+/// Redness is (red + 8) / (mean of green and
 /// blue + 8) in 8-bit sRGB code values: about 2 for liver, 3 to 15 for blood.
 struct BloodQualifier {
     double redness = 2.2;     ///< least redness of blood
-    double rise = 1.3;        ///< least factor of redness over the baseline's at that place
+    double rise = 1.3;        ///< least factor of redness over the baseline's at that place, or near by
     double brightness = 0.8;  ///< largest red of blood, 0..1: what is brighter is a highlight or tissue
 };
 

@@ -254,14 +254,17 @@ void add_classes(BenchReport& report, std::span<const Picture> pictures, bool re
     std::snprintf(head, sizeof head, "%-48s%6s%6s%8s%8s%8s%8s%8s%8s%8s  %s\n", real ? "of real frames" : "of renders",
                   "count", "none", "MAE", "bias", "r", "Dice", "cover", "raw", "zero", "bounds: met");
     report.table += head;
-    const bool labelled = std::ranges::any_of(pictures, &Picture::labelled);
+    const bool labelled = std::ranges::any_of(pictures, &Picture::labelled),
+               others = !labelled || !std::ranges::all_of(pictures, &Picture::labelled);
     for (const PictureClass& row : classes)
-        if (labelled || row.key != "blood_labelled") add_class(report, row, pictures, real);
+        if (row.key == "blood_labelled" ? labelled : others) add_class(report, row, pictures, real);
     report.table += "\n";
-    for (const Told& told : all_told) add_as_shipped(report, told.amount, told.readings_of(pictures), real);
+    for (const Told& told : all_told)
+        if (others || told.known_where_labelled) add_as_shipped(report, told.amount, told.readings_of(pictures), real);
     for (const LabelRow& label : left_out_labels) {
         if (label.real != real) continue;
         for (const Told& told : all_told) {
+            if (!others && !told.known_where_labelled) continue;
             Groups groups;
             for (const Picture& picture : pictures)
                 if (told.tells(picture))

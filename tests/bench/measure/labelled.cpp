@@ -5,6 +5,7 @@
 #include <regex>
 #include <set>
 
+#include "bench/measure/over.h"
 #include "lapfx/authoring/video.h"
 #include "lapfx/error.h"
 #include "match/picture/instruments.h"
@@ -29,11 +30,12 @@ Image picture_of(const std::filesystem::path& file) {
 
 /// Numbers of the frames after the baseline, by sequence.
 std::map<int, std::set<int>> sequences_of(const std::filesystem::path& folder) {
-    static const std::regex named("frame_([0-9]{1,6})_([0-9]{1,6})\\.png");
+    static const std::regex named("frame_(0|[1-9][0-9]{0,5})_(0|[1-9][0-9]{0,5})\\.png");
     std::map<int, std::set<int>> found;
     std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        const std::string name = entry.path().filename().string();
+    for (auto entry = std::filesystem::directory_iterator(folder, error);
+         !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
         std::smatch parts;
         if (std::regex_match(name, parts, named)) found[std::stoi(parts[1])].insert(std::stoi(parts[2]));
     }
@@ -42,23 +44,21 @@ std::map<int, std::set<int>> sequences_of(const std::filesystem::path& folder) {
 }
 
 KnownPicture labelled(const std::filesystem::path& frame, const std::filesystem::path& labels) {
-    KnownPicture made;
-    made.picture = picture_of(frame);
+    Image picture = picture_of(frame);
     const Image label = picture_of(labels);
-    const cv::Size size(made.picture.width, made.picture.height);
+    const cv::Size size(picture.width, picture.height);
     if (size != cv::Size(label.width, label.height))
         throw refused(labels, "is " + std::to_string(label.width) + "x" + std::to_string(label.height) +
                                   ", where its frame is " + std::to_string(size.width) + "x" +
                                   std::to_string(size.height));
     cv::Mat code, grey;
-    output::to_bgr(made.picture, code);
+    output::to_bgr(picture, code);
     output::to_bgr(label, grey);
     cv::cvtColor(grey, grey, cv::COLOR_BGR2GRAY);
     Shown shown{.code = code, .view = match::view_of(code), .blood = grey > half_white, .veil = {}};
     shown.view &= ~(match::instruments_of(code, shown.view) & ~shown.blood);
     shown.veil = cv::Mat::zeros(size, CV_32F);
-    Image picture = std::move(made.picture);
-    made = known(shown);
+    KnownPicture made = known(shown);
     made.picture = std::move(picture);
     return made;
 }
@@ -73,7 +73,7 @@ std::vector<KnownView> known_labelled(const std::filesystem::path& folder) {
     for (const auto& [sequence, numbers] : sequences_of(folder)) {
         KnownView view{.baseline = picture_of(file("frame", sequence, 0)),
                        .pictures = {},
-                       .labels = {{"operation", folder.filename().string() + "/" + std::to_string(sequence)}},
+                       .labels = {{"operation", operation_of(file("frame", sequence, 0))}},
                        .real = true,
                        .labelled = true,
                        .moves = true,

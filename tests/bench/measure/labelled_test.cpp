@@ -52,7 +52,7 @@ TEST_F(Labelled, FramesFollowTheBaselineOfTheirSequenceInTheOrderOfTheirNumbers)
     write("other.png", picture(0, true));
     const std::vector<KnownView> views = known_labelled(folder_.path());
     ASSERT_EQ(views.size(), 2U);
-    EXPECT_EQ(views[0].labels.at("operation"), folder_.path().filename().string() + "/1");
+    EXPECT_EQ(views[0].labels.at("operation"), folder_.path().filename().string() + "/frame_1");
     EXPECT_EQ(views[0].pictures.at(0).blood, 0.0);
     ASSERT_EQ(views[1].pictures.size(), 2U);
     EXPECT_TRUE(views[1].labelled && views[1].real && views[1].in_order);

@@ -2,7 +2,7 @@
 //
 // Method: 200 stills, each another view, and 20 clips, drawn at random from a seed (views.cpp): organ,
 // its colour, camera, light, preset, wounds and burns; shift, gain, white balance, noise, compression
-// (camera.cpp). --quick draws an eighth of them. With --over known veils and blood are laid over real clear frames as
+// (camera.cpp). --quick draws a tenth of them. With --over known veils and blood are laid over real clear frames as
 // well (over.cpp), and with --labelled real frames are measured in which a person said where the blood is
 // (labelled.cpp). The true amounts of renders come from their layers (Preview::layers), before noise and compression:
 // blood is each pixel whose light blood changes by more than a tenth, veil the mean of 1 - transmission, both over the
@@ -31,7 +31,7 @@ namespace {
 struct Extent {
     int stills, clips, pictures_of_clip, composites, timed_frames;
 };
-constexpr Extent whole{200, 20, 40, 4, 200}, quick{24, 3, 12, 2, 40}, least{4, 1, 8, 2, 5};
+constexpr Extent whole{200, 20, 40, 4, 200}, quick{20, 3, 9, 2, 0}, least{4, 1, 8, 2, 5};
 
 constexpr std::size_t longest_model = 1 << 20;  // bytes
 constexpr double least_area = 0.005;            // of the view: of less blood the Dice is chance
@@ -86,8 +86,7 @@ std::string classes_of(const MeasuredPicture& picture) {
 void write_frames(const std::string& file, const std::vector<MeasuredPicture>& pictures) {
     std::string text =
         "view,real,labelled,shifted,classes,organ,light,camera,operation,true_blood,blood,blood_low,blood_high,dice,"
-        "true_veil,"
-        "veil,veil_low,veil_high,hazeness,valid,likeness,rest,hidden,flags\n";
+        "true_veil,veil,veil_low,veil_high,hazeness,valid,likeness,rest,hidden,flags\n";
     for (const MeasuredPicture& p : pictures) {
         const match::FrameAmounts& m = p.measured;
         text += std::to_string(p.view) + (p.real ? ",1," : ",0,") + (p.labelled ? "1," : "0,") +
@@ -161,8 +160,7 @@ BenchReport bench_measure(const BenchOptions& options) {
     }
     std::vector<MeasuredPicture> over;
     const std::string left_out = options.over.empty() ? "" : measure_over(options, estimator, extent.composites, over);
-    for (int index = 0; const KnownView& view : labelled)
-        measure_view(view, extent.stills + extent.clips + index++, estimator, over);
+    for (int index = 0; const KnownView& view : labelled) measure_view(view, index++, estimator, over);
     if (!options.frames.empty()) {
         std::vector<MeasuredPicture> all = pictures;
         all.insert(all.end(), over.begin(), over.end());

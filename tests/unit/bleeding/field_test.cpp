@@ -474,7 +474,8 @@ TEST(Field, OldBloodOfManyWoundsIsTheLargestOfEach) {
         }
     };
     for (double time = 0.0; time < 36.0; time += 0.3) {
-        if (time > 6.0 && time < 16.0) contacts[1].duration = time - 6.0;           // held on, and slower and slower
+        if (time > 6.0 && time < 16.0) contacts[1].duration = time - 6.0;  // held on, and slower and slower
+        if (time > 25.0) wounds[0].sealed = wounds[8].sealed = 25.0;       // clips, on one that clotted long ago, too
         tell(time < 3.0 ? 0 : time < 6.1 ? 1 : time < 20.0 ? 2 : contacts.size());  // some are told of late
         ASSERT_NO_FATAL_FAILURE(compare_at(time));
         BleedField fresh(surface, down);

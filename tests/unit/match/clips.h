@@ -1,5 +1,5 @@
-// Whole videos for tests, as numbered pictures that are painted (pictures.h); 25 frames per second. They have half of
-// its width and height: what a video costs goes by its pixels.
+// Whole videos for tests, as numbered pictures that are painted (pictures.h); 25 frames per second. Each has half of
+// the width and height of pictures.h: what a video costs goes by its pixels.
 #pragma once
 
 #include <cstdio>

@@ -7,7 +7,7 @@
 namespace lapfx::match {
 namespace {
 
-constexpr BloodFinder::Laid exactly{}, beside{.well = false, .likeness = 0.6}, far{.well = false, .likeness = 0.2};
+const BloodFinder::Laid exactly{}, beside{.well = false, .likeness = 0.6}, far{.well = false, .likeness = 0.2};
 
 struct Found {
     explicit Found(const cv::Mat& frame, const cv::Mat& veil, const BloodQualifier& qualifier = {},
@@ -114,7 +114,7 @@ TEST(Blood, BehindSmokeIsMissedRatherThanInventedWhereTissueMoved) {
         return Found(test::veiled(tissue, even(veil), test::light_of({})), even(taken_for)).blood();
     };
     EXPECT_NEAR(behind(bloody(), 0.02, 0.02), disc, 0.1 * disc);
-    EXPECT_LT(behind(bloody(), 0.4, 0.4), disc);
+    EXPECT_LT(behind(bloody(), 0.4, 0.4), 0.5 * disc);
     for (const double taken_for : {0.2, 0.4, 0.6}) EXPECT_EQ(behind(test::tissue(), 0.2, taken_for), 0.0) << taken_for;
 }
 
@@ -146,14 +146,25 @@ cv::Mat with_red_tissue(int x) {
 TEST(Blood, IsNotRedTissueThatMovedALittle) {
     EXPECT_EQ(Found(with_red_tissue(152), even(0), {}, with_red_tissue(150)).blood(), 0.0);
     EXPECT_EQ(Found(with_red_tissue(158), even(0), {}, with_red_tissue(150)).blood(), 0.0);
-    EXPECT_GT(Found(with_red_tissue(180), even(0), {}, with_red_tissue(150)).blood(), 0.2 * disc);
+    EXPECT_GT(Found(with_red_tissue(170), even(0), {}, with_red_tissue(150)).blood(), 0.2 * disc);
     EXPECT_EQ(Found(with_red_tissue(170), even(0), {}, with_red_tissue(150), far).blood(), 0.0)
         << "the less the baseline is alike, the farther red tissue may have come";
     EXPECT_GT(Found(bloody(), even(0), {}, test::tissue(), far).blood(), 0.9 * disc);
 }
 
+/// Less light makes no blood, though the little that comes back from a shadow seems redder.
+TEST(Blood, IsNoShadowWhereTissueMoved) {
+    cv::Mat shaded = test::tissue();
+    cv::Mat part = cv::Mat::zeros(shaded.size(), CV_8U);
+    cv::circle(part, {150, 130}, radius, 255, cv::FILLED);
+    shaded.forEach<cv::Vec3f>([&](cv::Vec3f& p, const int* at) {
+        if (part.at<std::uint8_t>(at[0], at[1]) != 0) p = p.mul(cv::Vec3f(0.005F, 0.005F, 0.04F));
+    });
+    EXPECT_EQ(Found(shaded, even(0)).blood(), 0.0);
+}
+
 TEST(Blood, IsSureInALargePartOfItsPatch) {
-    // All that is left of the drop of green and blue is what makes it sure.
+    // A quarter of the redness may be blood, the whole of it in the middle surely is.
     const auto patch = [](int sure) {
         cv::Mat frame = test::tissue();
         const cv::Mat clear = frame.clone();

@@ -49,13 +49,27 @@ TEST(Interval, GrowsWithWhatIsLeftUnexplained) {
 }
 
 TEST(Interval, OfBloodGrowsTheLessTheBaselineIsAlike) {
-    FrameAmounts a = amounts_of(0.5, 0.3);
+    FrameAmounts a = amounts_of(0.1, 0.3);
     const FrameAmounts plain = a;
-    for (const double likeness : {0.9, 0.8, 0.5, 0.2}) {
+    for (const double likeness : {0.9, 0.8, 0.7, 0.2}) {
         a.likeness = likeness;
         set_intervals(a);
-        EXPECT_NEAR(width(a.blood) - width(plain.blood), 2 * 0.1 * std::max(0.8 - likeness, 0.0), 1e-9) << likeness;
+        EXPECT_NEAR(a.blood.high - plain.blood.high, 0.1 * std::max(0.8 - likeness, 0.0), 1e-9) << likeness;
         EXPECT_EQ(width(a.veil), width(plain.veil));
+    }
+}
+
+TEST(Interval, OfBloodHoldsNoneWhereTheTissueIsHardlyThere) {
+    FrameAmounts a = amounts_of(0.4, 0.0);
+    EXPECT_GT(a.blood.low, 0.25);
+    a.likeness = 0.65;
+    set_intervals(a);
+    EXPECT_NEAR(a.blood.low, 0.2, 1e-9) << "half of it may be false";
+    for (const double likeness : {0.5, 0.2}) {
+        a.likeness = likeness;
+        set_intervals(a);
+        EXPECT_EQ(a.blood.low, 0.0);
+        EXPECT_NEAR(a.blood.high, 0.8, 1e-9);
     }
 }
 

@@ -131,17 +131,12 @@ TEST_F(RealFrames, TissueThatMovesIsNoBlood) {
     EXPECT_LE(with_blood, static_cast<int>(found.frames.size()) / 10);
 }
 
-/// The wound is torn open a little, in the middle of the clip, where the tissue has moved: what was as red near by is
-/// not told to be new blood, but may be.
-TEST_F(RealFrames, NewBloodOfARedWoundMayBeThere) {
+/// The wound is torn open a little, in the middle of the clip.
+TEST_F(RealFrames, NewBloodOfAWoundIsFound) {
     VideoReader reader(data / "surgery/cholec80-5s-clips/train/high/video01_071.mp4");
     const Measurement found = measure(reader, {.baseline = 0.0, .from = 3.0, .to = 3.4});
     ASSERT_FALSE(found.frames.empty());
-    for (const FrameAmounts& f : found.frames) {
-        EXPECT_TRUE(f.blood_measurable()) << f.time;
-        EXPECT_LT(f.blood.low, 0.015) << f.time;
-        EXPECT_GT(f.blood.high, 0.015) << f.time;
-    }
+    for (const FrameAmounts& f : found.frames) EXPECT_GT(f.blood.value, 0.015) << f.time;
 }
 
 TEST_F(RealFrames, SmokeThatBuildsUpIsSeenToRise) {
