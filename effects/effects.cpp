@@ -104,16 +104,6 @@ struct Effects::State {
             // No thread is to be had: it has been freed here.
         }
     }
-    /// The tool touches the organ in its present shape; contacts refer to the rest shape.
-    void drain_queue() {
-        ToolSample sample;
-        // Takes no more samples than there were at the beginning: the haptic thread continues.
-        for (std::size_t i = 0; i < queue.capacity() && queue.pop(sample); ++i) {
-            if (sample.touching) sample.position = body->moved().to_rest(sample.position);
-            simulation->add(sample);
-        }
-        simulation->take_samples();
-    }
 };
 
 /// What has been set while it came holds for it too.
@@ -291,7 +281,7 @@ void Effects::set_overlay(Overlay overlay) {
 }
 
 void Effects::seek(double time) noexcept {
-    state_->drain_queue();
+    state_->simulation->take_samples(state_->queue, state_->body->moved());
     state_->smoke.update();
     state_->free_leaving();
     if (!std::isfinite(time)) return;

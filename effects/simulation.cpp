@@ -94,8 +94,11 @@ void Simulation::renew_blood() {
     tissue_->blood = std::move(renewed);
 }
 
-void Simulation::update_log() {
-    if (recorder_.changed()) log_.update(recorder_.contacts(), recorder_.take_same());
+/// Heat, clearing, burns and haze follow what was added to the log.
+void Simulation::follow_log() {
+    if (!recorder_.changed()) return;
+    log_.update(recorder_.contacts(), recorder_.take_same());
+    take_pieces();
 }
 
 std::span<const ToolContact> Simulation::placed(std::span<const ToolContact> contacts) {
@@ -120,7 +123,7 @@ void Simulation::set(const SimulationParameters& parameters, std::span<const Too
     put(parameters, changed);
     put(curves);
     recorder_.set(placed(contacts));
-    update_log();
+    if (recorder_.changed()) log_.update(recorder_.contacts(), recorder_.take_same());
     take_pieces(changed);
     take_wounds();
 }
@@ -151,13 +154,17 @@ void Simulation::set_down(const glm::dvec3& down) {
 
 void Simulation::set_contacts(std::span<const ToolContact> contacts) {
     recorder_.set(placed(contacts));
-    take_samples();
+    follow_log();
 }
 
-void Simulation::take_samples() {
-    if (!recorder_.changed()) return;
-    update_log();
-    take_pieces();
+void Simulation::take_samples(ToolQueue& queue, const MovedSurface& moved) {
+    ToolSample sample;
+    // Takes no more samples than there were at the beginning: the haptic thread continues.
+    for (std::size_t i = 0; i < queue.capacity() && queue.pop(sample); ++i) {
+        if (sample.touching) sample.position = moved.to_rest(sample.position);
+        recorder_.add(sample);
+    }
+    follow_log();
 }
 
 void Simulation::set_surface(std::shared_ptr<const Foundation> foundation, std::span<const std::uint32_t> origin) {

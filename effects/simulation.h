@@ -3,7 +3,7 @@
 //
 //     Simulation simulation(foundation, down);
 //     simulation.set_parameters(preset, changed);  // redo bits; or without them: it compares
-//     simulation.set_contacts(contacts);           // or add(sample) for each sample of a tool, then take_samples()
+//     simulation.set_contacts(contacts);           // or take_samples(queue, moved) of a tool
 //     simulation.seek(time);                       // any time, any order
 //     draw(simulation.blood());
 //
@@ -23,6 +23,7 @@
 #include "lapfx/curves.h"
 #include "lapfx/preset.h"
 #include "lapfx/tool_queue.h"
+#include "organ/moved_surface.h"
 #include "smoke/burns.h"
 #include "smoke/haze.h"
 #include "tool/log.h"
@@ -66,9 +67,9 @@ class Simulation {
     void set_down(const glm::dvec3& down);
     /// Replaces all contacts. On a plate they are where the camera sees them: an organ's own are not at its depth.
     void set_contacts(std::span<const ToolContact> contacts);
-    /// Adds a sample at a place of the rest shape. Its effect shows after take_samples().
-    void add(const ToolSample& sample) { recorder_.add(sample); }
-    void take_samples();
+    /// Takes what a haptic thread has pushed. A tool touches the organ as it is moved, contacts refer to its shape at
+    /// rest.
+    void take_samples(ToolQueue& queue, const MovedSurface& moved);
     /// Cuts the organ (Effects::set_topology). `origin` has an entry for every vertex of the new organ, as there.
     void set_surface(std::shared_ptr<const Foundation> foundation, std::span<const std::uint32_t> origin);
 
@@ -111,7 +112,7 @@ class Simulation {
     void put(const Curves& curves);
     unsigned changed_to(const SimulationParameters& parameters) const;
     void renew_blood();
-    void update_log();
+    void follow_log();
     void take_pieces(unsigned changed = 0);
     void take_wounds();
 

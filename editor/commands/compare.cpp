@@ -34,7 +34,7 @@ struct Options {
     MatchOptions match;
 };
 
-struct Found {
+struct ComparedFiles {
     match::Compared compared;
     double offset = 0.0;  ///< s
     Window window = {};   ///< s of the scene or video that is held against the reference
@@ -88,7 +88,7 @@ match::ComparedScene draw(const Options& o, const match::SceneToCompare& what, m
     }
 }
 
-Found compare_scene(const Options& o) {
+ComparedFiles compare_scene(const Options& o) {
     const std::vector<std::string> chosen = o.preset.empty() ? std::vector<std::string>() : std::vector{o.preset};
     const ShownScene shown = open_shown(o.shown, chosen, o.settings);
     const Window window = window_of(o.match.window, shown.scene.duration, "scene");
@@ -121,7 +121,7 @@ Found compare_scene(const Options& o) {
     return {.compared = drawn.compared, .offset = offset, .window = window, .of_scene = true};
 }
 
-Found compare_video(const Options& o) {
+ComparedFiles compare_video(const Options& o) {
     for (const auto& [option, given] : {std::pair{"--preset", !o.preset.empty()}, {"--set", !o.settings.empty()}})
         if (given) throw wrong_option(option, "is of a scene, and " + o.shown + " is a video");
     VideoReader video = opened_video(o.shown), reference = opened_video(o.match.reference);
@@ -168,7 +168,7 @@ Json number_or_null(const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
-std::string json_of(const Options& o, const Found& found, std::span<const Limit> limits) {
+std::string json_of(const Options& o, const ComparedFiles& found, std::span<const Limit> limits) {
     Json json;
     json["format"] = "lapfx.comparison";
     json["version"] = format_version;
@@ -190,7 +190,7 @@ std::string json_of(const Options& o, const Found& found, std::span<const Limit>
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-Found compare(const Options& o) {
+ComparedFiles compare(const Options& o) {
     switch (kind_of_file(o.shown)) {
         case FileKind::document:
             return compare_scene(o);
@@ -207,7 +207,7 @@ Found compare(const Options& o) {
 void run(const Options& o) {
     check_json(o);
     const std::vector<Limit> limits = limits_of(o.at_most);
-    const Found found = compare(o);
+    const ComparedFiles found = compare(o);
     if (!o.json.empty()) write_file(o.json, json_of(o, found, limits));
     print(found.compared);
     if (std::vector<Fault> faults = faults_of(limits, found.compared); !faults.empty())

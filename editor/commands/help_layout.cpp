@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lapfx/authoring/utf8.h"
+
 namespace lapfx::commands {
 
 namespace {
@@ -9,18 +11,13 @@ namespace {
 constexpr std::size_t columns = 100;
 constexpr std::size_t name_column = 26;  // where the text about a name begins
 
-/// Characters of UTF-8, as a terminal counts them: all but the bytes that continue one.
-std::size_t width(std::string_view text) {
-    return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
 /// "  name      meaning"; on a line of its own where the name is long.
 std::string listed(const std::string& name, std::string_view meaning) {
     const std::string head = "  " + name;
     const std::string lines = wrapped(meaning, name_column);
-    if (width(head) + 2 > name_column) return head + '\n' + lines;
-    return head + std::string(name_column - width(head), ' ') + lines.substr(std::min(name_column, lines.size()));
+    if (count_characters(head) + 2 > name_column) return head + '\n' + lines;
+    return head + std::string(name_column - count_characters(head), ' ') +
+           lines.substr(std::min(name_column, lines.size()));
 }
 
 /// What is inside a cell of a Markdown table.
@@ -46,7 +43,7 @@ std::string wrapped(std::string_view text, std::size_t indent) {
         const std::size_t end = std::min(text.find(' '), text.size());
         const std::string_view word = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
-        if (!line.empty() && indent + width(line) + 1 + width(word) > columns) end_line();
+        if (!line.empty() && indent + count_characters(line) + 1 + count_characters(word) > columns) end_line();
         if (!line.empty()) line += ' ';
         line += word;
     }
@@ -55,7 +52,7 @@ std::string wrapped(std::string_view text, std::size_t indent) {
 }
 
 std::string terminal_text(const HelpSection& section) {
-    std::string out = section.title + '\n' + std::string(width(section.title), '-') + '\n';
+    std::string out = section.title + '\n' + std::string(count_characters(section.title), '-') + '\n';
     for (const std::string& paragraph : section.paragraphs) out += '\n' + wrapped(paragraph, 0);
     if (!section.rows.empty()) out += '\n';
     for (const HelpRow& row : section.rows) {

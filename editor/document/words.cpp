@@ -244,11 +244,6 @@ bool says(std::string_view text, std::string_view word) {
     return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
-std::string lower_first(std::string text) {
-    if (!text.empty()) text[0] = lower(text[0]);
-    return text;
-}
-
 /// "cauterise" for "Event 3 (cauterise)".
 std::string inside_brackets(const std::string& item) {
     const std::size_t open = item.find('(');

@@ -1,5 +1,6 @@
 #include "output/kinds.h"
 
+#include "lapfx/authoring/letters.h"
 #include "lapfx/rows.h"
 #include "output/files.h"
 #include "output/frame_files.h"
@@ -46,6 +47,7 @@ constexpr std::array<OutputRow, output_kind_count> rows = {{
      .content = Content::picture,
      .files = "Pictures",
      .example = "out_%04d.png",
+     .numbered = true,
      .is_name = is_sequence_name,
      .frames = make_png_files},
     {.kind = OutputKind::video,
@@ -82,6 +84,14 @@ const OutputRow& row_of(OutputKind kind) {
 
 const std::array<std::string_view, output_kind_count>& output_titles() {
     return titles;
+}
+
+std::string wanted_name(OutputKind kind) {
+    const OutputRow& row = row_of(kind);
+    const std::string title = lower_first(std::string(row.title));
+    if (row.numbered) return "a " + title + " is named like " + std::string(row.example);
+    const std::string names = listed(*row.content, " or ", true);
+    return "a " + title + " is a" + (names.starts_with(".m") ? "n " : " ") + names;
 }
 
 std::optional<OutputKind> kind_named(const std::filesystem::path& name) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "lapfx/authoring/formats.h"
@@ -27,6 +28,7 @@ struct OutputRow {
     std::string_view command = {};   ///< "export.video"; empty: it has no command in the menu
     std::string_view command_title = {}, command_tip = {};
     std::string_view example = {};  ///< a name that `lapfx render -o` takes
+    bool numbered = false;          ///< a file for each frame, whose name has the number of the frame
     /// Whether a name is one of this kind; null: this kind has no frames.
     bool (*is_name)(const std::filesystem::path& name) = nullptr;
     /// Makes the files for frames (output/frame_files.h). Throws Error (runtime) when they cannot be written there.
@@ -40,6 +42,8 @@ const OutputRow& row_of(OutputKind kind);
 /// Their titles in the order of OutputKind, for a choice among them.
 const std::array<std::string_view, output_kind_count>& output_titles();
 
+/// What the name of a kind with frames is to be, for a fault: "a picture is a .png", "a video is an .mp4 or .mov".
+std::string wanted_name(OutputKind kind);
 /// The kind with frames that a name stands for (out.png, out_%04d.png, out.mp4); the disk is not read.
 std::optional<OutputKind> kind_named(const std::filesystem::path& name);
 

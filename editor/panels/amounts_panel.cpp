@@ -38,21 +38,21 @@ void take_series(AmountPlots& plots, const app::AmountsOverTime& amounts) {
 }
 
 /// "812".
-std::string_view legend_text(ui::Ui& ui, const ui::PlotData& data, const AmountRow& row, double time) {
+std::string_view legend_text(ui::Ui& ui, const ui::PlotData& data, int decimals, double time) {
     const double last = data.size() > 0 ? data.x(data.size() - 1) : 0;
     const double value = data.value_at(std::min(time, last));
     ui::ShortText text;
     if (std::isfinite(value))
-        text.add(value, row.plot_decimals);
+        text.add(value, decimals);
     else
         text.add("-");
     return ui.join({text.view(), "###Scene"});
 }
 
 void one_plot(ui::Ui& ui, app::Timeline& timeline, AmountPlots& plots, std::size_t kind) {
-    const AmountRow& row = *plotted_amounts[kind];
+    const AmountRow& row = plotted_amounts[kind].row();
     AmountPlot& plot = plots.all[kind];
-    const ui::PlotSeries series = {.name = legend_text(ui, plot.data, row, timeline.time),
+    const ui::PlotSeries series = {.name = legend_text(ui, plot.data, plotted_amounts[kind].decimals, timeline.time),
                                    .data = &plot.data,
                                    .color = static_cast<int>(kind % 8)};
     const ui::PlotResult result =

@@ -12,7 +12,7 @@ constexpr std::string_view name = "file question";
 constexpr float width = 34, most_height = 12;  // em
 
 /// The question that was last shown.
-struct Shown {
+struct LastQuestion {
     std::uint64_t serial = 0;
 };
 
@@ -27,7 +27,7 @@ void content(ui::Ui& ui, const app::Files::Question& question) {
 }  // namespace
 
 void closing_dialog(ui::Ui& ui, app::Files& files) {
-    Shown& shown = ui.memory<Shown>(ui::hash_bytes(0, name));
+    LastQuestion& shown = ui.memory<LastQuestion>(ui::hash_bytes(0, name));
     const app::Files::Question* question = files.question();
     if (question != nullptr && question->serial != shown.serial) {
         shown.serial = question->serial;

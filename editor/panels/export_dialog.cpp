@@ -290,7 +290,7 @@ void ask_replace(ui::Ui& ui, Exports& exports) {
     const std::string_view name = ui::name_of_path(exports.form.file());
     const auto answer =
         ui::ask(ui, replace_name, "Replace it?",
-                ui.join({name, exports.form.what() == OutputKind::sequence
+                ui.join({name, output::row_of(exports.form.what()).numbered
                                    ? ": pictures of this name exist. Those with the same numbers will be replaced."
                                    : " exists and will be replaced once the new one is complete."}),
                 {{.label = "Cancel", .cancel = true}, {.label = "Replace"}}, ui::Tone::warning);

@@ -21,13 +21,13 @@ namespace {
 using match::ColorLikeness;
 using match::MeasuredColors;
 
-struct Part {
+struct ColorLine {
     const char *name, *where;
     std::optional<double> ColorLikeness::*apart;
     std::optional<glm::dvec3> MeasuredColors::*color;
     const char* key;  ///< of what mends it
 };
-constexpr std::array<Part, 3> parts = {{
+constexpr std::array<ColorLine, 3> parts = {{
     {"blood", "of all frames that show it", &ColorLikeness::blood, &MeasuredColors::blood, "bleeding.color_thin"},
     {"smoke", "where the veil is densest", &ColorLikeness::smoke, &MeasuredColors::smoke, "smoke.haze.color"},
     {"tissue", "of the baselines", &ColorLikeness::tissue, &MeasuredColors::tissue, exposure_key},
@@ -66,14 +66,14 @@ const Colors& colors_of(ui::Ui& ui, const AmountsParts& on) {
 }
 
 /// "smoke unknown": why.
-void unknown(ui::Ui& ui, const Colors& colors, const Part& part, std::string_view end) {
+void unknown(ui::Ui& ui, const Colors& colors, const ColorLine& part, std::string_view end) {
     const bool theirs = !(colors.reference.*part.color);
     ui::label(ui, ui.join({part.name, " unknown", end}), {.tone = ui::Tone::dim});
     ui.last().tip =
         ui.join({theirs ? "The reference" : "The preview", " shows too little ", part.name, " to tell its colour"});
 }
 
-void known(ui::Ui& ui, const AmountsParts& on, const Part& part, double apart, std::string_view end) {
+void known(ui::Ui& ui, const AmountsParts& on, const ColorLine& part, double apart, std::string_view end) {
     ui::ShortText text;
     text.add(part.name).add(" ").add(apart, 1).add(end);
     const bool clicked = ui::button(
@@ -96,7 +96,7 @@ void measured_colors(ui::Ui& ui, const AmountsParts& on) {
     line.cross = ui::ChildAlign::center;
     line.gap = ui.em(0.3F);
     ui::label(ui, "Colours:", {.tone = ui::Tone::dim});
-    for (const Part& part : parts) {
+    for (const ColorLine& part : parts) {
         const std::string_view end = &part == &parts.back() ? "" : ",";
         if (const std::optional<double>& apart = colors.likeness.*part.apart)
             known(ui, on, part, *apart, end);

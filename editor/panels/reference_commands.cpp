@@ -17,10 +17,8 @@ using app::Reference;
 void add_mark_commands(app::Editor& editor) {
     char digit = '1';
     for (const Parameter& row : Reference::mark_table().rows) {
-        std::string small(row.name);
-        small[0] = lower(small[0]);
         editor.commands.add({.id = "reference.mark_" + std::string(row.key),
-                             .title = "Mark: " + small + " here",
+                             .title = "Mark: " + lower_first(std::string(row.name)) + " here",
                              .group = "Reference",
                              .chord = {ui::key_of(digit++), ui::Mods::alt},
                              .run = [&editor, &row] { editor.reference().mark(row); },

@@ -5,21 +5,21 @@
 
 namespace lapfx::cautery {
 
-HeatSum::State HeatSum::Part::at(double time, const Constants& constants) const {
+HeatSum::State HeatSum::HeatPiece::at(double time, const Constants& constants) const {
     const double passed = std::clamp(time, from, to) - from;
     const double left = std::exp(-passed / constants.cooling_time);
     return {aim + (start.rise - aim) * left, heated ? start.stayed + passed : start.stayed * left};
 }
 
-HeatSum::Part HeatSum::Part::between(double first, double last, const Constants& constants) const {
-    Part part = *this;
+HeatSum::HeatPiece HeatSum::HeatPiece::between(double first, double last, const Constants& constants) const {
+    HeatPiece part = *this;
     part.start = at(first, constants);
     part.from = first;
     part.to = last;
     return part;
 }
 
-double HeatSum::Part::when(double wanted, bool falls, const Constants& constants) const {
+double HeatSum::HeatPiece::when(double wanted, bool falls, const Constants& constants) const {
     if (falls ? start.rise <= wanted : start.rise >= wanted) return from;
     if (falls ? !(aim < wanted) : !(aim > wanted)) return never;
     const double time = from + constants.cooling_time * std::log((aim - start.rise) / (aim - wanted));
@@ -87,7 +87,7 @@ void HeatSum::rebuild(double from, const Constants& constants) {
 void HeatSum::add_parts(double from, double to, double steady, double gentle, const Constants& constants) {
     const double top = constants.gentle_top, low = steady * constants.cooling_time;
     const double high = (steady + gentle) * constants.cooling_time;
-    Part part{.from = from, .to = to, .start = {}, .aim = high};
+    HeatPiece part{.from = from, .to = to, .start = {}, .aim = high};
     part.heated = steady > 0.0 || gentle > 0.0;
     part.sources_change = true;
     if (!parts_.empty()) part.start = parts_.back().at(from, constants);
@@ -112,8 +112,8 @@ void HeatSum::add_parts(double from, double to, double steady, double gentle, co
 }
 
 std::size_t HeatSum::part_at(double time) const {
-    const auto after =
-        std::upper_bound(parts_.begin(), parts_.end(), time, [](double t, const Part& part) { return t < part.from; });
+    const auto after = std::upper_bound(parts_.begin(), parts_.end(), time,
+                                        [](double t, const HeatPiece& part) { return t < part.from; });
     return after == parts_.begin() ? parts_.size() : static_cast<std::size_t>(after - parts_.begin()) - 1;
 }
 
@@ -126,7 +126,7 @@ double HeatSum::reaches(double wanted, double from, double to, const Constants& 
     std::size_t i = part_at(from);
     if (i == parts_.size()) i = 0;
     for (; i < parts_.size() && parts_[i].from <= to; ++i) {
-        const Part part = parts_[i].between(std::max(from, parts_[i].from), std::min(to, parts_[i].to), constants);
+        const HeatPiece part = parts_[i].between(std::max(from, parts_[i].from), std::min(to, parts_[i].to), constants);
         if (const double time = part.when(wanted, false, constants); time < never) return time;
     }
     return never;

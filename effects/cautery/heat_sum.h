@@ -33,7 +33,7 @@ class HeatSum {
         double stayed = 0.0;  ///< H, s
     };
     /// A time in which U and H follow one formula. The last part does not end.
-    struct Part {
+    struct HeatPiece {
         double from = 0.0, to = never;
         State start;
         double aim = 0.0;  ///< degrees that U tends to
@@ -41,7 +41,7 @@ class HeatSum {
         bool sources_change = false;  ///< at its start
         State at(double time, const Constants& constants) const;
         /// The same formula within from..to, which it holds.
-        Part between(double from, double to, const Constants& constants) const;
+        HeatPiece between(double from, double to, const Constants& constants) const;
         /// The first time in it at which U is at least `wanted` or, with `falls`, at most; never: at none.
         double when(double wanted, bool falls, const Constants& constants) const;
     };
@@ -52,7 +52,7 @@ class HeatSum {
     void remove_from(std::uint32_t contact, const Constants& constants);
 
     const std::vector<Source>& sources() const { return sources_; }
-    const std::vector<Part>& parts() const { return parts_; }
+    const std::vector<HeatPiece>& parts() const { return parts_; }
     /// Number of the part of a time; parts().size() before the first one.
     std::size_t part_at(double time) const;
     State at(double time, const Constants& constants) const;
@@ -64,7 +64,7 @@ class HeatSum {
     void add_parts(double from, double to, double steady, double gentle, const Constants& constants);
 
     std::vector<Source> sources_;
-    std::vector<Part> parts_;  // by time, without gaps
+    std::vector<HeatPiece> parts_;  // by time, without gaps
 };
 
 }  // namespace lapfx::cautery

@@ -129,7 +129,7 @@ Radial::Heating Radial::heating_by(std::uint32_t station, const HeatSum::Source&
 void Radial::heat(Station& station, std::span<const HeatSum::Source> sources) {
     station.heat.add(sources, constants_);
     // H is greatest where a part begins: at the end of a heating. One may be lengthened by a later source.
-    for (const HeatSum::Part& part : station.heat.parts()) widest_ = std::max(widest_, radius(part.start.stayed));
+    for (const HeatSum::HeatPiece& part : station.heat.parts()) widest_ = std::max(widest_, radius(part.start.stayed));
 }
 
 /// Stations in the cells along the tip's path, ascending.

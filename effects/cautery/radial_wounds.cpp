@@ -134,7 +134,7 @@ double Radial::closing_time(const Station& station, const Wound& wound, double f
     const bool under_tip = distance <= parameters_.tip_radius && hot <= highest_rise(parameters_);
     const auto& parts = station.heat.parts();
     for (std::size_t i = station.heat.part_at(from); i < parts.size() && parts[i].from <= to; ++i) {
-        const HeatSum::Part part =
+        const HeatSum::HeatPiece part =
             parts[i].between(std::max(from, parts[i].from), std::min(to, parts[i].to), constants_);
         double time = part.when(warm, false, constants_);
         if (under_tip && time < never && part.at(time, constants_).rise >= hot)

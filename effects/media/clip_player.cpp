@@ -137,7 +137,7 @@ ClipFrame ClipPlayer::resident_frame(Head& head, int index, Policy policy, Strea
     int shown = index;
     if (!store.has(index)) {
         head.rests = false;
-        const ClipStream::Shown decoded = head.stream->frame(index, policy, times.wait);
+        const ClipStream::LentFrame decoded = head.stream->frame(index, policy, times.wait);
         shown = decoded.bytes.empty() ? -1 : decoded.index;
         if (shown >= 0) keep(decoded, times);
         if (shown != index) ++misses_;
@@ -159,7 +159,7 @@ ClipFrame ClipPlayer::shown_of(const Head& head) const noexcept {
     return file_->store.frame(head.shown, file_->info.color);
 }
 
-void ClipPlayer::keep(const ClipStream::Shown& decoded, StreamingTimes& times) noexcept {
+void ClipPlayer::keep(const ClipStream::LentFrame& decoded, StreamingTimes& times) noexcept {
     {
         const work::Stopwatch watch(times.upload);
         times.uploaded_bytes += file_->store.upload(decoded.index, decoded.bytes);
@@ -181,7 +181,7 @@ ClipFrame ClipPlayer::streamed_frame(Head& head, int index, Policy policy, Strea
     } else {
         // The driver may lose what was decoded to its memory; Policy::wait then decodes it again.
         for (int tries = policy == Policy::wait ? most_tries : 1; tries > 0 && !head.sent.holds(index); --tries) {
-            const ClipStream::Shown decoded = head.stream->frame(index, policy, times.wait);
+            const ClipStream::LentFrame decoded = head.stream->frame(index, policy, times.wait);
             send(head, decoded, {}, times);
             head.sent.show(decoded.index);
         }
@@ -193,7 +193,7 @@ ClipFrame ClipPlayer::streamed_frame(Head& head, int index, Policy policy, Strea
 
 /// With buffering the GPU reads the driver's memory that the frame was decoded to, and fresh memory replaces it. The
 /// frame is then on the GPU and need not be decoded again until another frame has replaced it.
-void ClipPlayer::send(Head& head, const ClipStream::Shown& decoded, std::span<const int> needed,
+void ClipPlayer::send(Head& head, const ClipStream::LentFrame& decoded, std::span<const int> needed,
                       StreamingTimes& times) noexcept {
     if (decoded.bytes.empty() || head.sent.holds(decoded.index)) return;
     const work::Stopwatch watch(times.upload);
@@ -249,7 +249,7 @@ void ClipPlayer::send_ahead(Head& head, const Ahead& ahead, int most, StreamingT
     for (const int index : ahead) {
         if (most == 0) return;
         if (head.sent.holds(index)) continue;
-        const ClipStream::Shown decoded = head.stream->peek(index);
+        const ClipStream::LentFrame decoded = head.stream->peek(index);
         if (decoded.bytes.empty()) return;
         send(head, decoded, ahead, times);
         --most;
@@ -263,7 +263,8 @@ void ClipPlayer::end_cycle(std::uint64_t cycle, StreamingTimes& times) noexcept 
         if (stays()) {
             // Frames that are decoded ahead are sent before they are due, so that a clip that plays fast or jumps also
             // becomes complete. It is one frame per cycle, so that no cycle takes long.
-            if (const ClipStream::Shown decoded = head.stream->peek_any(); !decoded.bytes.empty()) keep(decoded, times);
+            if (const ClipStream::LentFrame decoded = head.stream->peek_any(); !decoded.bytes.empty())
+                keep(decoded, times);
             head.rests = head.stream->rest();
         } else if (head.now) {
             // Figure 3: once a frame has been sent, the signal to retrieve the next one is given.

@@ -83,12 +83,12 @@ class ClipPlayer {
     ClipFrame streamed_frame(Head& head, int index, Policy policy, StreamingTimes& times) noexcept;
     ClipFrame shown_of(const Head& head) const noexcept;
     void give_memory(Head& head, int buffers) noexcept;
-    void send(Head& head, const ClipStream::Shown& decoded, std::span<const int> needed,
+    void send(Head& head, const ClipStream::LentFrame& decoded, std::span<const int> needed,
               StreamingTimes& times) noexcept;
     void coalesce(Head& head, bool turn, StreamingTimes& times) noexcept;
     void skip_one(Head& head, const Ahead& ahead, StreamingTimes& times) noexcept;
     void send_ahead(Head& head, const Ahead& ahead, int most, StreamingTimes& times) noexcept;
-    void keep(const ClipStream::Shown& decoded, StreamingTimes& times) noexcept;
+    void keep(const ClipStream::LentFrame& decoded, StreamingTimes& times) noexcept;
 
     DecodePool& pool_;
     std::shared_ptr<ClipFile> file_;

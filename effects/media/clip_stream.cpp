@@ -150,7 +150,7 @@ void ClipStream::aim(int index, int step) noexcept {
     move_to(index);
 }
 
-ClipStream::Shown ClipStream::frame(int index, Policy policy, double& waited) noexcept {
+ClipStream::LentFrame ClipStream::frame(int index, Policy policy, double& waited) noexcept {
     std::unique_lock lock(pool_.mutex());
     assert(index >= 0 && static_cast<std::size_t>(index) < broken_.size() && !is_kept(index));
     lent_ = nullptr;
@@ -173,18 +173,18 @@ ClipStream::Shown ClipStream::frame(int index, Policy policy, double& waited) no
 }
 
 /// No worker writes over it until the next call.
-ClipStream::Shown ClipStream::lend(const Slot* slot) {
+ClipStream::LentFrame ClipStream::lend(const Slot* slot) {
     lent_ = slot;
     if (slot == nullptr) return {};
     return {slot->bytes(), slot->index, static_cast<int>(slot - slots_.data())};
 }
 
-ClipStream::Shown ClipStream::peek(int index) noexcept {
+ClipStream::LentFrame ClipStream::peek(int index) noexcept {
     const std::lock_guard lock(pool_.mutex());
     return lend(in_window(index) ? find(index) : nullptr);
 }
 
-ClipStream::Shown ClipStream::peek_any() noexcept {
+ClipStream::LentFrame ClipStream::peek_any() noexcept {
     const std::lock_guard lock(pool_.mutex());
     const auto found =
         std::find_if(slots_.begin(), slots_.end(), [&](const Slot& s) { return s.index >= 0 && !is_kept(s.index); });

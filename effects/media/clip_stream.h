@@ -34,7 +34,7 @@ class ClipStream : private DecodePool::Job {
     ~ClipStream() override;
 
     /// A decoded frame.
-    struct Shown {
+    struct LentFrame {
         std::span<const std::uint8_t> bytes;  ///< valid until the next call; none: it is not decoded, or not any more
         int index = -1;                       ///< its number
         int slot = -1;                        ///< slot of the memory that it is in
@@ -43,11 +43,11 @@ class ClipStream : private DecodePool::Job {
     /// that decodes more slowly than it plays is shown in slow motion), and none after a jump. When it is late under
     /// Policy::skip: the newest frame, and decoding continues from `index`. Of a newest frame that was taken only the
     /// number is given. `waited` grows by the time of waiting, s.
-    Shown frame(int index, Policy policy, double& waited) noexcept;
+    LentFrame frame(int index, Policy policy, double& waited) noexcept;
     /// One of the next frames, if it is already decoded, or none; it does not move the stream.
-    Shown peek(int index) noexcept;
+    LentFrame peek(int index) noexcept;
     /// Any decoded frame that is not kept yet.
-    Shown peek_any() noexcept;
+    LentFrame peek_any() noexcept;
     /// The frame that was given last is not needed any more, and `memory` replaces its memory; empty: nothing replaces
     /// it.
     void take(int slot, std::span<std::uint8_t> memory) noexcept;
@@ -87,7 +87,7 @@ class ClipStream : private DecodePool::Job {
     void run() noexcept override;
     void end() override;
 
-    Shown lend(const Slot* slot);
+    LentFrame lend(const Slot* slot);
     Slot* find(int index);
     Slot* free_slot();
     void move_to(int index);

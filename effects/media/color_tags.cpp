@@ -9,16 +9,14 @@ namespace {
 
 using Gamut = PrimariesRow::Gamut;
 
-constexpr double display = 2.4;  // ITU-R BT.1886: what video is graded on
-
 constexpr TransferRow transfers[] = {
-    {AVCOL_TRC_BT709, "BT.709", Curve::power, display},
-    {AVCOL_TRC_SMPTE170M, "BT.601", Curve::power, display},
-    {AVCOL_TRC_SMPTE240M, "SMPTE 240M", Curve::power, display},
-    {AVCOL_TRC_IEC61966_2_4, "xvYCC", Curve::power, display},
-    {AVCOL_TRC_BT1361_ECG, "BT.1361", Curve::power, display},
-    {AVCOL_TRC_BT2020_10, "BT.2020", Curve::power, display},
-    {AVCOL_TRC_BT2020_12, "BT.2020, 12 bit", Curve::power, display},
+    {AVCOL_TRC_BT709, "BT.709", Curve::power, display_exponent},
+    {AVCOL_TRC_SMPTE170M, "BT.601", Curve::power, display_exponent},
+    {AVCOL_TRC_SMPTE240M, "SMPTE 240M", Curve::power, display_exponent},
+    {AVCOL_TRC_IEC61966_2_4, "xvYCC", Curve::power, display_exponent},
+    {AVCOL_TRC_BT1361_ECG, "BT.1361", Curve::power, display_exponent},
+    {AVCOL_TRC_BT2020_10, "BT.2020", Curve::power, display_exponent},
+    {AVCOL_TRC_BT2020_12, "BT.2020, 12 bit", Curve::power, display_exponent},
     {AVCOL_TRC_GAMMA22, "gamma 2.2", Curve::power, 2.2},
     {AVCOL_TRC_GAMMA28, "gamma 2.8", Curve::power, 2.8},
     {AVCOL_TRC_IEC61966_2_1, "sRGB", Curve::srgb, 0.0},

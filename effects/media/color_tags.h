@@ -19,6 +19,8 @@ enum class Curve {
     unknown,  ///< none that is converted here
 };
 
+inline constexpr double display_exponent = 2.4;  ///< ITU-R BT.1886: what video is graded on
+
 struct TransferRow {
     AVColorTransferCharacteristic transfer;
     const char* name;

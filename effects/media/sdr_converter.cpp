@@ -48,7 +48,6 @@ double light_of(const TransferRow& transfer, double code) {
 
 /// SDR keeps its own curve, whatever that is: then grey stays as it is.
 double code_of(const TransferRow& transfer, double light) {
-    constexpr double display = 2.4;  // ITU-R BT.1886
     switch (transfer.curve) {
         case Curve::srgb:
         case Curve::linear:
@@ -56,12 +55,12 @@ double code_of(const TransferRow& transfer, double light) {
         case Curve::power:
             return std::pow(light, 1.0 / transfer.exponent);
         default:
-            return std::pow(light, 1.0 / display);
+            return std::pow(light, 1.0 / display_exponent);
     }
 }
 
 /// A wide gamut without a word about the curve is that of video.
-constexpr TransferRow video_transfer{AVCOL_TRC_BT709, "", Curve::power, 2.4};
+constexpr TransferRow video_transfer{AVCOL_TRC_BT709, "", Curve::power, display_exponent};
 
 bool has_opacity(const AVFrame& frame) {
     const AVPixFmtDescriptor* format = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame.format));

@@ -9,6 +9,7 @@ extern "C" {
 #include <fstream>
 
 #include "lapfx/authoring/file_guard.h"
+#include "lapfx/authoring/utf8.h"
 #include "organ/raw.h"
 
 namespace lapfx::organ {
@@ -34,23 +35,6 @@ std::string kind_of(fs::file_type type) {
 }
 
 constexpr std::uint32_t not_a_character = 0xfffd;
-
-void append_utf8(std::string& out, std::uint32_t c) {
-    const auto put = [&](std::uint32_t byte) { out += static_cast<char>(byte); };
-    if (c < 0x80) return put(c);
-    if (c < 0x800) {
-        put(0xc0 | c >> 6);
-    } else {
-        if (c < 0x10000) {
-            put(0xe0 | c >> 12);
-        } else {
-            put(0xf0 | c >> 18);
-            put(0x80 | (c >> 12 & 0x3f));
-        }
-        put(0x80 | (c >> 6 & 0x3f));
-    }
-    put(0x80 | (c & 0x3f));
-}
 
 /// The text may have either byte order; half a pair becomes U+FFFD.
 std::string utf8_of_utf16(std::string_view bytes, bool big_endian) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "lapfx/authoring/utf8.h"
 #include "lapfx/error.h"
 #include "preset/text.h"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "lapfx/authoring/utf8.h"
 #include "preset/text.h"
 
 namespace lapfx {
@@ -45,11 +46,11 @@ std::string check_vector(const glm::dvec3& value, const Parameter& row) {
 }
 
 std::string check_text(const std::string& value, const Parameter& row) {
-    if (!preset::is_utf8(value)) return in_quotes(value) + " is not valid UTF-8";
+    if (!is_utf8(value)) return in_quotes(value) + " is not valid UTF-8";
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
     if (std::any_of(value.begin(), value.end(), is_control))
         return in_quotes(value) + " contains a control character or a line break";
-    if (const std::size_t length = preset::count_characters(value); double(length) > row.maximum)
+    if (const std::size_t length = count_characters(value); double(length) > row.maximum)
         return std::to_string(length) + " characters; at most " + number_text(row.maximum) + " are allowed";
     return {};
 }

@@ -7,30 +7,9 @@
 #include <vector>
 
 #include "lapfx/authoring/letters.h"
+#include "lapfx/authoring/utf8.h"
 
 namespace lapfx::preset {
-
-namespace {
-
-/// Bytes of the well-formed UTF-8 character that `text` starts with, 0 if there is none (Unicode, table
-/// 3-7).
-std::size_t utf8_length(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-    const unsigned first = byte(0);
-    if (first < 0x80) return text.empty() ? 0 : 1;
-    const std::size_t length = first >= 0xC2 && first <= 0xDF   ? 2
-                               : first >= 0xE0 && first <= 0xEF ? 3
-                               : first >= 0xF0 && first <= 0xF4 ? 4
-                                                                : 0;
-    if (length == 0) return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((byte(i) & 0xC0) != 0x80) return 0;
-    const bool overlong = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xF0 && byte(1) < 0x90);
-    const bool beyond = (first == 0xED && byte(1) > 0x9F) || (first == 0xF4 && byte(1) > 0x8F);
-    return overlong || beyond ? 0 : length;
-}
-
-}  // namespace
 
 std::string number_text(double value) {
     if (value == 0.0) value = 0.0;  // "-0" would read back as 0 and be written differently
@@ -48,7 +27,7 @@ std::string shown(std::string_view text, std::size_t longest) {
     std::string out;
     for (std::size_t i = 0; i < text.size();) {
         if (out.size() >= longest) return out + "...";
-        if (const std::size_t length = utf8_length(text.substr(i)); length > 0) {
+        if (const std::size_t length = first_character(text.substr(i)).bytes; length > 0) {
             out += text.substr(i, length);
             i += length;
         } else {
@@ -62,20 +41,6 @@ std::string shown(std::string_view text, std::size_t longest) {
 
 std::string in_quotes(std::string_view text) {
     return '"' + shown(text, 60) + '"';
-}
-
-bool is_utf8(std::string_view text) {
-    while (!text.empty()) {
-        const std::size_t length = utf8_length(text);
-        if (length == 0) return false;
-        text.remove_prefix(length);
-    }
-    return true;
-}
-
-std::size_t count_characters(std::string_view utf8) {
-    const auto starts_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-    return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), starts_character));
 }
 
 std::string_view nearest(std::string_view key, std::span<const std::string_view> candidates) {

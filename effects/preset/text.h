@@ -22,9 +22,6 @@ std::string in_quotes(std::string_view text);
 /// As in_quotes(), without the quotes.
 std::string shown(std::string_view text, std::size_t longest);
 
-bool is_utf8(std::string_view text);
-std::size_t count_characters(std::string_view utf8);
-
 /// The candidate with the least edit distance to `key`, the first of equals; empty without candidates.
 std::string_view nearest(std::string_view key, std::span<const std::string_view> candidates);
 

@@ -91,12 +91,12 @@ void upsample_row(const std::uint8_t* chroma, glm::ivec2 half, int y, int width,
 }
 
 /// Whole pixels, `high` excluded.
-struct Part {
+struct FramePart {
     glm::ivec2 low, high;
 };
 
 /// `plane` as it is `offset` pixels away, in one row: bilinear, clamped to the edges of `part`.
-void moved_row(const std::vector<float>& plane, glm::ivec2 size, const Part& part, int y, glm::vec2 offset,
+void moved_row(const std::vector<float>& plane, glm::ivec2 size, const FramePart& part, int y, glm::vec2 offset,
                float* __restrict row) {
     const glm::vec2 first = glm::floor(offset), f = offset - first;
     const auto line = [&](int index) {
@@ -126,7 +126,7 @@ class RowKeyer {
           key_(key),
           windowed_(smoke::has_window(clip)),
           window_(smoke::window_of(clip, frame.size)),
-          part_(windowed_ && window_.fills_view ? Part{window_.low, window_.high} : Part{{0, 0}, frame.size}),
+          part_(windowed_ && window_.fills_view ? FramePart{window_.low, window_.high} : FramePart{{0, 0}, frame.size}),
           chroma_(key.chroma_high > 0.0f),
           luma_row_(static_cast<std::size_t>(frame.size.x)),
           cb_row_(luma_row_.size()),
@@ -181,7 +181,7 @@ class RowKeyer {
     const Keying& key_;
     bool windowed_;
     smoke::Window window_;
-    Part part_;
+    FramePart part_;
     bool chroma_;
     std::vector<float> luma_row_, cb_row_, cr_row_;
 };

@@ -121,9 +121,9 @@ media::ClipFrame Smoke::clip_frame(std::size_t clip, int head, int index, media:
     return clips_.frame(clip, head, index, policy);
 }
 
-Smoke::Shown Smoke::show(std::size_t clip, double time, media::Policy policy) noexcept {
+Smoke::ClipInFrame Smoke::show(std::size_t clip, double time, media::Policy policy) noexcept {
     const media::Playhead head = playhead(clips_.info(clip), parameters_.clips[clip], chance(seed_, clip), time);
-    Shown shown{.frame = clip_frame(clip, 0, head.frame, policy), .fading = std::nullopt, .fade = head.fade};
+    ClipInFrame shown{.frame = clip_frame(clip, 0, head.frame, policy), .fading = std::nullopt, .fade = head.fade};
     if (head.fading >= 0) shown.fading = clip_frame(clip, 1, head.fading, policy);
     return shown;
 }
@@ -171,7 +171,7 @@ void Smoke::add_plumes(std::size_t clip, double share, const View& view, const S
     const SmokeClip& settings = parameters_.clips[clip];
     const PlumeParameters& plume = parameters_.plume;
     const glm::vec2 size(clips_.info(clip).size);
-    std::optional<Shown> shown;
+    std::optional<ClipInFrame> shown;
     for (const Burn& burn : scene.burns.after(scene.time - plume.fade_out)) {
         const PlumeState state = plume_state(burn, scene.burns.parts(), plume, scene.up, scene.time, scene.factor);
         if (state.density * share <= 0.0) continue;
@@ -221,7 +221,7 @@ bool Smoke::add_haze(std::size_t clip, double time, double density, media::Polic
     const ClipTurn turn = clip_turn(parameters_.clips[clip], drawn.seed);
     drawn.mirrored = turn.mirrored;
     drawn.angle = turn.angle;
-    const Shown shown = show(clip, time, policy);
+    const ClipInFrame shown = show(clip, time, policy);
     add_shown(shown, drawn, density,
               [&](const Layer& one) { gpu_.filling(ClipRole::haze, one, parameters_.haze.unevenness); });
     return there(shown.frame) || (shown.fading && there(*shown.fading));

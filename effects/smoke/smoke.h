@@ -65,7 +65,7 @@ class Smoke {
 
   private:
     /// What a clip shows in this frame, and one entry for each place where it is drawn.
-    struct Shown {
+    struct ClipInFrame {
         media::ClipFrame frame;
         std::optional<media::ClipFrame> fading;
         double fade = 0.0;
@@ -73,7 +73,7 @@ class Smoke {
     void prepare(const SmokeParameters& wanted, const std::function<std::optional<bool>(std::size_t)>& alpha);
     void take_wanted();
     media::ClipFrame clip_frame(std::size_t clip, int head, int index, media::Policy policy) noexcept;
-    Shown show(std::size_t clip, double time, media::Policy policy) noexcept;
+    ClipInFrame show(std::size_t clip, double time, media::Policy policy) noexcept;
     void add_layers(const View& view, const SmokeScene& scene, media::Policy policy) noexcept;
     Layer layer(std::size_t clip, double time) const noexcept;
     void add_plumes(std::size_t clip, double share, const View& view, const SmokeScene& scene,

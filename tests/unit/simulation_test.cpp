@@ -14,13 +14,15 @@ class LiveTool : public testing::Test {
     /// Samples up to now, as a host has them when it draws its frame.
     double emission_at(double now, double last_sample, bool touching = true) {
         for (; next <= last_sample + 1e-9; next += 0.001)
-            simulation.add({.time = next, .position = {1, 0, 2}, .touching = touching});
-        simulation.take_samples();
+            queue.push({.time = next, .position = {1, 0, 2}, .touching = touching});
+        simulation.take_samples(queue, moved);
         simulation.seek(now);
         return simulation.amounts().emission;
     }
 
     Simulation simulation{std::make_shared<const Foundation>(test::plane(40.0, 40), VesselParameters{}), {0, -1, 0}};
+    MovedSurface moved{simulation.foundation().surface};
+    ToolQueue queue;
     double next = 1.0;  // s
 };
 

@@ -114,7 +114,7 @@ std::vector<fs::path> Browser::folders() const {
     return all;
 }
 
-Browser::Found Browser::look(const std::vector<fs::path>& folders) {
+Browser::ScannedPresets Browser::look(const std::vector<fs::path>& folders) {
     std::vector<fs::path> paths;
     std::error_code error;
     for (const fs::path& folder : folders) {
@@ -129,7 +129,7 @@ Browser::Found Browser::look(const std::vector<fs::path>& folders) {
     }
     std::sort(paths.begin(), paths.end());
     paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
-    Found found;
+    ScannedPresets found;
     for (const fs::path& path : paths) {
         PresetFile file;
         if (read_preset(path, file)) found.files.push_back(std::move(file));
@@ -146,7 +146,7 @@ void Browser::scan() {
     scanning_ = jobs_.start(
         "Presets",
         [this, all = folders()](Job&) -> Jobs::Apply {
-            auto found = std::make_shared<Found>(look(all));
+            auto found = std::make_shared<ScannedPresets>(look(all));
             return [this, found] { take(std::move(*found)); };
         },
         [this](const std::vector<Fault>& faults) {
@@ -156,7 +156,7 @@ void Browser::scan() {
 }
 
 /// Pictures of files that are still there stay until there are newer ones.
-void Browser::take(Found found) {
+void Browser::take(ScannedPresets found) {
     scanning_.reset();
     for (PresetFile& file : files_) {
         const auto same = std::find_if(found.files.begin(), found.files.end(), [&](const PresetFile& other) {

@@ -83,14 +83,14 @@ class Browser {
     bool busy() const;
 
   private:
-    struct Found {
+    struct ScannedPresets {
         std::vector<PresetFile> files;
     };
-    static Found look(const std::vector<std::filesystem::path>& folders);
+    static ScannedPresets look(const std::vector<std::filesystem::path>& folders);
     std::vector<std::filesystem::path> folders() const;
     void start_maker();
     void scan();
-    void take(Found found);
+    void take(ScannedPresets found);
     void want_thumbnails();
     void take_thumbnails();
     void count_tags();

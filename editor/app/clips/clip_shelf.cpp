@@ -23,7 +23,7 @@ constexpr double sure_from = 0.5;        // confidence of a suggestion below whi
 constexpr std::size_t most_clips = 64;   // the table of presets allows no more
 
 /// What a job has found out about a file.
-struct Found {
+struct ExaminedClip {
     fs::path path;
     ClipReport report;
     std::vector<std::uint8_t> thumbnail;
@@ -142,7 +142,7 @@ ClipFacts& ClipShelf::find(const std::string& file) {
 
 void ClipShelf::look(const std::string& key, const std::string& file) {
     const fs::path folder = document_.preset().folder;
-    const auto found = std::make_shared<Found>();
+    const auto found = std::make_shared<ExaminedClip>();
     const auto work = [=, folders = clip_folders_, this](Job& job) -> Jobs::Apply {
         found->path = find_clip(file, folder, folders);
         KeyingReader reader(found->path, &job.stop());

@@ -37,16 +37,6 @@ constexpr double beside_the_ui = 1.25;  // the export does not have all of the t
 constexpr glm::ivec2 thumbnail_size{320, 256};
 constexpr const char* opened_here = "is a file that was opened here; choose another name";
 
-/// "a picture is a .png", "a video is an .mp4, .mov, .mkv or .avi"
-std::string wanted_name(OutputKind kind) {
-    const output::OutputRow& row = output::row_of(kind);
-    std::string title(row.title);
-    title[0] = lower(title[0]);
-    if (kind == OutputKind::sequence) return "a " + title + " is named like " + std::string(row.example);
-    const std::string names = listed(*row.content, " or ", true);
-    return "a " + title + " is a" + (names.starts_with(".m") ? "n " : " ") + names;
-}
-
 Fault fault(std::string place, std::string reason) {
     return {.file = "", .place = std::move(place), .reason = std::move(reason)};
 }
@@ -243,9 +233,8 @@ void Exports::look_at_form() {
         faults_.push_back(fault(
             "-o", form.what() == OutputKind::bundle ? "choose a name for the folder" : "choose a name for the file"));
     } else {
-        const fs::path first = form.what() == OutputKind::sequence && output::is_sequence_name(file)
-                                   ? output::sequence_name(file, 0)
-                                   : file;
+        const bool numbered = output::row_of(form.what()).numbered && output::is_sequence_name(file);
+        const fs::path first = numbered ? output::sequence_name(file, 0) : file;
         std::error_code error;
         replaces_ = fs::exists(first, error);
         constexpr int most_looked_for = 10'000;  // the rest is asked for when it is written
@@ -260,7 +249,7 @@ void Exports::look_at_form() {
             faults_.push_back(fault("-o", opened_here));
     }
     if (!form.renders()) return check_preset_file(faults_);
-    if (output::kind_named(file) != form.what()) faults_.push_back(fault("-o", wanted_name(form.what())));
+    if (output::kind_named(file) != form.what()) faults_.push_back(fault("-o", output::wanted_name(form.what())));
     for (Fault& found : check(render_options(), parts_.timeline.duration()))
         if (found.place != "-o") faults_.push_back(std::move(found));
     if (form.beside && !comparable())

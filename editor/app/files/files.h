@@ -136,10 +136,10 @@ class Files {
         std::vector<Fault> faults;  ///< it cannot be looked at
     };
     void look_at(const std::vector<std::string>& videos, std::optional<VideoUse> meant);
-    void take_videos(std::vector<LookedAt> videos, std::optional<VideoUse> meant);
-    void ask_use(const std::vector<LookedAt>& videos, std::function<void(std::optional<VideoUse>)> then);
-    void use(const std::vector<std::string>& videos, VideoUse as);
-    void tell_use(const std::vector<std::string>& videos, VideoUse as, const std::string& reason);
+    void sort_videos(std::vector<LookedAt> videos, std::optional<VideoUse> meant);
+    void ask_what_for(const std::vector<LookedAt>& videos, std::function<void(std::optional<VideoUse>)> then);
+    void put_to_use(const std::vector<std::string>& videos, VideoUse as);
+    void tell_what_for(const std::vector<std::string>& videos, VideoUse as, const std::string& reason);
     /// False: there is unsaved work that would go; it is asked, and open() called again after the answer.
     bool ready_to_open(const std::vector<std::string>& files);
     /// What was opened becomes the document; asks first when it is open in another editor.

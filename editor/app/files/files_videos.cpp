@@ -52,16 +52,16 @@ void Files::look_at(const std::vector<std::string>& videos, std::optional<VideoU
                 video.faults = error.faults();
             }
         }
-        return [this, looked, meant] { take_videos(looked, meant); };
+        return [this, looked, meant] { sort_videos(looked, meant); };
     };
     parts_.jobs.start("Looking at " + name, work,
                       [this](const std::vector<Fault>& faults) { parts_.notices.tell(faults); });
 }
 
-void Files::take_videos(std::vector<LookedAt> videos, std::optional<VideoUse> meant) {
+void Files::sort_videos(std::vector<LookedAt> videos, std::optional<VideoUse> meant) {
     // There is one question at a time, and what it is about may be what the videos are opened into.
     if (question_) {
-        after_question_.push_back([this, videos, meant] { take_videos(videos, meant); });
+        after_question_.push_back([this, videos, meant] { sort_videos(videos, meant); });
         return;
     }
     std::vector<std::string> clips, references;
@@ -85,24 +85,24 @@ void Files::take_videos(std::vector<LookedAt> videos, std::optional<VideoUse> me
     }
     const bool told = !meant;
     // All of one use together: the shelf takes one lot at a time.
-    const auto go_on = [=, this](const std::vector<std::string>& more, std::optional<VideoUse> as) {
+    const auto put_all_to_use = [=, this](const std::vector<std::string>& more, std::optional<VideoUse> as) {
         std::vector<std::string> all_clips = clips, all_references = references;
         if (as == VideoUse::smoke) all_clips.insert(all_clips.end(), more.begin(), more.end());
         // There is one reference: the one that a person chose, and not one that was only recognised.
         const bool chosen = as == VideoUse::reference;
         if (chosen) all_references.insert(all_references.begin(), more.begin(), more.end());
-        if (told && !clips.empty()) tell_use(clips, VideoUse::smoke, smoke_seen);
-        if (told && !references.empty() && !chosen) tell_use(references, VideoUse::reference, surgery_seen);
-        use(all_clips, VideoUse::smoke);
-        use(all_references, VideoUse::reference);
+        if (told && !clips.empty()) tell_what_for(clips, VideoUse::smoke, smoke_seen);
+        if (told && !references.empty() && !chosen) tell_what_for(references, VideoUse::reference, surgery_seen);
+        put_to_use(all_clips, VideoUse::smoke);
+        put_to_use(all_references, VideoUse::reference);
     };
-    if (unclear.empty()) return go_on({}, {});
+    if (unclear.empty()) return put_all_to_use({}, {});
     std::vector<std::string> asked;
     for (const LookedAt& video : unclear) asked.push_back(video.file);
-    ask_use(unclear, [go_on, asked](std::optional<VideoUse> as) { go_on(asked, as); });
+    ask_what_for(unclear, [put_all_to_use, asked](std::optional<VideoUse> as) { put_all_to_use(asked, as); });
 }
 
-void Files::ask_use(const std::vector<LookedAt>& videos, std::function<void(std::optional<VideoUse>)> then) {
+void Files::ask_what_for(const std::vector<LookedAt>& videos, std::function<void(std::optional<VideoUse>)> then) {
     const bool one = videos.size() == 1;
     const auto smoke = std::count_if(videos.begin(), videos.end(),
                                      [](const LookedAt& video) { return video.found.use == VideoUse::smoke; });
@@ -124,7 +124,7 @@ void Files::ask_use(const std::vector<LookedAt>& videos, std::function<void(std:
                      {.label = "Cancel", .act = [then] { then({}); }, .cancel = true}}});
 }
 
-void Files::use(const std::vector<std::string>& videos, VideoUse as) {
+void Files::put_to_use(const std::vector<std::string>& videos, VideoUse as) {
     if (videos.empty()) return;
     if (as == VideoUse::smoke) {
         parts_.layouts.bring_to_front("Clips");
@@ -135,8 +135,8 @@ void Files::use(const std::vector<std::string>& videos, VideoUse as) {
     if (!is_same(parts_.reference.file(), videos.front())) parts_.reference.choose(videos.front());
 }
 
-/// Before use(), because its button goes back to what was there.
-void Files::tell_use(const std::vector<std::string>& videos, VideoUse as, const std::string& reason) {
+/// Before put_to_use(), because its button goes back to what was there.
+void Files::tell_what_for(const std::vector<std::string>& videos, VideoUse as, const std::string& reason) {
     const std::string file = videos.front(), name = fs::path(file).filename().string();
     const std::string why = videos.size() == 1 ? ": " + reason : "";
     const auto tell = [&](std::string text, const char* action, Then act) {
@@ -157,7 +157,7 @@ void Files::tell_use(const std::vector<std::string>& videos, VideoUse as, const 
                                                    [&](const SmokeClip& clip) { return names(clip, c.preset, file); });
                     clips.erase(std::next(last).base());
                 });
-            use({file}, VideoUse::reference);
+            put_to_use({file}, VideoUse::reference);
         };
         if (videos.size() == 1)
             return tell(name + " becomes a smoke clip" + why, "Make it the reference", make_reference);
@@ -174,7 +174,7 @@ void Files::tell_use(const std::vector<std::string>& videos, VideoUse as, const 
                 c.scene.plate.frame = before.plate.frame;
                 c.scene.plate.time = before.plate.time;
             });
-        use({file}, VideoUse::smoke);
+        put_to_use({file}, VideoUse::smoke);
     };
     const std::string text = name + " becomes the reference" + why;
     if (videos.size() == 1) return tell(text, "Use it as a smoke clip instead", make_clip);

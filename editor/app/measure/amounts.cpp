@@ -27,7 +27,7 @@ bool same_amounts(const document::Content& a, const document::Content& b) {
 
 void AmountSeries::add(double time, const Amounts& amounts) {
     times.push_back(time);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i].push_back(plotted_amounts[i]->member.of(amounts));
+    for (std::size_t i = 0; i < values.size(); ++i) values[i].push_back(plotted_amounts[i].member.of(amounts));
 }
 
 /// Kept from job to job, so that what has not changed is not worked out again. A job that was cancelled may still use

@@ -24,17 +24,20 @@ class Job;
 class Jobs;
 class PreviewHost;
 
-/// The amounts that have a plot, in the order of the plots.
-inline constexpr auto plotted_amounts = [] {
-    constexpr auto count = std::count_if(std::begin(amount_rows), std::end(amount_rows),
-                                         [](const AmountRow& row) { return row.plot > 0; });
-    std::array<const AmountRow*, static_cast<std::size_t>(count)> rows{};
-    for (const AmountRow& row : amount_rows)
-        if (row.plot > 0) rows[static_cast<std::size_t>(row.plot) - 1] = &row;
-    return rows;
-}();
-static_assert(std::find(plotted_amounts.begin(), plotted_amounts.end(), nullptr) == plotted_amounts.end(),
-              "two amounts have the place of one plot");
+/// An amount that has a plot of its own.
+struct PlottedAmount {
+    AmountMember member;
+    int decimals = 0;  ///< of the value beside the plot: more would say nothing
+
+    constexpr const AmountRow& row() const {
+        return *std::find_if(std::begin(amount_rows), std::end(amount_rows),
+                             [this](const AmountRow& row) { return row.member == member; });
+    }
+};
+/// In the order of the plots.
+inline constexpr std::array plotted_amounts = {PlottedAmount{&Amounts::blood_area},
+                                               PlottedAmount{&Amounts::blood_volume}, PlottedAmount{&Amounts::haze, 2},
+                                               PlottedAmount{&Amounts::bleeding_wounds}};
 
 /// The plotted amounts over a scene's time.
 struct AmountSeries {
@@ -44,7 +47,7 @@ struct AmountSeries {
     /// `member`: of an amount that has a plot.
     const std::vector<double>& of(AmountMember member) const {
         const auto row = std::find_if(plotted_amounts.begin(), plotted_amounts.end(),
-                                      [&](const AmountRow* plotted) { return plotted->member == member; });
+                                      [&](const PlottedAmount& plotted) { return plotted.member == member; });
         return values[static_cast<std::size_t>(row - plotted_amounts.begin())];
     }
     void add(double time, const Amounts& amounts);

@@ -68,7 +68,7 @@ class VideoFeed {
         int frame = -1;
         std::shared_ptr<VideoReader> reader;
     };
-    struct Shown {
+    struct OpenedVideo {
         std::uint64_t opening = 0;
         bool settled = true;  ///< opened, or could not be
         std::shared_ptr<const VideoReader> video;
@@ -94,7 +94,7 @@ class VideoFeed {
     std::condition_variable wished_;
     bool stopping_ = false;
     Wish wish_;
-    Shown ready_;                               ///< what take() finds
+    OpenedVideo ready_;                         ///< what take() finds
     std::shared_ptr<const Image> ready_image_;  ///< with it
     bool fresh_ = false, fresh_image_ = false;
     std::function<void()> wake_;
@@ -103,14 +103,14 @@ class VideoFeed {
 
     // the thread's own
     const std::shared_ptr<Spare> spare_;
-    Shown made_;
+    OpenedVideo made_;
     std::shared_ptr<const Image> made_image_;
     std::filesystem::path file_;
     std::shared_ptr<VideoReader> reader_;
     std::optional<Stamp> opened_, seen_;
 
     // the UI's own
-    Shown shown_;
+    OpenedVideo shown_;
     std::shared_ptr<const Image> image_ = std::make_shared<const Image>();
     Wish wished_last_;
     std::thread thread_;

@@ -416,10 +416,10 @@ void Estimator::State::judge(FrameAmounts& amounts, bool moved) const {
         amounts.flags |= told::dark;
         return;
     }
-    const Trap trap = trap_of(frame_code, whole);
+    const InView shown = trap_of(frame_code, whole);
     // Smoke may become so dense that no red is left; the tissue is still seen behind then.
-    if (trap == Trap::trocar || (trap == Trap::bag && amounts.likeness < unlike)) {
-        amounts.flags |= trap == Trap::bag ? told::bag : told::trocar;
+    if (shown == InView::trocar || (shown == InView::bag && amounts.likeness < unlike)) {
+        amounts.flags |= flag_of(shown);
         return;
     }
     const bool covered = share_of(valid, placed_counted) < least_valid || share_of(counted, view) < least_valid ||

@@ -1,6 +1,22 @@
 #include "match/frame/frame_amounts.h"
 
+#include "match/picture/traps.h"
+
 namespace lapfx::match {
+
+unsigned flag_of(InView shown) {
+    switch (shown) {
+        case InView::bag:
+            return told::bag;
+        case InView::trocar:
+            return told::trocar;
+        case InView::dark:
+            return told::dark;
+        case InView::tissue:
+            break;
+    }
+    return 0;
+}
 
 bool measurable(const FrameAmounts& frame, Curve curve) {
     switch (curve) {

@@ -5,6 +5,7 @@
 // Pure, any thread.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -38,6 +39,10 @@ enum : unsigned {
 };
 }
 
+enum class InView : std::uint8_t;  // match/picture/traps.h
+/// The bit of told:: that says what else than tissue fills the view; 0 of tissue.
+unsigned flag_of(InView shown);
+
 /// Mean veil beyond which blood is hidden: of a veil of one half nine tenths of the blood were missed.
 inline constexpr double dense_veil = 0.4;
 
@@ -65,8 +70,7 @@ inline constexpr ToldRow told_rows[] = {
     {told::no_baseline, "no_baseline", "not measurable, because no clear frame of the same view is known"},
     {told::unregistered, "unregistered",
      "blood is not measurable, because hardly anything of the baseline's tissue is found again: the camera or the "
-     "tissue "
-     "moved far"},
+     "tissue moved far"},
 };
 
 struct FrameAmounts {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "lapfx/authoring/srgb.h"
+
 namespace lapfx::match {
 
 namespace {
@@ -15,12 +17,11 @@ constexpr double texture_strength = 40.0;  // code values for one standard devia
 }  // namespace
 
 float linear_of(float code) {
-    const float v = code / 255.0F;
-    return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
+    return linear_of_srgb(code / 255.0F);
 }
 
 float code_of(float linear) {
-    return 255.0F * (linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F);
+    return 255.0F * srgb_of_linear(linear);
 }
 
 QuickCode::QuickCode() {

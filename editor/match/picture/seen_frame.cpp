@@ -33,15 +33,7 @@ double dark_channel(const cv::Mat& code, const cv::Mat& view) {
 InView shown_in(const cv::Mat& code, const cv::Mat& view) {
     const cv::Scalar mean = cv::mean(code, view);
     if (cv::countNonZero(view) == 0 || std::max({mean[0], mean[1], mean[2]}) < least_light) return InView::dark;
-    switch (trap_of(code, view)) {
-        case Trap::bag:
-            return InView::bag;
-        case Trap::trocar:
-            return InView::trocar;
-        case Trap::none:
-            break;
-    }
-    return InView::tissue;
+    return trap_of(code, view);
 }
 
 }  // namespace

@@ -10,11 +10,9 @@
 #include <opencv2/core.hpp>
 
 #include "lapfx/organ.h"
+#include "match/picture/traps.h"
 
 namespace lapfx::match {
-
-/// What fills the view. Dark: the picture is black.
-enum class InView : std::uint8_t { tissue, bag, trocar, dark };
 
 /// Mats are at most 160 px on their longer side.
 struct SeenFrame {
@@ -31,7 +29,7 @@ SeenFrame look_at(const Image& image);
 /// pictures of other things.
 double likeness(const SeenFrame& a, const SeenFrame& b);
 /// Whether a cut lies between two frames that follow each other within `seconds`. Never beyond 0.2 s: there a camera
-/// that moves baselines the same.
+/// that moves looks the same.
 bool is_cut(const SeenFrame& last, const SeenFrame& now, double seconds);
 /// Whether the tissue of `a` is seen in `b`, also where the camera has moved a little.
 bool shows_tissue_of(const SeenFrame& a, const SeenFrame& b);

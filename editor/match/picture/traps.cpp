@@ -78,13 +78,14 @@ double reddest_tenth(const cv::Mat& code, const cv::Mat& view) {
     return quantile(tints, 0.1);
 }
 
-Trap trap_of(const cv::Mat& code, const cv::Mat& view) {
+InView trap_of(const cv::Mat& code, const cv::Mat& view) {
     const int all = cv::countNonZero(view);
     std::vector<float> tints = tints_of(code, view);
-    if (static_cast<double>(tints.size()) < least_lit * std::max(all, 1)) return Trap::none;
+    if (static_cast<double>(tints.size()) < least_lit * std::max(all, 1)) return InView::tissue;
     const auto reds = std::count_if(tints.begin(), tints.end(), [](float tint) { return tint < red; });
-    if (in_a_ring(code, view)) return Trap::trocar;
-    return static_cast<double>(reds) < least_red * all && quantile(tints, 0.1) > trace_of_red ? Trap::bag : Trap::none;
+    if (in_a_ring(code, view)) return InView::trocar;
+    return static_cast<double>(reds) < least_red * all && quantile(tints, 0.1) > trace_of_red ? InView::bag
+                                                                                              : InView::tissue;
 }
 
 }  // namespace lapfx::match

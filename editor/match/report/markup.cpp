@@ -1,9 +1,10 @@
 #include "match/report/markup.h"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+
+#include "lapfx/authoring/utf8.h"
 
 namespace lapfx::match {
 
@@ -13,35 +14,6 @@ constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnop
 constexpr std::size_t group = 3;  // bytes become four letters
 
 constexpr std::string_view unshowable = "\xEF\xBF\xBD";  // U+FFFD in UTF-8
-
-struct Letter {
-    char32_t code = 0;
-    std::size_t bytes = 0;  ///< 0: no UTF-8
-};
-
-/// How UTF-8 begins a letter of so many bytes (RFC 3629), and the least letter that needs them.
-struct Form {
-    std::uint8_t mask, lead;
-    std::size_t bytes;
-    char32_t least;
-};
-constexpr std::array<Form, 4> forms = {
-    {{0x80, 0x00, 1, 0}, {0xE0, 0xC0, 2, 0x80}, {0xF0, 0xE0, 3, 0x800}, {0xF8, 0xF0, 4, 0x10000}}};
-
-Letter first_letter(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-    for (const Form& form : forms) {
-        if ((byte(0) & form.mask) != form.lead) continue;
-        if (text.size() < form.bytes) return {};
-        char32_t code = byte(0) & static_cast<std::uint8_t>(~form.mask);
-        for (std::size_t i = 1; i < form.bytes; ++i) {
-            if ((byte(i) & 0xC0U) != 0x80U) return {};
-            code = (code << 6U) | (byte(i) & 0x3FU);
-        }
-        return code < form.least ? Letter{} : Letter{code, form.bytes};
-    }
-    return {};
-}
 
 bool lies(char32_t code, char32_t from, char32_t to) {
     return code >= from && code <= to;
@@ -85,7 +57,7 @@ std::string printed(const char* format, int precision, double value) {
 std::string escaped(std::string_view text) {
     std::string safe;
     while (!text.empty()) {
-        const Letter letter = first_letter(text);
+        const Utf8Character letter = first_character(text);
         const std::size_t bytes = std::max<std::size_t>(letter.bytes, 1);
         if (letter.bytes == 0 || !showable(letter.code))
             safe += unshowable;

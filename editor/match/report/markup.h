@@ -11,8 +11,8 @@
 namespace lapfx::match {
 
 /// Text from outside, such as a file's name, for an element's content or a quoted attribute: & < > " ' become
-/// references. What is no UTF-8, no letter of XML, or would turn the order of the letters around it becomes U+FFFD, the
-/// sign for a letter that cannot be shown.
+/// references. What is no letter of XML, or would turn the order of the letters around it, and each byte that is no
+/// UTF-8, becomes U+FFFD, the sign for a letter that cannot be shown.
 std::string escaped(std::string_view text);
 
 /// RFC 4648, section 4: with padding, without line breaks.

@@ -217,23 +217,12 @@ class Estimators {
     std::vector<std::pair<double, Estimator>> made_;
 };
 
-/// A frame that no baseline serves: why, and how hazy it baselines where that is asked for.
+/// A frame that no baseline serves: why, and how hazy it looks where that is asked for.
 FrameAmounts unserved(const SeenFrame& seen, double time, bool with_course) {
-    FrameAmounts amounts{.time = time};
-    switch (seen.in_view) {
-        case InView::bag:
-            amounts.flags = told::bag;
-            break;
-        case InView::trocar:
-            amounts.flags = told::trocar;
-            break;
-        case InView::dark:
-            amounts.flags = told::dark;
-            break;
-        case InView::tissue:
-            amounts.flags = told::no_baseline;
-            if (with_course) amounts.course = Amount{seen.haze, seen.haze - course_noise, seen.haze + course_noise};
-    }
+    FrameAmounts amounts{.time = time, .flags = flag_of(seen.in_view)};
+    if (amounts.flags != 0) return amounts;
+    amounts.flags = told::no_baseline;
+    if (with_course) amounts.course = Amount{seen.haze, seen.haze - course_noise, seen.haze + course_noise};
     return amounts;
 }
 

@@ -20,7 +20,7 @@ constexpr double fastest = 8;
 constexpr double item_rim = 0.03;    // share of the whole, beyond items outside of the timeline
 constexpr double fewest_frames = 4;  // that are visible
 
-enum class Part : std::uint8_t { none, time, view, range_in, range_out, item, item_start, item_end };
+enum class TimelineHit : std::uint8_t { none, time, view, range_in, range_out, item, item_start, item_end };
 
 struct Memory {
     struct Times {
@@ -30,7 +30,7 @@ struct Memory {
         Id id;
         std::size_t track, item;
     };
-    Part drag = Part::none;
+    TimelineHit drag = TimelineHit::none;
     bool began = false;
     float from = 0;  ///< px
     std::size_t track = 0, item = 0;
@@ -70,18 +70,18 @@ class Editing {
     Editing(Ui& ui, Id id, Memory& memory, TimelineState& state, std::span<TimelineTrack> tracks,
             const TimelineOptions& o, const Frame& frame)
         : ui_(ui), id_(id), m_(memory), s_(state), tracks_(tracks), o_(o), f_(frame) {
-        const bool item = m_.drag >= Part::item;  // the program may have changed the item that is held
-        if (item && (m_.times.size() != count() || !exists(m_.track, m_.item))) m_.drag = Part::none;
+        const bool item = m_.drag >= TimelineHit::item;  // the program may have changed the item that is held
+        if (item && (m_.times.size() != count() || !exists(m_.track, m_.item))) m_.drag = TimelineHit::none;
     }
     TimelineEdit edit;
 
     void ground(const Event& e) {
         switch (e.kind) {
             case EventKind::press:
-                if (e.button == Button::middle) return start(Part::view, e);
+                if (e.button == Button::middle) return start(TimelineHit::view, e);
                 if (e.at.x < f_.ruler.x) return;
                 if (f_.lanes.contains(e.at)) return has(e.mods, Mods::shift) ? void() : select_none();
-                start(Part::time, e);
+                start(TimelineHit::time, e);
                 return scrub(e.at.x);
             case EventKind::wheel:
                 return wheel(e);
@@ -91,12 +91,12 @@ class Editing {
                 return drag(e);
         }
     }
-    void range_end(Part part, const Event& e) {
+    void range_end(TimelineHit part, const Event& e) {
         if (e.kind == EventKind::press) return start(part, e);
         if (e.kind != EventKind::key) return drag(e);
         if (!takes_keys()) return;
         const double by = frame() * (has(e.mods, Mods::shift) ? 10 : 1);
-        const double now = part == Part::range_in ? s_.range.low : s_.range.high;
+        const double now = part == TimelineHit::range_in ? s_.range.low : s_.range.high;
         if (e.key != Key::left && e.key != Key::right) return key(e);
         if (set_range(part, now + (e.key == Key::left ? -by : by))) edit.range |= Edit::once();
     }
@@ -110,10 +110,10 @@ class Editing {
         s_.view = whole_of(tracks_, o_);
         s_.fitted = true;
     }
-    Part part_at(const TimelineItem& item, float x) const {
+    TimelineHit part_at(const TimelineItem& item, float x) const {
         const float left = f_.x.px_of(item.start), right = f_.x.px_of(item.end), grip = ui_.em(0.5F);
-        if (item.end <= item.start || right - left < 3 * grip) return Part::item;
-        return x < left + grip ? Part::item_start : x > right - grip ? Part::item_end : Part::item;
+        if (item.end <= item.start || right - left < 3 * grip) return TimelineHit::item;
+        return x < left + grip ? TimelineHit::item_start : x > right - grip ? TimelineHit::item_end : TimelineHit::item;
     }
 
   private:
@@ -121,9 +121,9 @@ class Editing {
     /// Whether keys may edit now. There is one edit at a time: a drag that has changed something continues, and keys
     /// are ignored; one that has not changed anything ends.
     bool takes_keys() {
-        const bool edits = m_.drag != Part::none && m_.drag != Part::view;
+        const bool edits = m_.drag != TimelineHit::none && m_.drag != TimelineHit::view;
         if (edits && m_.began) return false;
-        if (edits) m_.drag = Part::none;
+        if (edits) m_.drag = TimelineHit::none;
         return true;
     }
     double on_frame(double t) const { return std::round(t * o_.rate) / o_.rate; }
@@ -146,15 +146,15 @@ class Editing {
         each_item([](TimelineItem& item) { item.selected = false; });
     }
 
-    void start(Part part, const Event& e) {
+    void start(TimelineHit part, const Event& e) {
         m_.drag = part, m_.began = false, m_.from = e.at.x;
         m_.before = s_;
         m_.times.clear();
         each_item([&](const TimelineItem& item) { m_.times.push_back({item.start, item.end}); });
     }
-    Edit& edit_of(Part part) {
-        if (part >= Part::item) return edit.items;
-        return part == Part::time ? edit.time : edit.range;
+    Edit& edit_of(TimelineHit part) {
+        if (part >= TimelineHit::item) return edit.items;
+        return part == TimelineHit::time ? edit.time : edit.range;
     }
     void report(bool changed) {
         if (!changed) return;
@@ -163,35 +163,35 @@ class Editing {
         m_.began = e.changed = true;
     }
     void drag(const Event& e) {
-        if (m_.drag == Part::none) return;
+        if (m_.drag == TimelineHit::none) return;
         if (e.kind == EventKind::cancel) return cancel();
         if (e.kind != EventKind::pointer && e.kind != EventKind::release) return;
         const double by = (e.at.x - m_.from) / f_.x.scale();
         const bool catching = !has(e.mods, Mods::command);
         const bool moved = m_.began || std::abs(e.at.x - m_.from) > 3 * ui_.scale();
-        if (m_.drag == Part::time) scrub(e.at.x);
-        if (m_.drag == Part::view) {
+        if (m_.drag == TimelineHit::time) scrub(e.at.x);
+        if (m_.drag == TimelineHit::view) {
             Span view = m_.before.view;
             view.pan(-by);
             show(view);
         }
-        if (m_.drag == Part::range_in && moved) report(set_range(m_.drag, m_.before.range.low + by));
-        if (m_.drag == Part::range_out && moved) report(set_range(m_.drag, m_.before.range.high + by));
-        if (m_.drag == Part::item && moved) report(move_items(by, catching));
-        if (m_.drag > Part::item && moved) report(stretch(by, catching));
+        if (m_.drag == TimelineHit::range_in && moved) report(set_range(m_.drag, m_.before.range.low + by));
+        if (m_.drag == TimelineHit::range_out && moved) report(set_range(m_.drag, m_.before.range.high + by));
+        if (m_.drag == TimelineHit::item && moved) report(move_items(by, catching));
+        if (m_.drag > TimelineHit::item && moved) report(stretch(by, catching));
         if (e.kind != EventKind::release) return;
         if (m_.began) edit_of(m_.drag).committed = true;
-        m_.drag = Part::none;
+        m_.drag = TimelineHit::none;
     }
     void cancel() {
-        if (m_.drag == Part::view) s_.view = m_.before.view, s_.fitted = m_.before.fitted;
+        if (m_.drag == TimelineHit::view) s_.view = m_.before.view, s_.fitted = m_.before.fitted;
         if (m_.began) {
             s_.time = m_.before.time, s_.range = m_.before.range;
             std::size_t i = 0;
             each_item([&](TimelineItem& item) { item.start = m_.times[i].start, item.end = m_.times[i++].end; });
             edit_of(m_.drag).changed = edit_of(m_.drag).cancelled = true;
         }
-        m_.drag = Part::none;
+        m_.drag = TimelineHit::none;
     }
 
     // --- time, range and view ---
@@ -208,11 +208,11 @@ class Editing {
                                     : s_.time + 0.05 * view.length() - view.high);
         show(view);
     }
-    bool set_range(Part part, double t) {
+    bool set_range(TimelineHit part, double t) {
         t = inside(on_frame(t));
         const Span old = s_.range;
-        if (part == Part::range_in) s_.range.low = std::min(t, s_.range.high - frame());
-        if (part == Part::range_out) s_.range.high = std::max(t, s_.range.low + frame());
+        if (part == TimelineHit::range_in) s_.range.low = std::min(t, s_.range.high - frame());
+        if (part == TimelineHit::range_out) s_.range.high = std::max(t, s_.range.low + frame());
         return !(s_.range == old);
     }
     void set_end_here(bool in) {
@@ -264,7 +264,7 @@ class Editing {
         const bool pressed = e.kind == EventKind::press && e.button == Button::left;
         const bool by_key = e.kind == EventKind::key && (e.key == Key::enter || e.key == Key::space);
         if (e.kind == EventKind::key && !by_key) return takes_keys() ? key(e) : void();
-        if ((pressed || by_key) && m_.drag == Part::none) edit.taken = {track, index};
+        if ((pressed || by_key) && m_.drag == TimelineHit::none) edit.taken = {track, index};
     }
     void press_item(std::size_t track, std::size_t index, const Event& e) {
         TimelineItem& item = tracks_[track].items[index];
@@ -292,10 +292,10 @@ class Editing {
         m_.times.clear();
         each_item([&](const TimelineItem& i) { m_.times.push_back({i.start, i.end}); });
         const double by = frame() * (has(e.mods, Mods::shift) ? 10 : 1) * (e.key == Key::left ? -1 : 1);
-        m_.drag = Part::item_end;
+        m_.drag = TimelineHit::item_end;
         const bool end = has(e.mods, Mods::command);
         if (end ? item.end > item.start && stretch(by, false) : move_items(by, false)) edit.items |= Edit::once();
-        m_.drag = Part::none;
+        m_.drag = TimelineHit::none;
     }
     void erase() {
         std::size_t erased = 0;
@@ -303,7 +303,7 @@ class Editing {
             erased += std::erase_if(track.items, [](const auto& i) { return i.selected; });
         if (erased == 0) return;
         m_.built.clear();
-        m_.drag = Part::none;
+        m_.drag = TimelineHit::none;
         ui_.set_focus(id_, ui_.focus_ringed());
         edit.items |= Edit::once();
     }
@@ -353,7 +353,7 @@ class Editing {
     bool stretch(double by, bool catching) {
         TimelineItem& item = tracks_[m_.track].items[m_.item];
         const Memory::Times held = held_before();
-        const bool at_start = m_.drag == Part::item_start;
+        const bool at_start = m_.drag == TimelineHit::item_start;
         const double wish = (at_start ? held.start : held.end) + by, caught = to_catch({wish}, catching);
         const double t = inside(caught != 0 ? wish + caught : on_frame(wish));
         const double start_now = at_start ? std::min(t, held.end - frame()) : held.start;
@@ -410,7 +410,8 @@ void put_item(Ui& ui, Memory& m, Editing& editing, const TimelineState& state, c
     node.number = ui.number(item.start, 0, o.length, 1 / o.rate);
     node.is |= when(item.selected, Is::selected);
     const Response r = ui.respond(node);
-    const bool end = m.drag > Part::item || (r.hovered && editing.part_at(item, r.pointer.x) != Part::item);
+    const bool end =
+        m.drag > TimelineHit::item || (r.hovered && editing.part_at(item, r.pointer.x) != TimelineHit::item);
     if ((r.hovered || r.held) && !has(node.is, Is::disabled)) ui.set_cursor(end ? Cursor::resize_x : Cursor::move);
     const auto color = item.color >= 0 ? static_cast<std::size_t>(item.color) : track;
     ui.draw_with<draw_item>(node, ItemLook{ui.theme().series[color % 8], mark, item.ghost});
@@ -515,17 +516,17 @@ TimelineEdit timeline(Ui& ui, std::string_view label, TimelineState& state, std:
     if (!std::isfinite(state.time)) state.time = 0;
     Memory& m = ui.memory<Memory>(id);
     const Span whole = whole_of(tracks, options);
-    if (state.fitted && (m.drag < Part::item || state.view.length() <= 0)) state.view = whole;
-    if (m.drag == Part::none && state.speed > 0 && state.time > state.view.high)  // a page further
+    if (state.fitted && (m.drag < TimelineHit::item || state.view.length() <= 0)) state.view = whole;
+    if (m.drag == TimelineHit::none && state.speed > 0 && state.time > state.view.high)  // a page further
         state.view = kept({state.time, state.time + state.view.length()}, whole, options);
-    if (m.drag == Part::none && state.speed < 0 && state.time < state.view.low)
+    if (m.drag == TimelineHit::none && state.speed < 0 && state.time < state.view.low)
         state.view = kept({state.time - state.view.length(), state.time}, whole, options);
     const Frame f = frame_of(ui, ui.rect_before(id), state.view);
     Editing editing(ui, id, m, state, tracks, options, f);
     if (!f.ruler.empty()) {  // all events are handled before anything is built
         if (ui.has_events(id)) ui.events_of(id, [&](const Event& e) { editing.ground(e); });
         for (int end = 0; end < 2; ++end) {
-            const Part part = end == 0 ? Part::range_in : Part::range_out;
+            const TimelineHit part = end == 0 ? TimelineHit::range_in : TimelineHit::range_out;
             if (m.range_ids[end] != 0 && ui.has_events(m.range_ids[end]))
                 ui.events_of(m.range_ids[end], [&](const Event& e) { editing.range_end(part, e); });
         }

@@ -6,6 +6,8 @@
 #include <glm/gtc/packing.hpp>
 #include <numbers>
 
+#include "ui/value/utf8.h"
+
 namespace lapfx::ui {
 
 namespace {
@@ -320,7 +322,7 @@ float Painter::path(const Rect& rect, std::string_view text, const TextStyle& st
         elided_.assign(ellipsis).append(text.substr(from));
         return fonts_.run(elided_, style).width;
     };
-    while (from < text.size() && ((text[from] & 0xC0) == 0x80 || kept_width() > rect.w)) ++from;
+    while (from < text.size() && (continues(text[from]) || kept_width() > rect.w)) ++from;
     if (const std::size_t folder = text.find_first_of("/\\", from); folder + 1 < text.size() && folder != text.npos)
         from = folder;
     elided_.assign(ellipsis).append(text.substr(from));

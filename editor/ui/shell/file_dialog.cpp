@@ -306,7 +306,7 @@ void FileDialog::take_chords(Ui& ui, Id dialog) {
     if (!next.empty()) go(next);
 }
 
-void FileDialog::take_name_keys(Ui& ui, Id field, const PathCompletion::Shown& shown) {
+void FileDialog::take_name_keys(Ui& ui, Id field, const PathCompletion::FolderListing& shown) {
     ui.events_of(field, [&](const Event& event) {
         if (event.kind != EventKind::key || has(event.mods, Mods::command)) return;
         if (completion_.take_key(ui, event.key, name_, shown)) {
@@ -333,7 +333,7 @@ void FileDialog::build_name(Ui& ui) {
     const std::string_view hint = count_.empty() ? std::string_view("Name, or a path") : count_;
     const auto wanted = [this](const FileEntry& each, bool hidden) { return passes(each, hidden || hidden_); };
     const FunctionRef<bool(const FileEntry&, bool)> is_wanted = wanted;
-    const PathCompletion::Shown shown{folder_, entries_, is_wanted};
+    const PathCompletion::FolderListing shown{folder_, entries_, is_wanted};
     const Id field = ui.id_of(name_field);
     if (text_field(ui, name_field, name_, {.placeholder = hint, .keys_outside = true})) {
         fault_.clear();

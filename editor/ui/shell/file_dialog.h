@@ -70,7 +70,7 @@ class FileDialog {
     void end_folder();
     void make_folder();
     void take_chords(Ui& ui, Id dialog);
-    void take_name_keys(Ui& ui, Id field, const PathCompletion::Shown& shown);
+    void take_name_keys(Ui& ui, Id field, const PathCompletion::FolderListing& shown);
     void go_to_list(Ui& ui);
     void select_from_table();
     void look_at(const FileEntry* entry);

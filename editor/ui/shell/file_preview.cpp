@@ -1,6 +1,7 @@
 #include "ui/shell/file_preview.h"
 
 #include "ui/core/node.h"
+#include "ui/value/utf8.h"
 #include "ui/widgets/literal.h"
 
 namespace lapfx::ui {
@@ -44,9 +45,7 @@ Icon icon_of(const FileEntry& file, FilePicture::State state) {
 /// The beginning of a long text; no character is cut.
 std::string_view shortened(Ui& ui, std::string_view text) {
     if (text.size() <= fault_bytes) return text;
-    std::size_t end = fault_bytes;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
-    return ui.join({text.substr(0, end), "..."});
+    return ui.join({text.substr(0, code_point_at(text, fault_bytes)), "..."});
 }
 
 std::string_view words_for(const LookedAt* file, FilePicture::State state) {

@@ -20,7 +20,7 @@ constexpr float recent_bonus = 3;  // in the score: about a third of a word's be
 // In the score, for words that are found whole outside of titles: below those in a title, above scattered letters.
 constexpr float whole_letter = 10, whole_word = -4;
 
-struct Found {
+struct PaletteMatch {
     std::size_t index;  ///< of a command; items follow after the last command
     FuzzyMatch match;
 };
@@ -28,7 +28,7 @@ using Items = std::span<const PaletteItem>;
 
 struct PaletteState {
     std::string query;
-    std::vector<Found> found;
+    std::vector<PaletteMatch> found;
     std::string found_query;
     std::uint32_t found_version = 0;
     bool stale = true;
@@ -68,12 +68,12 @@ void search(PaletteState& state, const CommandTable& table, Items items) {
     }
     search_items(state, table.size(), items);
     std::stable_sort(state.found.begin(), state.found.end(),
-                     [](const Found& a, const Found& b) { return a.match.score > b.match.score; });
+                     [](const PaletteMatch& a, const PaletteMatch& b) { return a.match.score > b.match.score; });
     state.found_query = state.query;
     state.found_version = table.version();
     state.stale = false;
     // Enter is to do something: the best that can run now is chosen, though what cannot is listed above it.
-    const auto first = std::find_if(state.found.begin(), state.found.end(), [&](const Found& found) {
+    const auto first = std::find_if(state.found.begin(), state.found.end(), [&](const PaletteMatch& found) {
         return found.index >= table.size() || table.enabled(found.index);
     });
     state.current = first == state.found.end() ? 0 : static_cast<std::size_t>(first - state.found.begin());
@@ -146,7 +146,7 @@ RowText text_of(Ui& ui, const CommandTable& table, Items items, std::size_t inde
 }
 
 /// Returns whether it was clicked.
-bool put_row(Ui& ui, const RowText& text, const Found& found, bool current) {
+bool put_row(Ui& ui, const RowText& text, const PaletteMatch& found, bool current) {
     ui.push_seed(found.index);
     ui.push_disabled(!text.enabled);
     Node& node = ui.leaf(Role::list_item, text.title, Sense::hover | Sense::press);

@@ -31,11 +31,7 @@ void draw_row(Painter& painter, const Node& node, const RowLook& look) {
 std::size_t same_start(std::string_view a, std::string_view b) {
     std::size_t same = 0;
     while (same < std::min(a.size(), b.size()) && a[same] == b[same]) ++same;
-    const auto inside = [](std::string_view text, std::size_t at) {
-        return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80;
-    };
-    while (same > 0 && (inside(a, same) || inside(b, same))) --same;
-    return same;
+    return std::min(code_point_at(a, same), code_point_at(b, same));
 }
 
 }  // namespace
@@ -57,22 +53,23 @@ void PathCompletion::close() {
     marked_ = no_row, first_ = 0;
 }
 
-void PathCompletion::collect(const std::vector<FileEntry>& entries, std::string_view stem, const Shown& shown) {
+void PathCompletion::collect(const std::vector<FileEntry>& entries, std::string_view stem, const FolderListing& shown) {
     const bool hidden = stem.starts_with('.');
     for (const FileEntry& entry : entries)
         if (begins_with(entry.name, stem) && shown.wanted(entry, hidden)) found_.push_back({entry.name, entry.folder});
     std::vector<std::string_view> names;
-    for (const Found& each : found_) names.emplace_back(each.name);
+    for (const CompletedName& each : found_) names.emplace_back(each.name);
     common_ = longest_common(names, stem);
     if (found_.size() == 1 && found_[0].folder) common_ += '/';
     const std::size_t kept = std::min(found_.size(), most_found);
-    std::partial_sort(
-        found_.begin(), found_.begin() + static_cast<std::ptrdiff_t>(kept), found_.end(),
-        [](const Found& a, const Found& b) { return a.folder != b.folder ? a.folder : natural_less(a.name, b.name); });
+    std::partial_sort(found_.begin(), found_.begin() + static_cast<std::ptrdiff_t>(kept), found_.end(),
+                      [](const CompletedName& a, const CompletedName& b) {
+                          return a.folder != b.folder ? a.folder : natural_less(a.name, b.name);
+                      });
     found_.resize(kept);
 }
 
-void PathCompletion::search(Ui& ui, std::string_view typed, const Shown& shown) {
+void PathCompletion::search(Ui& ui, std::string_view typed, const FolderListing& shown) {
     const bool tab_waits = tab_waits_;
     close();
     if (typed.empty()) return;
@@ -94,14 +91,14 @@ void PathCompletion::search(Ui& ui, std::string_view typed, const Shown& shown) 
     open_ = !found_.empty() && !(found_.size() == 1 && !extends_ && !found_[0].folder);
 }
 
-void PathCompletion::take(Ui& ui, std::size_t index, std::string& typed, const Shown& shown) {
-    const Found taken = found_[index];
+void PathCompletion::take(Ui& ui, std::size_t index, std::string& typed, const FolderListing& shown) {
+    const CompletedName taken = found_[index];
     typed = head_ + taken.name + (taken.folder ? "/" : "");
     taken.folder ? search(ui, typed, shown) : close();
     ui.build_again();
 }
 
-void PathCompletion::take_common(Ui& ui, std::string& typed, const Shown& shown) {
+void PathCompletion::take_common(Ui& ui, std::string& typed, const FolderListing& shown) {
     typed = head_ + common_;
     search(ui, typed, shown);
     ui.build_again();
@@ -115,7 +112,7 @@ void PathCompletion::move(int step) {
     if (marked_ >= first_ + rows) first_ = marked_ + 1 - rows;
 }
 
-bool PathCompletion::take_key(Ui& ui, Key key, std::string& typed, const Shown& shown) {
+bool PathCompletion::take_key(Ui& ui, Key key, std::string& typed, const FolderListing& shown) {
     switch (key) {
         case Key::tab:
             if (waits_) tab_waits_ = true;
@@ -146,7 +143,7 @@ bool PathCompletion::take_key(Ui& ui, Key key, std::string& typed, const Shown& 
 std::size_t PathCompletion::put_rows(Ui& ui) {
     std::size_t clicked = no_row;
     for (std::size_t i = first_; i < std::min(first_ + rows, found_.size()); ++i) {
-        const Found& found = found_[i];
+        const CompletedName& found = found_[i];
         ui.push_seed(i);
         Node& node = ui.leaf(Role::list_item, "##name", Sense::hover | Sense::press);
         ui.pop_seed();
@@ -162,7 +159,7 @@ std::size_t PathCompletion::put_rows(Ui& ui) {
     return clicked;
 }
 
-bool PathCompletion::build(Ui& ui, Id field, std::string& typed, const Shown& shown) {
+bool PathCompletion::build(Ui& ui, Id field, std::string& typed, const FolderListing& shown) {
     if (!open_ && !waits_) return false;
     if (ui.focus() != field) {
         close();

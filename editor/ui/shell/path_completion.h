@@ -20,7 +20,7 @@ class PathCompletion {
 
     /// The folder that is shown, and which of any folder's entries are looked for (`hidden`: also those that begin with
     /// a dot).
-    struct Shown {
+    struct FolderListing {
         const std::string& folder;
         const std::vector<FileEntry>& entries;
         const FunctionRef<bool(const FileEntry&, bool hidden)>& wanted;
@@ -29,7 +29,7 @@ class PathCompletion {
     PathCompletion(FileSystem& files, RunBeside beside) : files_(files), reader_(files, std::move(beside)) {}
 
     /// Call it after `typed` was edited by hand.
-    void search(Ui& ui, std::string_view typed, const Shown& shown);
+    void search(Ui& ui, std::string_view typed, const FolderListing& shown);
     void close();
     /// What folders hold may have changed.
     void forget() { reader_.forget(); }
@@ -38,25 +38,25 @@ class PathCompletion {
     bool completes() const { return waits_ || extends_; }
     /// A key of the field, which leaves Enter, Esc and arrows to this. Returns whether it was taken; `typed` may have
     /// changed.
-    bool take_key(Ui& ui, Key key, std::string& typed, const Shown& shown);
+    bool take_key(Ui& ui, Key key, std::string& typed, const FolderListing& shown);
     /// Once a frame after the field. Returns whether `typed` has changed.
-    bool build(Ui& ui, Id field, std::string& typed, const Shown& shown);
+    bool build(Ui& ui, Id field, std::string& typed, const FolderListing& shown);
 
   private:
-    struct Found {
+    struct CompletedName {
         std::string name;
         bool folder = false;
     };
-    void collect(const std::vector<FileEntry>& entries, std::string_view stem, const Shown& shown);
-    void take(Ui& ui, std::size_t index, std::string& typed, const Shown& shown);
-    void take_common(Ui& ui, std::string& typed, const Shown& shown);
+    void collect(const std::vector<FileEntry>& entries, std::string_view stem, const FolderListing& shown);
+    void take(Ui& ui, std::size_t index, std::string& typed, const FolderListing& shown);
+    void take_common(Ui& ui, std::string& typed, const FolderListing& shown);
     std::size_t put_rows(Ui& ui);
     void move(int step);
 
     FileSystem& files_;
     FolderReader reader_;
-    std::string head_, common_;  ///< typed up to the last '/', and what Tab makes of the rest
-    std::vector<Found> found_;   ///< in order
+    std::string head_, common_;         ///< typed up to the last '/', and what Tab makes of the rest
+    std::vector<CompletedName> found_;  ///< in order
     std::size_t marked_ = no_row, first_ = 0;
     bool open_ = false, waits_ = false, extends_ = false;
     bool tab_waits_ = false;  ///< Tab was pressed while the folder was being read

@@ -151,10 +151,10 @@ void Toasts::note(const Toast& toast) {
 
 void Toasts::add(Toast toast) {
     note(toast);
-    const auto same = std::find_if(all_.begin(), all_.end(), [&](const Shown& each) {
+    const auto same = std::find_if(all_.begin(), all_.end(), [&](const ListedToast& each) {
         return each.toast.kind == toast.kind && each.toast.text == toast.text;
     });
-    Shown shown;
+    ListedToast shown;
     shown.left = seconds_of(toast);
     shown.serial = ++serial_;
     if (same != all_.end()) {
@@ -163,7 +163,7 @@ void Toasts::add(Toast toast) {
         all_.erase(same);
     } else if (all_.size() == most_kept) {
         const auto passing =
-            std::find_if(all_.begin(), all_.end(), [](const Shown& each) { return seconds_of(each.toast) > 0; });
+            std::find_if(all_.begin(), all_.end(), [](const ListedToast& each) { return seconds_of(each.toast) > 0; });
         all_.erase(passing != all_.end() ? passing : all_.begin());
         ++hidden_;
     }
@@ -179,7 +179,7 @@ void Toasts::open_log(Ui& ui) {
 
 /// Counts down the time of the notices that are visible; the others wait.
 void Toasts::count_down(double passed) {
-    std::erase_if(all_, [passed](Shown& each) {
+    std::erase_if(all_, [passed](ListedToast& each) {
         if (each.left <= 0 || !each.seen) return false;
         each.left -= passed;
         return each.left <= 0;
@@ -192,7 +192,7 @@ std::size_t Toasts::first_in_sight(Ui& ui) const {
     float room = room_in(ui);
     std::size_t first = all_.size();
     while (first > 0) {
-        const Shown& each = all_[first - 1];
+        const ListedToast& each = all_[first - 1];
         const float needs =
             measure(ui, words_of(ui, each.toast.text, each.count), !each.toast.action.empty()).height + ui.em(gap);
         const bool none_left = first == 1 && hidden_ == 0;
@@ -203,7 +203,7 @@ std::size_t Toasts::first_in_sight(Ui& ui) const {
     return first;
 }
 
-Toasts::Answer Toasts::build_one(Ui& ui, Shown& shown) {
+Toasts::Answer Toasts::build_one(Ui& ui, ListedToast& shown) {
     const Toast& toast = shown.toast;
     const TextStyle style = ui.text_style();
     shown.seen = true;
@@ -249,7 +249,7 @@ Toasts::Answer Toasts::build_one(Ui& ui, Shown& shown) {
 void Toasts::build_rest(Ui& ui, std::size_t out_of_sight) {
     const std::size_t count = hidden_ + out_of_sight;
     bool cut = false;
-    for (const Shown& each : all_)
+    for (const ListedToast& each : all_)
         if (each.seen) {
             const std::string_view words = words_of(ui, each.toast.text, each.count);
             cut |= measure(ui, words, !each.toast.action.empty()).bytes < words.size();
@@ -331,7 +331,7 @@ void Toasts::build(Ui& ui) {
     if (root == nullptr) return;
     root->gap = ui.em(gap);
     const std::size_t first = first_in_sight(ui), count = all_.size() - first;
-    for (Shown& each : all_) each.seen = false;
+    for (ListedToast& each : all_) each.seen = false;
     std::size_t gone = count;
     std::function<void()> act;  // called last, as it may add another notice
     ids_.clear();
@@ -348,7 +348,7 @@ void Toasts::build(Ui& ui) {
         all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(first + gone));
         ui.wake_at(ui.time(), "toast");
     }
-    for (const Shown& each : all_)
+    for (const ListedToast& each : all_)
         if (!hovered_ && each.seen && each.left > 0) ui.wake_at(ui.time() + each.left, "toast");
     if (act) act();
 }

@@ -57,7 +57,7 @@ class Toasts {
     std::size_t size() const { return all_.size(); }  ///< on the screen, or without room there
 
   private:
-    struct Shown {
+    struct ListedToast {
         Toast toast;
         double left = 0;  ///< s
         int count = 1;
@@ -73,12 +73,12 @@ class Toasts {
     void note(const Toast& toast);
     void count_down(double passed);
     std::size_t first_in_sight(Ui& ui) const;
-    Answer build_one(Ui& ui, Shown& shown);
+    Answer build_one(Ui& ui, ListedToast& shown);
     void build_rest(Ui& ui, std::size_t out_of_sight);
     void build_log(Ui& ui);
     void take_keys(Ui& ui, bool wants_focus, std::size_t& gone);
 
-    std::vector<Shown> all_;  ///< the oldest first
+    std::vector<ListedToast> all_;  ///< the oldest first
     std::vector<ToastNote> log_;
     std::vector<Id> ids_;  ///< of those seen
     Id before_ = 0;        ///< had the keyboard

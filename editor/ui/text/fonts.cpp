@@ -4,6 +4,7 @@
 
 #include "ui/text/run_cache.h"
 #include "ui/text/shaper.h"
+#include "ui/value/utf8.h"
 
 namespace lapfx::ui {
 
@@ -41,10 +42,7 @@ namespace {
 
 /// The text cut to at most max_run_bytes, before a code point rather than in the middle of it.
 std::string_view limited(std::string_view text) {
-    if (text.size() <= max_run_bytes) return text;
-    std::size_t size = max_run_bytes;
-    while (size > max_run_bytes - 4 && (static_cast<unsigned char>(text[size]) & 0xc0) == 0x80) --size;
-    return text.substr(0, size);
+    return text.substr(0, code_point_at(text, max_run_bytes));
 }
 
 }  // namespace

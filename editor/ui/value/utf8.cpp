@@ -12,14 +12,10 @@ namespace {
 
 constexpr char32_t zero_width_joiner = 0x200D;
 
-bool is_continuation(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-}
-
 /// Where the code point begins that holds the byte before `byte`. A sequence cannot begin inside another one, so three
 /// bytes back settle it.
 std::size_t code_point_before(std::string_view text, std::size_t byte) {
-    for (std::size_t back = 2; back <= 4 && back <= byte && is_continuation(text[byte - back + 1]); ++back) {
+    for (std::size_t back = 2; back <= 4 && back <= byte && continues(text[byte - back + 1]); ++back) {
         if (decode(text.substr(byte - back)).bytes >= back) return byte - back;
     }
     return byte - 1;
@@ -50,6 +46,13 @@ void append(std::string& text, char32_t codepoint) {
     const utf8proc_ssize_t count =
         utf8proc_encode_char(utf8proc_codepoint_valid(c) ? c : static_cast<utf8proc_int32_t>(replacement), bytes);
     text.append(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(count));
+}
+
+std::size_t code_point_at(std::string_view text, std::size_t byte) {
+    if (byte >= text.size()) return text.size();
+    std::size_t begin = byte;
+    while (begin > 0 && byte - begin < 4 && continues(text[begin])) --begin;
+    return continues(text[begin]) ? byte : begin;
 }
 
 bool valid_utf8(std::string_view text) {

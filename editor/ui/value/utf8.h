@@ -20,6 +20,13 @@ struct Decoded {
 /// are not valid.
 Decoded decode(std::string_view text);
 void append(std::string& text, char32_t codepoint);  ///< what is no scalar value becomes U+FFFD
+/// Whether a byte goes on with a code point that was begun before it.
+constexpr bool continues(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0) == 0x80;
+}
+/// The last place at or before `byte` where a code point begins or the text ends, so that a cut there cuts none. Bytes
+/// that are no UTF-8 are cut at `byte`.
+std::size_t code_point_at(std::string_view text, std::size_t byte);
 bool valid_utf8(std::string_view text);
 /// Bytes of the character before `byte` and at it, which need not be at the edge of one. A character is what a reader
 /// takes for one: an extended grapheme cluster of Unicode (UAX 29), as utf8proc knows them; a byte that is no UTF-8

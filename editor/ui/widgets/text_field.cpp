@@ -80,13 +80,6 @@ void draw_text_field(Painter& painter, const Node& node, const FieldLook& look) 
     painter.pop_clip();
 }
 
-/// The nearest place between characters at or before `byte`.
-std::size_t whole(std::string_view text, std::size_t byte) {
-    if (byte >= text.size()) return text.size();
-    while (byte > 0 && (static_cast<unsigned char>(text[byte]) & 0xc0) == 0x80) --byte;
-    return byte;
-}
-
 /// The part of the text that is shaped; the caret is in it. When it changes, the visible text stays at its place.
 std::string_view window_of(Ui& ui, Field& field, const TextStyle& style) {
     const std::string_view text = field.editing.edit.text();
@@ -96,13 +89,13 @@ std::string_view window_of(Ui& ui, Field& field, const TextStyle& style) {
         return text;
     }
     const auto at = [&](std::size_t start) {
-        return text.substr(start, whole(text, std::min(start + window_bytes, text.size())) - start);
+        return text.substr(start, code_point_at(text, std::min(start + window_bytes, text.size())) - start);
     };
     const std::size_t end = old + at(old).size();
     const bool near_start = old > 0 && caret < old + window_margin;
     const bool near_end = end < text.size() && caret + window_margin > end;
     if (!near_start && !near_end) return at(old);
-    field.start = whole(text, caret - std::min(caret, window_bytes / 2));
+    field.start = code_point_at(text, caret - std::min(caret, window_bytes / 2));
     if (caret >= old && caret <= end) {
         const float before = ui.fonts().run(at(old), style).x_of(caret - old);
         field.offset += ui.fonts().run(at(field.start), style).x_of(caret - field.start) - before;
@@ -237,9 +230,9 @@ Edit put_field(Ui& ui, std::string_view label, std::string& text, const TextFiel
         result = edit_field(ui, node, r, field, text, look);
     } else {
         if (was_focused) result = leave_field(ui, node.id, text, r.focus_out);
-        look.text = ui.copy(std::string_view(text).substr(0, whole(text, window_bytes)));
+        look.text = ui.copy(std::string_view(text).substr(0, code_point_at(text, window_bytes)));
     }
-    node.text = text.size() == look.text.size() ? look.text : ui.copy({text.data(), whole(text, spoken_bytes)});
+    node.text = text.size() == look.text.size() ? look.text : ui.copy({text.data(), code_point_at(text, spoken_bytes)});
     ui.draw_with<draw_text_field>(node, look);
     if (focused) {
         const Id id = node.id;

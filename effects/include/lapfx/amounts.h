@@ -71,9 +71,7 @@ struct AmountRow {
     std::string_view title;  ///< "Blood area"
     std::string_view help;   ///< a sentence
     std::string_view unit = {};
-    int decimals = -1;      ///< in amounts_line(); -1: it is no column there
-    int plot = 0;           ///< place among the editor's plots, from 1; 0: it has none
-    int plot_decimals = 0;  ///< of the value beside its plot: more would say nothing
+    int decimals = -1;  ///< in amounts_line(); -1: it is no column there
 };
 
 /// In the order of the columns of amounts_line().
@@ -83,15 +81,13 @@ inline constexpr AmountRow amount_rows[] = {
      .title = "Blood area",
      .help = "Organ surface that blood covers.",
      .unit = "mm2",
-     .decimals = 3,
-     .plot = 1},
+     .decimals = 3},
     {.key = "blood_volume",
      .member = &Amounts::blood_volume,
      .title = "Blood volume",
      .help = "The covered surface times the thickness of the layer: an estimate.",
      .unit = "mm3",
-     .decimals = 3,
-     .plot = 2},
+     .decimals = 3},
     {.key = "wounds",
      .member = &Amounts::wounds,
      .title = "Wounds",
@@ -101,15 +97,12 @@ inline constexpr AmountRow amount_rows[] = {
      .member = &Amounts::bleeding_wounds,
      .title = "Wounds bleeding",
      .help = "Wounds whose blood is still spreading.",
-     .decimals = 0,
-     .plot = 4},
+     .decimals = 0},
     {.key = "haze",
      .member = &Amounts::haze,
      .title = "Haze",
      .help = "Optical thickness of the smoke in the whole view, at the focus distance.",
-     .decimals = 5,
-     .plot = 3,
-     .plot_decimals = 2},
+     .decimals = 5},
     {.key = "burnt_area",
      .member = &Amounts::burnt_area,
      .title = "Burnt area",

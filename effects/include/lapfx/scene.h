@@ -52,8 +52,7 @@ struct SceneLight {
 };
 
 /// Which pixels of the reference count as blood, its smoke removed, or, where its tissue has moved, as they are seen.
-/// Redness is (red + 8) / (mean of green and
-/// blue + 8) in 8-bit sRGB code values: about 2 for liver, 3 to 15 for blood.
+/// Redness is (red + 8) / (mean of green and blue + 8) in 8-bit sRGB code values: about 2 for liver, 3 to 15 for blood.
 struct BloodQualifier {
     double redness = 2.2;     ///< least redness of blood
     double rise = 1.3;        ///< least factor of redness over the baseline's at that place, or near by

@@ -128,7 +128,7 @@ TEST_F(ClipStreamOnce, LatestDoesNotWaitAndSaysWhatItShows) {
     int late = 0;
     for (int i = 0; i < 3000; ++i) {
         const int index = static_cast<int>(random() % frames);
-        const ClipStream::Shown shown = stream.frame(index, Policy::latest, waited);
+        const ClipStream::LentFrame shown = stream.frame(index, Policy::latest, waited);
         ASSERT_EQ(number_of(shown.bytes, {.size = {64, 48}}), shown.index);
         late += shown.index != index ? 1 : 0;
     }
@@ -149,7 +149,7 @@ TEST_F(ClipStreamOnce, AClipThatTakesLongerToDecodeThanToPlayIsShownInSlowMotion
     EXPECT_TRUE(test::wait_until([&] {
         for (int i = 0; i < 25 && done[static_cast<std::size_t>(asked)] != 0; ++i) asked = (asked + 1) % 25;
         if (done[static_cast<std::size_t>(asked)] != 0) return true;  // all are kept
-        const ClipStream::Shown shown = stream.frame(asked, Policy::latest, waited);
+        const ClipStream::LentFrame shown = stream.frame(asked, Policy::latest, waited);
         if (!shown.bytes.empty()) {
             seen.insert(shown.index);
             const std::lock_guard lock(one.mutex());
@@ -179,7 +179,7 @@ TEST_F(ClipStreamOnce, PeekFindsTheNextFrameAndDoesNotMove) {
     ASSERT_EQ(shown(stream, 5), 5);
     EXPECT_TRUE(test::wait_until([&] { return peeked(stream, 6) == 6; }));
     EXPECT_TRUE(stream.peek(2).bytes.empty());
-    const ClipStream::Shown any = stream.peek_any();
+    const ClipStream::LentFrame any = stream.peek_any();
     EXPECT_EQ(number_of(any.bytes, {.size = {64, 48}}), any.index);
 }
 

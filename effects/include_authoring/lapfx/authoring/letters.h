@@ -25,6 +25,12 @@ inline std::string upper_first(std::string text) {
     return text;
 }
 
+/// "Picture" as "picture": as it stands within a sentence.
+inline std::string lower_first(std::string text) {
+    if (!text.empty()) text[0] = lower(text[0]);
+    return text;
+}
+
 /// Whether they are equal but for the case of letters.
 constexpr bool same_letters(std::string_view a, std::string_view b) noexcept {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char p, char q) { return lower(p) == lower(q); });

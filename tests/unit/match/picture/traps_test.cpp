@@ -11,7 +11,7 @@ namespace {
 const cv::Point middle{test::width / 2, test::height / 2};
 constexpr int view_radius = 110;
 
-Trap trap_in(const cv::Mat& linear) {
+InView trap_in(const cv::Mat& linear) {
     const cv::Mat code = test::code_picture(linear);
     return trap_of(code, view_of(code));
 }
@@ -45,36 +45,37 @@ TEST(Traps, AViewWithoutRedIsABag) {
     cv::transform(test::tissue(3), blue, cv::Matx33f(0, 0, 0.60F, 0, 0, 0.55F, 0, 0, 0.40F));
     cv::transform(test::tissue(3), white, cv::Matx33f(0, 0, 1.2F, 0, 0, 1.15F, 0, 0, 1.25F));
     for (const cv::Mat& bag : {blue, white, evenly({0.9, 0.9, 0.9}), evenly({0.1, 0.1, 0.1})}) {
-        EXPECT_EQ(trap_in(bag), Trap::bag);
-        EXPECT_EQ(trap_in(in_round_view(bag)), Trap::bag);
+        EXPECT_EQ(trap_in(bag), InView::bag);
+        EXPECT_EQ(trap_in(in_round_view(bag)), InView::bag);
     }
 }
 
 TEST(Traps, TissueIsNone) {
     for (int seed = 1; seed < 6; ++seed) {
-        EXPECT_EQ(trap_in(test::tissue(seed)), Trap::none);
-        EXPECT_EQ(trap_in(in_round_view(test::tissue(seed))), Trap::none);
-        EXPECT_EQ(trap_in(in_round_view(0.05 * test::tissue(seed))), Trap::none) << "in poor light";
+        EXPECT_EQ(trap_in(test::tissue(seed)), InView::tissue);
+        EXPECT_EQ(trap_in(in_round_view(test::tissue(seed))), InView::tissue);
+        EXPECT_EQ(trap_in(in_round_view(0.05 * test::tissue(seed))), InView::tissue) << "in poor light";
     }
-    EXPECT_EQ(trap_in(evenly({0, 0, 0})), Trap::none);
+    EXPECT_EQ(trap_in(evenly({0, 0, 0})), InView::tissue);
 }
 
 TEST(Traps, DenseSmokeBeforeTissueIsNone) {
     for (const HazeLight& light : {HazeLight{}, HazeLight{.color = {0.40, 0.37, 0.42}, .fall_off = 0.3},
                                    HazeLight{.color = {0.55, 0.48, 0.50}, .fall_off = 0.6}})
         for (const double veil : {0.3, 0.5, 0.7, 0.8}) {
-            EXPECT_EQ(trap_in(veiled(veil, light)), Trap::none) << veil << ", light " << light.color.g;
-            EXPECT_EQ(trap_in(in_round_view(veiled(veil, light))), Trap::none) << veil << ", light " << light.color.g;
+            EXPECT_EQ(trap_in(veiled(veil, light)), InView::tissue) << veil << ", light " << light.color.g;
+            EXPECT_EQ(trap_in(in_round_view(veiled(veil, light))), InView::tissue)
+                << veil << ", light " << light.color.g;
         }
 }
 
 TEST(Traps, AWhiteRingAroundADarkerMiddleIsATrocar) {
     for (const int radius : {36, 50, 80}) {
-        EXPECT_EQ(trap_in(ringed(test::tissue(), radius)), Trap::trocar) << radius;
-        EXPECT_EQ(trap_in(ringed(veiled(0.4, HazeLight{}), radius)), Trap::trocar) << radius;
+        EXPECT_EQ(trap_in(ringed(test::tissue(), radius)), InView::trocar) << radius;
+        EXPECT_EQ(trap_in(ringed(veiled(0.4, HazeLight{}), radius)), InView::trocar) << radius;
     }
-    EXPECT_EQ(trap_in(ringed(test::tissue(), 78, {15, 5})), Trap::trocar) << "not quite in the middle";
-    EXPECT_EQ(trap_in(ringed(test::tissue(), 100, {100, 0})), Trap::none) << "on one side only, as an instrument";
+    EXPECT_EQ(trap_in(ringed(test::tissue(), 78, {15, 5})), InView::trocar) << "not quite in the middle";
+    EXPECT_EQ(trap_in(ringed(test::tissue(), 100, {100, 0})), InView::tissue) << "on one side only, as an instrument";
 }
 
 TEST(Traps, TheReddestTenthTellsHaze) {

@@ -22,11 +22,11 @@ TEST(Markup, EscapesWhatIsNoLetter) {
     const std::string none = "\xEF\xBF\xBD";
     EXPECT_EQ(escaped("Gr\xC3\xBC\xC3\x9F \xE8\x83\x83 \xF0\x9F\xA9\xB8"),
               "Gr\xC3\xBC\xC3\x9F \xE8\x83\x83 \xF0\x9F\xA9\xB8");
-    EXPECT_EQ(escaped("\xC0\xAF"), none + none);   // '/' in two bytes
-    EXPECT_EQ(escaped("\xED\xA0\x80"), none);      // half of a pair of UTF-16
-    EXPECT_EQ(escaped("\xE2\x82"), none + none);   // ends within a letter
-    EXPECT_EQ(escaped("\xEF\xBF\xBF"), none);      // U+FFFF
-    EXPECT_EQ(escaped("\xF4\x90\x80\x80"), none);  // beyond U+10FFFF
+    EXPECT_EQ(escaped("\xC0\xAF"), none + none);                        // '/' in two bytes
+    EXPECT_EQ(escaped("\xED\xA0\x80"), none + none + none);             // half of a pair of UTF-16
+    EXPECT_EQ(escaped("\xE2\x82"), none + none);                        // ends within a letter
+    EXPECT_EQ(escaped("\xEF\xBF\xBF"), none);                           // U+FFFF
+    EXPECT_EQ(escaped("\xF4\x90\x80\x80"), none + none + none + none);  // beyond U+10FFFF
     EXPECT_EQ(escaped(std::string("a\0b\r\x1B", 5)), "a" + none + "b" + none + none);
     EXPECT_EQ(escaped("\xC2\x85"), none);  // U+0085, a control
 }
