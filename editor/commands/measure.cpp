@@ -226,7 +226,8 @@ Verb measure_verb() {
     verb.argument("VIDEO", "The video, or numbered images: frame_%04d.png", &o->video, {.required = true});
     verb.option("--baseline", "S",
                 "Time of a clear frame, s; 0 is the first frame. It serves the shots that show its tissue; the "
-                "others, and all if it is left out, get the clearest of their own frames",
+                "others, and all if it is left out, get the clearest of their own frames, or an earlier one that is "
+                "nearly as clear",
                 &o->baseline, {.number = Number::finite});
     verb.option("--roi", "x,y,w,h", "The part that is measured, in pixels, or in fractions if none is above 1",
                 &o->region);

@@ -399,8 +399,9 @@ TEST_F(FitColors, HiddenOnesAreFoundAndTakenInTheOneStep) {
 TEST_F(FitColors, WhatIsLockedStaysAndWhatGetsWorseIsToldBeforeItIsTaken) {
     // Blood that looks right as long as the exposure is wrong: that is matched by the tissue, and the blood is locked.
     fitting().look.colors = true;
-    editor().document.change("Bright blood", [](document::Content& c) {
-        c.preset.bleeding.color_thin = {0.845, 0.285, 0.143}, c.preset.bleeding.color_deep = {0.565, 0.144, 0.07};
+    editor().document.change("Bright blood", [this](document::Content& c) {
+        c.preset.bleeding.color_thin = 1.3 * hidden_.preset.bleeding.color_thin;
+        c.preset.bleeding.color_deep = 1.3 * hidden_.preset.bleeding.color_deep;
     });
     for (const char* const key : {"bleeding.color_thin", "bleeding.color_deep"})
         editor().tuning().lock(app::parameters().find(key), true);

@@ -31,6 +31,8 @@ constexpr std::size_t candidates = 12;  // of a shot, for its baseline
 constexpr double followed_likeness = 0.25;
 constexpr int most_lost = 3;           // frames one after the other
 constexpr double well_seen = 0.5;      // of the frames that are compared
+constexpr double nearly_clear = 0.16;  // of clearness: as much as instruments on a sixth of the view take
+constexpr double no_hazier = 0.01;
 constexpr double enough_alike = 0.34;  // of them: for the baseline of another shot
 
 // Haze of a clear frame (SeenFrame::haze, SeenFrame::reddest): 0.08 to 0.27 and below -0.75 in clear frames of four
@@ -170,8 +172,29 @@ cv::Matx33d start_of(const SeenFrame& baseline, int frame, const std::vector<con
     return cv::Matx33d::diag({1 / width, 1 / width, 1}) * placement.place() * cv::Matx33d::diag({width, width, 1});
 }
 
-/// The clearest frame whose tissue can be followed over most of the shot; where there is none such, the clearest of
-/// those that can be followed farthest. Null: the shot has no frame.
+/// In which share of a shot's frames the tissue of one of them is found again.
+double followed_share(const std::vector<const Sample*>& frames, std::size_t i) {
+    const auto back = static_cast<std::ptrdiff_t>(frames.size() - i);
+    Placement placement(frames[i]->seen.texture, frames[i]->seen.view);
+    int all = follow(placement, frames.begin() + static_cast<std::ptrdiff_t>(i), frames.end());
+    placement.forget();
+    all += follow(placement, frames.rbegin() + back, frames.rend());
+    return all / static_cast<double>(frames.size());
+}
+
+/// The earliest frame that is nearly as clear as one that would do: blood grows, so the less of it is there already.
+const Sample* earliest_like(const Sample* one, const std::vector<const Sample*>& frames) {
+    std::size_t tried = 0;
+    for (std::size_t i = 0; i < frames.size() && frames[i]->frame < one->frame && tried < candidates; ++i) {
+        if (frames[i]->clear < one->clear - nearly_clear || frames[i]->seen.haze > one->seen.haze + no_hazier) continue;
+        ++tried;
+        if (followed_share(frames, i) >= well_seen) return frames[i];
+    }
+    return one;
+}
+
+/// The clearest frame whose tissue can be followed over most of the shot, or an earlier one that is nearly as clear;
+/// where there is none such, the clearest of those that can be followed farthest. Null: the shot has no frame.
 const Sample* clearest_of(const std::vector<const Sample*>& shot) {
     const std::vector<const Sample*> frames = thinned(shot, static_cast<std::size_t>(least_samples));
     std::vector<std::size_t> clear(frames.size());
@@ -181,13 +204,8 @@ const Sample* clearest_of(const std::vector<const Sample*>& shot) {
     clear.resize(std::min(clear.size(), candidates));
     std::vector<double> seen;
     for (const std::size_t i : clear) {
-        const auto back = static_cast<std::ptrdiff_t>(frames.size() - i);
-        Placement placement(frames[i]->seen.texture, frames[i]->seen.view);
-        int all = follow(placement, frames.begin() + static_cast<std::ptrdiff_t>(i), frames.end());
-        placement.forget();
-        all += follow(placement, frames.rbegin() + back, frames.rend());
-        seen.push_back(all / static_cast<double>(frames.size()));
-        if (seen.back() >= well_seen) return frames[i];
+        seen.push_back(followed_share(frames, i));
+        if (seen.back() >= well_seen) return earliest_like(frames[i], frames);
     }
     if (seen.empty()) return nullptr;
     const double most = *std::max_element(seen.begin(), seen.end());

@@ -54,9 +54,10 @@ struct Shot {
 
 /// Shots from the frame at `from` to that at `to`, s, in their order and without gaps. `baseline`, s, is one that was
 /// given: it serves its own shot and any other that shows its tissue. The other shots that show tissue and are not
-/// brief get the clearest of their frames, unless every one is hazy; they share it where they show the same tissue.
-/// Frames that follow each other by more than 0.2 s are not cut: a camera that moves looks the same. Throws Error:
-/// bad_input where no frame shows anything or the file cannot give `baseline`; runtime when `progress` stopped it.
+/// brief get the clearest of their frames, or an earlier one that is nearly as clear, unless every one is hazy; they
+/// share it where they show the same tissue. Frames that follow each other by more than 0.2 s are not cut: a camera
+/// that moves looks the same. Throws Error: bad_input where no frame shows anything or the file cannot give `baseline`;
+/// runtime when `progress` stopped it.
 std::vector<Shot> find_shots(VideoReader& video, double from, double to, std::optional<double> baseline,
                              const Progress& progress = {});
 

@@ -55,6 +55,23 @@ TEST(Shots, EachHasABaselineOfItsOwn) {
     EXPECT_TRUE(json[1]["without"].is_null());
 }
 
+/// Blood grows: what comes before has the least of it.
+TEST(Shots, TheBaselineIsTheEarliestThatIsNearlyAsClear) {
+    const auto baseline = [](double haze, int instrument) {
+        cv::Mat early = test::smoky(test::tissue(), haze);
+        cv::rectangle(early, {0, 0, instrument, test::height}, {0.2, 0.2, 0.2}, cv::FILLED);
+        test::Clip clip;
+        clip.add(early, 15);
+        clip.add(test::tissue(), 30);
+        const std::vector<Shot> shots = shots_in(clip);
+        EXPECT_EQ(stretches(shots), "0-44");
+        return shots.front().baseline.value_or(-1.0);
+    };
+    EXPECT_EQ(baseline(0.0, test::width / 30), 0.0) << "an instrument covers a thirtieth of it";
+    EXPECT_GE(baseline(0.0, test::width / 3), 15 * frame - 1e-9) << "a third";
+    EXPECT_GE(baseline(0.08, test::width / 30), 15 * frame - 1e-9) << "it is hazy";
+}
+
 TEST(Shots, ABagDividesThemAndTheSameTissueSharesTheClearestBaseline) {
     test::Clip clip;
     clip.add(test::tissue(), 25);
