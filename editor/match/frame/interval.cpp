@@ -29,29 +29,31 @@ struct Wider {
 constexpr Wider wider[] = {
     {told::tinted, 1.3}, {told::bleached, 1.25}, {told::motion, 1.25}, {told::unregistered, 1.1}};
 
-void set(Amount& amount, double half) {
-    amount.low = std::max(amount.value - half, 0.0);
-    amount.high = std::min(amount.value + half, 1.0);
+void set(Amount& amount, double below, double above) {
+    amount.low = std::max(amount.value - below, 0.0);
+    amount.high = std::min(amount.value + above, 1.0);
 }
 
 }  // namespace
 
 void set_intervals(FrameAmounts& a) {
     if (!a.measurable()) {  // nothing is known
-        set(a.veil, 1.0);
-        set(a.blood, 1.0);
+        set(a.veil, 1.0, 1.0);
+        set(a.blood, 1.0, 1.0);
         return;
     }
     double factor = 1.0;
     for (const Wider& row : wider)
         if ((a.flags & row.bit) != 0) factor *= row.factor;
     const double middle = a.veil.value * (1.0 - a.veil.value);
-    set(a.veil, factor * (veil_least + veil_of_middle * middle + veil_of_rest * a.rest));
+    const double half = factor * (veil_least + veil_of_middle * middle + veil_of_rest * a.rest);
+    set(a.veil, half, half);
     const double doubt = std::clamp((usual_likeness - a.likeness) / (usual_likeness - doubtful_likeness), 0.0, 1.0);
-    const double half =
-        factor * (blood_least + blood_of_blood * a.blood.value + blood_of_veil * a.veil.value + blood_of_rest * a.rest +
-                  blood_of_unlike * std::max(usual_likeness - a.likeness, 0.0) + blood_of_hidden * a.hidden);
-    set(a.blood, std::max(half, doubt * a.blood.value));
+    const double known = factor * (blood_least + blood_of_blood * a.blood.value + blood_of_rest * a.rest +
+                                   blood_of_unlike * std::max(usual_likeness - a.likeness, 0.0));
+    // Smoke and the dark hide blood, and make none.
+    const double missed = factor * (blood_of_veil * a.veil.value + blood_of_hidden * a.hidden);
+    set(a.blood, std::max(known, doubt * a.blood.value), std::max(known + missed, doubt * a.blood.value));
 }
 
 }  // namespace lapfx::match

@@ -39,6 +39,18 @@ TEST(Interval, OfAVeilIsWidestInTheMiddle) {
     EXPECT_NEAR(dense - clear, 0.34 * 0.09, 1e-9);
 }
 
+TEST(Interval, OfBloodIsWiderUpwardsBehindSmokeWhichMakesNone) {
+    const FrameAmounts clear = amounts_of(0.3, 0.0), hazy = amounts_of(0.3, 0.25);
+    EXPECT_NEAR(clear.blood.high - 0.3, 0.01 + 0.28 * 0.3, 1e-9);
+    EXPECT_NEAR(hazy.blood.high - clear.blood.high, 0.28 * 0.25, 1e-9);
+    EXPECT_EQ(hazy.blood.low, clear.blood.low);
+    FrameAmounts a = clear;
+    a.hidden = 0.2;
+    set_intervals(a);
+    EXPECT_NEAR(a.blood.high - clear.blood.high, 0.1 * 0.2, 1e-9);
+    EXPECT_EQ(a.blood.low, clear.blood.low);
+}
+
 TEST(Interval, GrowsWithWhatIsLeftUnexplained) {
     FrameAmounts a = amounts_of(0.5, 0.5);
     const FrameAmounts plain = a;
