@@ -13,6 +13,8 @@ constexpr double onset_error = 0.3, duration_error = 0.4;  // s
 constexpr double duration_share = 0.2;                     // of the reference's rise or decay: less is not worth a word
 constexpr double ratio_share = 0.005;                      // less than that is 0 %
 constexpr double plain_match = 0.25;                       // of the area: from here on a match says how far apart it is
+constexpr double plain_late = 1.0;                         // s, the same of when it comes
+constexpr double plain_alone = 1.0 / 3.0;                  // of the other's peak, up to which only that one is seen
 constexpr double plain_peak_match = 0.03;                  // of the view, the same of the peaks of what neither shows
 
 /// How an amount is spoken of, and what makes it.
@@ -100,10 +102,8 @@ class Telling {
                     text(" matches: the error of measuring is %.0f %% of the view", 100.0 * *a_.error) +
                     (*a_.error > most_error ? "" : ", more than either shows"),
                 Said::cannot_tell);
-        else if (const std::string apart = rough_match(a_, words_); !apart.empty())
-            say("matches within the error of measuring, which is large: " + apart, Said::rough_match);
         else if (a_.matches())
-            say("matches within the error of measuring", Said::match);
+            tell_match();
         else if (!tell_unmeasurable() && !tell_presence())
             tell_differences();
         return std::move(clauses_);
@@ -112,6 +112,30 @@ class Telling {
   private:
     void say(std::string text, Said what, std::string key = {}) {
         clauses_.push_back({.amount = words_.amount, .text = std::move(text), .what = what, .key = std::move(key)});
+    }
+    /// Curves may be within the error of measuring of each other though a viewer sees an amount in one alone, or sees
+    /// it begin much earlier.
+    void tell_match() {
+        const double in_preview = a_.preview.peak.value_or(0.0), in_reference = a_.reference.peak.value_or(0.0);
+        const std::string seen_alone = " alone, though by no more than the error of measuring";
+        if (a_.in_preview == Presence::shown && a_.in_reference == Presence::none &&
+            in_reference < plain_alone * in_preview)
+            return say("is seen in the preview" + seen_alone, Said::surplus, silencing_key());
+        if (a_.in_reference == Presence::shown && a_.in_preview == Presence::none &&
+            in_preview < plain_alone * in_reference)
+            return say("is seen in the reference" + seen_alone, Said::missing, event_key(a_.reference, true));
+        const bool late = a_.late && std::abs(*a_.late) > plain_late;
+        if (late) tell_late();
+        if (const std::string apart = rough_match(a_, words_); !apart.empty())
+            say("matches within the error of measuring, which is large: " + apart, Said::rough_match);
+        else if (late)
+            say("matches within the error of measuring otherwise", Said::rough_match);
+        else
+            say("matches within the error of measuring", Said::match);
+    }
+    void tell_late() {
+        say(text("comes %.1f s too %s", std::abs(*a_.late), *a_.late > 0.0 ? "late" : "early"), Said::timing,
+            event_key(a_.preview, false));
     }
     bool tell_unmeasurable() {
         const bool preview = a_.in_preview == Presence::unmeasurable,
@@ -138,9 +162,7 @@ class Telling {
         return !clauses_.empty();
     }
     void tell_differences() {
-        if (a_.late && std::abs(*a_.late) > onset_error)
-            say(text("comes %.1f s too %s", std::abs(*a_.late), *a_.late > 0.0 ? "late" : "early"), Said::timing,
-                event_key(a_.preview, false));
+        if (a_.late && std::abs(*a_.late) > onset_error) tell_late();
         if (a_.peak_ratio && std::abs(*a_.peak_ratio - 1.0) >= ratio_share && a_.peak_over_error > 1.0)
             say("is " + size_text(*a_.peak_ratio, words_), Said::size, std::string(words_.size));
         if (std::string rises = speed_text("rises", a_.rise_difference, a_.reference.rise); !rises.empty())
@@ -187,9 +209,10 @@ std::string sentence_of(const std::vector<Clause>& all, std::string_view amount)
     return joined(parts);
 }
 
-/// Lower is told first.
-int rank(const AmountLikeness& amount) {
-    return amount.matches() ? 2 : amount.cannot_tell() ? 1 : 0;
+/// Lower is told first: what differs, then what nobody can tell, then what matches.
+int rank(const std::vector<Clause>& clauses) {
+    const Said first = clauses.front().what;
+    return first == Said::match || first == Said::rough_match ? 2 : first == Said::cannot_tell ? 1 : 0;
 }
 
 }  // namespace
@@ -199,7 +222,7 @@ std::vector<Clause> clauses(const Likeness& likeness, std::span<const ToolContac
         return {{.text = "preview and reference have no time in common", .what = Said::no_time, .key = {}}};
     std::vector<Clause> all = Telling(likeness.blood, blood_words, events).run();
     std::vector<Clause> of_veil = Telling(likeness.veil, veil_words, events).run();
-    const bool veil_first = rank(likeness.veil) < rank(likeness.blood);
+    const bool veil_first = rank(of_veil) < rank(all);
     all.insert(veil_first ? all.begin() : all.end(), std::make_move_iterator(of_veil.begin()),
                std::make_move_iterator(of_veil.end()));
     return all;

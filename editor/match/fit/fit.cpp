@@ -25,6 +25,7 @@ constexpr double bound_near = 1e-3;       // coordinates
 constexpr double held_error = 0.7;        // coordinates: a value of the preset is right within a factor of two or so
 constexpr double small_change = 0.02, farther = 3.0, farthest_least = 0.1;  // coordinates, standard errors, coordinates
 constexpr double much_less = 0.1;                                           // of what small changes do
+constexpr double telling_share = 0.25;                                      // of the moments
 constexpr double denial = 8.0;  // of the cost: four standard errors, when all else is found beside it
 const std::string density_key = "smoke.plume.density";  // changes what core_at() tells as emission, and no amount
 constexpr int rounds_beside_held = 3;                   // curves that are drawn at most once it is known what is held
@@ -87,8 +88,10 @@ class Fit {
         if (!early_) {
             leave_out_unseen();
             held_.assign(start_.size(), false);
+            const bool too_much = shows_smoke_of_its_own();
             for (const FreeParameter& p : input_.parameters)
-                shown_.push_back(shows_anything_of(p.key, objective_.target()));
+                shown_.push_back(shows_anything_of(p.key, objective_.target()) ||
+                                 (too_much && p.key.starts_with("smoke.")));
             if (match_colors() && learn_unknown()) search_and_hold();
             if (hold_undetermined()) search_rounds(rounds_beside_held - 1, options_with(held_));
             tell_certainties();
@@ -159,14 +162,29 @@ class Fit {
             return std::none_of(best_.frames.begin(), best_.frames.end(),
                                 [&](const FrameAmounts& frame) { return measurable(frame, curve); });
         };
-        const bool no_blood = none(Curve::blood), no_veil = none(Curve::veil);
+        const bool blind = none(Curve::blood), no_veil = none(Curve::veil);
+        const bool no_blood = blind || !blood_is_seen_;
         if (!no_blood && !no_veil) return;
         if (no_blood && no_veil)
             throw Error(Failure::bad_input,
-                        Fault{.file = "", .place = "", .reason = "no picture of the scene is measurable"});
+                        Fault{.file = "",
+                              .place = "",
+                              .reason = blind ? "no picture of the scene is measurable"
+                                              : "no bleeding is seen in the reference, and the veil is not measurable "
+                                                "in any picture of the scene: nothing to fit to"});
         for (TargetPoint& aim : target) (no_blood ? aim.blood : aim.veil).reset();
         objective_ = Objective(std::move(target), input_.weights, start_);
         best_.cost = objective_.cost(curves_of(best_.frames), start_);
+    }
+    /// Smoke of the scene where the reference has none, or less than can be: it is to go, although no course tells it.
+    bool shows_smoke_of_its_own() const {
+        std::ptrdiff_t moments = 0, more = 0;
+        for (std::size_t i = 0; i < input_.target.size() && i < best_.frames.size(); ++i) {
+            if (!input_.target[i].veil || !best_.frames[i].measurable()) continue;
+            ++moments;
+            if (best_.frames[i].veil.low > input_.target[i].veil->high) ++more;
+        }
+        return static_cast<double>(more) > telling_share * static_cast<double>(moments);
     }
     /// Draws a place, learns from it, and keeps it if it is the nearest; where one parameter was `moved` from the best
     /// place, only what that does is learnt. False: it was ended.
@@ -441,9 +459,10 @@ class Fit {
             fitted.determined = false;
             fitted.why = "the fit ended before that was known";
         } else if (!c.determined) {
-            fitted.why = behind_smoke_[k] ? std::string(behind_smoke)
-                                          : why_undetermined(k, input_.parameters, certainties_, objective_.target(),
-                                                             input_.weights);
+            fitted.why = behind_smoke_[k]
+                             ? std::string(behind_smoke)
+                             : why_undetermined(k, input_.parameters, certainties_,
+                                                blood_is_seen_ ? objective_.target() : input_.target, input_.weights);
             if (ruled_out_[k])
                 fitted.why += "; but the curves rule out the value before, so it is where they are nearest" +
                               std::string(fitted.at_bound ? ", at its bound" : "");
@@ -468,6 +487,7 @@ class Fit {
     std::vector<bool> behind_smoke_;    ///< of each parameter: it would be known if smoke hid no blood
     std::vector<bool> ruled_out_;       ///< of each parameter: the curves are much farther with its value before
     std::vector<Certainty> when_held_;  ///< of each parameter that is held
+    const bool blood_is_seen_ = shows_blood(input_.target);
     double last_cost_ = 0.0;
     bool early_ = false;
 };
@@ -482,9 +502,15 @@ void require_something(const FitInput& input) {
     const Weights& weights = input.weights;
     if (weights.blood == 0.0 && weights.veil == 0.0)
         refuse("the weights of blood and of the veil are 0: there is nothing to fit to");
+    const bool bleeds = shows_blood(input.target);
     const bool any = std::any_of(input.target.begin(), input.target.end(), [&](const TargetPoint& aim) {
-        return (aim.blood && weights.blood > 0.0) || (aim.veil && weights.veil > 0.0);
+        return (aim.blood && weights.blood > 0.0 && bleeds) || (aim.veil && weights.veil > 0.0);
     });
+    if (!any && !bleeds && weights.blood > 0.0 &&
+        std::any_of(input.target.begin(), input.target.end(), [](const TargetPoint& aim) { return aim.blood; }))
+        refuse(
+            "no bleeding is seen in the reference, and its veil does not count or is not measurable: nothing to fit "
+            "to");
     if (!any) refuse("neither blood nor veil of the reference is measurable within the scene: nothing to fit to");
 }
 

@@ -188,6 +188,7 @@ class Proposing {
     void propose_blood() {
         const std::vector<BloodPoint> points = blood_points();
         if (points.size() < 2) return say("blood: not measurable, it stays as it is");
+        if (!shows_blood(target_)) return say("blood: no bleeding is seen, it stays as it is");
         // A hot stroke keeps the time of its smoke: for the wounds it does not divide.
         Scene scene = proposal_.tuned.scene;
         for (ToolContact& event : scene.events) {

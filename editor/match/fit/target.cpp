@@ -9,6 +9,8 @@ namespace lapfx::match {
 
 namespace {
 
+constexpr double mistaken_for = 1.0;  // s: a shadow or an instrument that is taken for blood seldom stays longer
+constexpr double rounding = 1e-9;     // s
 constexpr double most_around = 0.25;  // s: the scene is drawn at one moment
 constexpr double hidden_by_veil = 0.1, usual_likeness = 0.75;
 
@@ -71,6 +73,20 @@ double course_error(const Amount& amount, const CourseError& course) {
     constexpr double deviates = 1.645;  // half a 90 % interval, in standard errors
     const double most = std::min(course.none + course.share * std::max(amount.value, 0.0), course.most);
     return std::clamp((amount.high - amount.low) / (2.0 * deviates), course.least, most);
+}
+
+bool shows_blood(std::span<const TargetPoint> target) {
+    std::optional<double> last;
+    double seen = 0.0;
+    for (const TargetPoint& aim : target) {
+        if (!aim.blood) continue;
+        const bool is_seen = aim.blood->low > 0.0;
+        // What is not measured between two moments is not counted whole: what is seen may be two mistakes.
+        seen = is_seen && last ? seen + std::min(aim.time - *last, mistaken_for) : 0.0;
+        last = is_seen ? std::optional(aim.time) : std::nullopt;
+        if (seen >= mistaken_for - rounding) return true;
+    }
+    return false;
 }
 
 std::optional<double> misfit(std::span<const TargetPoint> target, std::span<const FrameAmounts> shown,

@@ -52,7 +52,8 @@ std::string without_course(const Course& course, const std::string& amount) {
 
 /// The same of blood, which dense smoke hides.
 std::string without_blood(const Course& course, std::span<const TargetPoint> target) {
-    const std::string why = without_course(course, "blood");
+    const bool unseen = course.any && !shows_blood(target);
+    const std::string why = unseen ? "no bleeding is seen, left as it is" : without_course(course, "blood");
     const auto hidden = std::count_if(target.begin(), target.end(), [](const TargetPoint& aim) {
         return aim.veil && aim.veil->value > dense_veil && !aim.blood;
     });
@@ -68,7 +69,7 @@ bool too_rare(const std::string& key, std::span<const TargetPoint> target) {
 }
 
 bool shows_anything_of(const std::string& key, std::span<const TargetPoint> target) {
-    if (key.starts_with("bleeding.")) return course_of(target, &TargetPoint::blood).changes;
+    if (key.starts_with("bleeding.")) return shows_blood(target) && course_of(target, &TargetPoint::blood).changes;
     if (key.starts_with("smoke.")) return course_of(target, &TargetPoint::veil).changes;
     return true;
 }
@@ -80,10 +81,10 @@ std::string why_undetermined(std::size_t parameter, const std::vector<FreeParame
     const Course blood = course_of(target, &TargetPoint::blood), veil = course_of(target, &TargetPoint::veil);
     if (key.starts_with("bleeding.")) {
         if (weights.blood == 0.0) return "blood does not count, its weight is 0";
-        if (const std::string why = without_blood(blood, target); !why.empty()) return why;
-        if (too_rare(key, target))
+        if (blood.any && too_rare(key, target))
             return "blood of the reference is measurable in " + std::to_string(moments_with_blood(target)) + " of " +
                    std::to_string(target.size()) + " moments only";
+        if (const std::string why = without_blood(blood, target); !why.empty()) return why;
         if (key == "bleeding.max_extent" && blood.last > still_grows * blood.peak)
             return "blood still spreads when the video ends; a video of its standstill would tell it";
     }

@@ -12,7 +12,8 @@
 
 namespace lapfx::match {
 
-/// False for a parameter of blood or of smoke where the target's blood, or veil, does not change beyond its error.
+/// False for a parameter of blood or of smoke where the target's blood is not seen, or it or the veil does not change
+/// beyond its error.
 bool shows_anything_of(const std::string& key, std::span<const TargetPoint> target);
 
 /// True for a parameter of blood where blood is measurable in less than a quarter of the target's moments: what the

@@ -145,6 +145,38 @@ TEST(LikenessWords, PeaksWithinALargeErrorAreToldThough) {
               "reference 10 %; veil matches within the error of measuring");
 }
 
+TEST(LikenessWords, WhatIsSeenInOneAloneIsSaidThoughItIsWithinTheError) {
+    AmountLikeness a = alike();
+    a.in_reference = Presence::none, a.reference.peak = 0.05;
+    a.peak_ratio.reset(), a.area_ratio.reset();
+    expect(of_veil(a), "veil is seen in the preview alone, though by no more than the error of measuring",
+           Said::surplus, "events.3.power");
+    a.preview.onset = 0.8;
+    expect(of_blood(a), "blood is seen in the preview alone, though by no more than the error of measuring",
+           Said::surplus, "events.0.strength");
+    std::swap(a.preview, a.reference), std::swap(a.in_preview, a.in_reference);
+    expect(of_veil(a), "veil is seen in the reference alone, though by no more than the error of measuring",
+           Said::missing, "events.1.time");
+    a.preview.peak = 0.4;
+    expect(told(alike(), a).back(),
+           "veil matches within the error of measuring, which is large: its peak is 40 % of the view, in the reference "
+           "30 %",
+           Said::rough_match, "");
+}
+
+TEST(LikenessWords, WhatComesMuchTooEarlyIsSaidThoughItIsWithinTheError) {
+    AmountLikeness a = alike();
+    a.late = -0.9;
+    expect(told(alike(), a).back(), "veil matches within the error of measuring", Said::match, "");
+    a.late = -2.4;
+    const std::vector<Clause> all = told(alike(), a);
+    ASSERT_EQ(all.size(), 3U);
+    expect(all[0], "veil comes 2.4 s too early", Said::timing, "events.3.time");
+    EXPECT_EQ(in_words({.overlap = 10.0, .blood = alike(), .veil = a}),
+              "veil comes 2.4 s too early and matches within the error of measuring otherwise; blood matches within "
+              "the error of measuring");
+}
+
 TEST(LikenessWords, WhatDiffersIsSaidBeforeWhatNobodyCanTellAndThatBeforeAMatch) {
     AmountLikeness unknown = alike(), thin = different();
     unknown.error = 0.21, unknown.preview.peak = 0.3, unknown.reference.peak = 0.1;

@@ -263,6 +263,42 @@ TEST(Fit, WithoutBloodSaysSo) {
     EXPECT_NE(of(other, "smoke.haze.suction").why.find("shows no veil"), std::string::npos);
 }
 
+TEST(Fit, LeavesBleedingAsItIsWhereNoneIsSeen) {
+    document::Content truth = hidden(4.0, 12.0, 0.3, 0.15);
+    truth.scene.events.erase(truth.scene.events.begin());
+    Camera camera;
+    FitInput input = input_of({.hidden = truth}, camera);
+    for (TargetPoint& aim : input.target)
+        if (aim.time > 4.9 && aim.time < 5.7) aim.blood = Amount{0.2, 0.15, 0.25};  // it is mistaken for some moments
+    const FitResult found = fit(input);
+    EXPECT_EQ(found.tuned.preset.bleeding.speed, scene().preset.bleeding.speed);
+    EXPECT_EQ(found.tuned.preset.bleeding.max_extent, scene().preset.bleeding.max_extent);
+    for (const char* key : {"bleeding.speed", "bleeding.max_extent"}) {
+        EXPECT_FALSE(of(found, key).determined);
+        EXPECT_EQ(of(found, key).why, "no bleeding is seen, left as it is");
+    }
+    EXPECT_NEAR(found.tuned.preset.smoke.haze.accumulation, 0.3, 0.015);
+    input.weights.veil = 0.0;
+    try {
+        fit(input);
+        ADD_FAILURE() << "there is nothing to fit to";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.failure(), Failure::bad_input);
+        EXPECT_STREQ(e.what(),
+                     "no bleeding is seen in the reference, and its veil does not count or is not measurable: nothing "
+                     "to fit to");
+    }
+}
+
+TEST(Fit, SmokeThatTheReferenceHasNotIsTakenDown) {
+    Camera camera;
+    FitInput input = input_of({.hidden = hidden(4.0, 12.0, 0.01, 0.05), .keys = {"smoke.haze.accumulation"}}, camera);
+    input.start = hidden(4.0, 12.0, 0.3, 0.05);
+    const FitResult found = fit(input);
+    EXPECT_LT(found.tuned.preset.smoke.haze.accumulation, 0.03);
+    EXPECT_LT(*found.veil_after, 0.1 * *found.veil_before);
+}
+
 TEST(Fit, KeepsWithinItsBounds) {
     const FitResult found =
         found_for({.hidden = hidden(9.0, 12.0, 0.12, 0.05), .keys = {"bleeding.speed=3..6", "bleeding.max_extent"}});

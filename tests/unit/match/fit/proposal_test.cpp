@@ -158,10 +158,25 @@ TEST(Proposal, AddsToolsInViewAndTakesAwayOthers) {
     document::Content clear = scene();
     clear.scene.events.clear();
     const Proposal none = of(seen(clear));
-    EXPECT_EQ(none.tuned.scene.events[0].strength, 0.0);
+    EXPECT_EQ(none.tuned.scene.events[0], scene().scene.events[0]) << "nothing tells of blood";
     EXPECT_EQ(none.tuned.scene.events[1].power, 0.0);
     EXPECT_THAT(none.lines, testing::Contains(testing::HasSubstr("no smoke")));
-    EXPECT_THAT(none.lines, testing::Contains(testing::HasSubstr("blood: none")));
+    EXPECT_THAT(none.lines, testing::Contains("blood: no bleeding is seen, it stays as it is"));
+}
+
+TEST(Proposal, BloodOfAMomentIsNoWound) {
+    document::Content clear = hidden();
+    clear.scene.events.erase(clear.scene.events.begin());
+    std::vector<TargetPoint> target = seen(clear);
+    for (TargetPoint& aim : target)
+        if (aim.time > 4.9 && aim.time < 5.7) aim.blood = around(0.06, 0.02);  // as an instrument's red glare
+    const Proposal found = propose(clear, organ(), target, {.aspect = aspect});
+    EXPECT_THAT(found.lines, testing::Contains("blood: no bleeding is seen, it stays as it is"));
+    ASSERT_EQ(found.tuned.scene.events.size(), 1U);
+    EXPECT_EQ(found.tuned.preset.bleeding.max_extent, clear.preset.bleeding.max_extent);
+    for (TargetPoint& aim : target)
+        if (aim.time > 4.9) aim.blood = around(0.06, 0.02);
+    EXPECT_GT(propose(clear, organ(), target, {.aspect = aspect}).tuned.scene.events.size(), 1U) << "but this is one";
 }
 
 TEST(Proposal, SeesThroughAHazyBaseline) {

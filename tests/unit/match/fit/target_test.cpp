@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace lapfx::match {
 namespace {
 
@@ -96,6 +99,41 @@ TEST(Target, HiddenBloodIsTheMeanAroundEachTime) {
     for (FrameAmounts& frame : frames) frame.veil.value = 0.1 * frame.time, frame.likeness = 0.75;
     for (const TargetPoint& aim : target_of(frames, {.from = 1.0, .to = 3.0, .step = 0.5}))
         EXPECT_NEAR(aim.hidden_blood, 0.01 * aim.time, 1e-4) << aim.time;
+}
+
+/// Moments of which each has its lower end of blood; nothing: not measurable.
+std::vector<TargetPoint> bleeding(double step, const std::vector<std::optional<double>>& lows) {
+    std::vector<TargetPoint> target;
+    for (std::size_t i = 0; i < lows.size(); ++i) {
+        target.push_back({.time = step * static_cast<double>(i), .blood = {}, .veil = {}});
+        if (lows[i]) target.back().blood = Amount{*lows[i] + 0.02, *lows[i], *lows[i] + 0.04};
+    }
+    return target;
+}
+
+TEST(Target, BloodIsSeenWhereItStaysAboveNothingForASecond) {
+    EXPECT_FALSE(shows_blood({}));
+    EXPECT_FALSE(shows_blood(bleeding(0.2, std::vector<std::optional<double>>(50, 0.0))));
+    const auto seen_for = [](int moments) {
+        std::vector<std::optional<double>> lows(20, 0.0);
+        std::fill_n(lows.begin() + 7, moments, 0.01);
+        return shows_blood(bleeding(0.2, lows));
+    };
+    EXPECT_FALSE(seen_for(5)) << "0.8 s";
+    EXPECT_TRUE(seen_for(6));
+    EXPECT_FALSE(shows_blood(bleeding(0.2, {0.1, 0.1, 0.1, 0.0, 0.1, 0.1, 0.1, 0.0, 0.1}))) << "not at a stretch";
+    EXPECT_TRUE(shows_blood(bleeding(2.0, {0.1, 0.1})));
+}
+
+TEST(Target, WhatLiesBetweenTwoMomentsWithBloodIsNoBleedingOfThatLength) {
+    std::vector<std::optional<double>> lows(40);
+    EXPECT_FALSE(shows_blood(bleeding(0.2, lows)));
+    lows[3] = 0.01;
+    EXPECT_FALSE(shows_blood(bleeding(0.2, lows)));
+    lows[6] = 0.01;
+    EXPECT_FALSE(shows_blood(bleeding(0.2, lows))) << "0.6 s apart";
+    lows[7] = lows[8] = 0.01;
+    EXPECT_TRUE(shows_blood(bleeding(0.2, lows)));
 }
 
 TEST(Target, MisfitIsTheRootMeanSquare) {

@@ -31,19 +31,30 @@ std::string why(const std::string& key, const std::vector<TargetPoint>& target, 
 
 TEST(Undetermined, BloodThatSmokeHidesIsNotCalledMissing) {
     const auto none = [](int) { return 0.0; };
-    EXPECT_EQ(why("bleeding.max_extent", target_with(none, none)),
-              "the reference shows no blood beyond the error of measuring");
+    EXPECT_EQ(why("bleeding.max_extent", target_with(none, none)), "no bleeding is seen, left as it is");
+    EXPECT_EQ(why("bleeding.max_extent", target_with([](int i) { return i == 5 ? 0.3 : 0.0; }, none)),
+              "no bleeding is seen, left as it is")
+        << "for a moment alone";
+    EXPECT_EQ(why("bleeding.max_extent", target_with([](int) { return 0.3; }, none)),
+              "the reference shows no blood beyond the error of measuring")
+        << "all of it was there before";
     const auto hidden_late = [](int i) { return i < 6 ? 0.0 : -1.0; };
     EXPECT_EQ(why("bleeding.max_extent", target_with(hidden_late, [](int i) { return 0.07 * i; })),
-              "the reference shows no blood beyond the error of measuring; smoke hides it in 40 % of the moments");
+              "no bleeding is seen, left as it is; smoke hides it in 40 % of the moments");
     EXPECT_EQ(why("bleeding.max_extent", target_with([](int) { return -1.0; }, [](int) { return 0.7; })),
               "blood of the reference is not measurable; smoke hides it in 100 % of the moments");
     EXPECT_EQ(why("bleeding.max_extent", target_with(hidden_late, [](int) { return -1.0; })),
-              "the reference shows no blood beyond the error of measuring")
+              "no bleeding is seen, left as it is")
         << "what hides the veil as well is no smoke";
     EXPECT_EQ(why("bleeding.max_extent", target_with([](int) { return -1.0; }, [](int) { return 0.3; })),
               "blood of the reference is not measurable")
         << "nor is it dense enough: the tissue is not found";
+}
+
+TEST(Undetermined, BloodThatIsNotSeenShowsNothingOfBleeding) {
+    const auto none = [](int) { return 0.0; };
+    EXPECT_TRUE(shows_anything_of("bleeding.speed", target_with([](int i) { return 0.1 * i; }, none)));
+    EXPECT_FALSE(shows_anything_of("bleeding.speed", target_with([](int i) { return i == 5 ? 0.3 : 0.0; }, none)));
 }
 
 TEST(Undetermined, BloodInFewMomentsIsTooRare) {
