@@ -209,7 +209,7 @@ std::string sentence_of(const std::vector<Clause>& all, std::string_view amount)
     return joined(parts);
 }
 
-/// Lower is told first: what differs, then what nobody can tell, then what matches.
+/// Lower is told first: what differs or is nowhere measurable, then what nobody can tell, then what matches.
 int rank(const std::vector<Clause>& clauses) {
     const Said first = clauses.front().what;
     return first == Said::match || first == Said::rough_match ? 2 : first == Said::cannot_tell ? 1 : 0;

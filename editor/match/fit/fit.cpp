@@ -58,7 +58,7 @@ class Fit {
           shared_(shared),
           base_(input.start),
           start_(coordinates_of(input, input.start)),
-          objective_(input.target, input.weights, start_),
+          objective_(aim_of(input), input.weights, start_),
           carried_(start_.size(), share_of(input)) {
         for (const TargetPoint& aim : input.target) times_.push_back(aim.time);
         best_.coordinates = start_;
@@ -100,6 +100,13 @@ class Fit {
     }
 
   private:
+    /// Blood that is not seen is no aim: it may be noise.
+    static std::vector<TargetPoint> aim_of(const FitInput& input) {
+        std::vector<TargetPoint> aim = input.target;
+        if (!shows_blood(aim))
+            for (TargetPoint& point : aim) point.blood.reset();
+        return aim;
+    }
     static std::vector<double> coordinates_of(const FitInput& input, const document::Content& tuned) {
         std::vector<double> coordinates;
         for (const FreeParameter& p : input.parameters)
@@ -157,23 +164,23 @@ class Fit {
     }
     /// What the scene itself does not show measurably cannot be fitted. Throws Error (bad_input) where nothing is left.
     void leave_out_unseen() {
-        std::vector<TargetPoint> target = input_.target;
+        std::vector<TargetPoint> target(objective_.target().begin(), objective_.target().end());
         const auto none = [&](Curve curve) {
             return std::none_of(best_.frames.begin(), best_.frames.end(),
                                 [&](const FrameAmounts& frame) { return measurable(frame, curve); });
         };
         const bool blind = none(Curve::blood), no_veil = none(Curve::veil);
-        const bool no_blood = blind || !blood_is_seen_;
-        if (!no_blood && !no_veil) return;
-        if (no_blood && no_veil)
+        if ((blind || !blood_is_seen_) && no_veil)
             throw Error(Failure::bad_input,
                         Fault{.file = "",
                               .place = "",
                               .reason = blind ? "no picture of the scene is measurable"
                                               : "no bleeding is seen in the reference, and the veil is not measurable "
                                                 "in any picture of the scene: nothing to fit to"});
-        for (TargetPoint& aim : target) (no_blood ? aim.blood : aim.veil).reset();
+        if (!blind && !no_veil) return;
+        for (TargetPoint& aim : target) (blind ? aim.blood : aim.veil).reset();
         objective_ = Objective(std::move(target), input_.weights, start_);
+        first_place_.reset();  // it was searched for with what is left out now
         best_.cost = objective_.cost(curves_of(best_.frames), start_);
     }
     /// Smoke of the scene where the reference has none, or less than can be: it is to go, although no course tells it.

@@ -79,10 +79,10 @@ bool shows_blood(std::span<const TargetPoint> target) {
     std::optional<double> last;
     double seen = 0.0;
     for (const TargetPoint& aim : target) {
-        if (!aim.blood) continue;
-        const bool is_seen = aim.blood->low > 0.0;
-        // What is not measured between two moments is not counted whole: what is seen may be two mistakes.
-        seen = is_seen && last ? seen + std::min(aim.time - *last, mistaken_for) : 0.0;
+        const bool is_seen = aim.blood && aim.blood->low > 0.0;
+        // Where it is not measurable nothing is known: that neither ends what is seen nor is it a time of bleeding.
+        if (is_seen && last) seen += std::min(aim.time - *last, mistaken_for);
+        if (aim.blood && !is_seen) seen = 0.0;
         last = is_seen ? std::optional(aim.time) : std::nullopt;
         if (seen >= mistaken_for - rounding) return true;
     }

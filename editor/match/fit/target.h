@@ -55,8 +55,9 @@ inline constexpr CourseError blood_course{0.002, 0.002, 0.1, 0.006, 0.15}, veil_
 /// Standard error of a measured amount beside the others of its video.
 double course_error(const Amount& amount, const CourseError& course);
 
-/// Whether blood is seen: its interval stays above 0 for longer than what is taken for blood by mistake does. Where it
-/// is not, all that is measured of it may be noise, and a fit has nothing to aim at.
+/// Whether blood is seen: its interval stays above 0 for a second, times at which it is not measurable apart. What is
+/// taken for blood by mistake seldom does. Where it is not seen, all that is measured of it may be noise, and a fit has
+/// nothing to aim at.
 bool shows_blood(std::span<const TargetPoint> target);
 
 /// Root mean square difference to what a scene shows at the same times; nothing where they share no measurable one.

@@ -6,11 +6,11 @@ namespace lapfx::match {
 
 namespace {
 
-// Half of an interval grows with the amount, with the smoke before the tissue, with what the model leaves unexplained
-// and with what cannot be read; of a veil, half as strong is the least known. The factors were fitted to the pictures
-// of `lapfx bench measure`, seeds 1 and 2, renders and known smoke and blood over real frames, so that about nine of
-// ten intervals hold the true amount. A veil is harder to tell in renders, where they hold some 86 to 92 %, than over
-// real frames, where they hold 97 %.
+// Half of an interval grows with the amount and with what the model leaves unexplained, the upper half of blood's with
+// the smoke before the tissue and what cannot be read, too; of a veil, half as strong is the least known. The factors
+// were fitted to the pictures of `lapfx bench measure`, seeds 1 and 2, renders and known smoke and blood over real
+// frames, so that about nine of ten intervals hold the true amount. A veil is harder to tell in renders, where they
+// hold some 86 to 92 %, than over real frames, where they hold 97 %.
 constexpr double veil_least = 0.018, veil_of_middle = 0.34, veil_of_rest = 0.25;
 constexpr double blood_least = 0.01, blood_of_blood = 0.28, blood_of_veil = 0.28, blood_of_rest = 0.05,
                  blood_of_hidden = 0.1;

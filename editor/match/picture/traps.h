@@ -25,8 +25,7 @@ enum class InView : std::uint8_t {
 double reddest_tenth(const cv::Mat& code, const cv::Mat& view);
 
 /// `code`: CV_8UC3 BGR, 128 to 512 px on its longer side; `view`: CV_8U 255 inside (view_of), of the whole picture: a
-/// part that was chosen has another rim. What is neither bag nor trocar is tissue
-/// here, a black picture, too.
+/// part that was chosen has another rim. What is neither bag nor trocar is tissue here, a black picture, too.
 InView trap_of(const cv::Mat& code, const cv::Mat& view);
 
 }  // namespace lapfx::match

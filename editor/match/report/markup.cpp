@@ -1,5 +1,6 @@
 #include "match/report/markup.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>

@@ -27,9 +27,8 @@ glm::ivec2 report_picture_size(glm::dvec2 frame, double aspect = 0.0);
 using DrawPicture = std::function<std::optional<Image>(const document::Content& tuned, double time, glm::ivec2 size)>;
 
 /// Fills the report's moments; the result is held against what the fit began with. `aspect`: as of
-/// report_picture_size().
-/// `progress` is asked before each picture; `stop` ends the reading of one. False: one of them, or `draw`, stopped it.
-/// Throws what these throw.
+/// report_picture_size(). `progress` is asked before each picture; `stop` ends the reading of one. False: one of them,
+/// or `draw`, stopped it. Throws what these throw.
 bool add_pictures(FitReport& report, VideoReader& reference, double aspect, const DrawPicture& draw,
                   const Progress& progress = {}, const std::atomic<bool>* stop = nullptr);
 

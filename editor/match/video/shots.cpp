@@ -32,7 +32,7 @@ constexpr double followed_likeness = 0.25;
 constexpr int most_lost = 3;           // frames one after the other
 constexpr double well_seen = 0.5;      // of the frames that are compared
 constexpr double nearly_clear = 0.16;  // of clearness: as much as instruments on a sixth of the view take
-constexpr double no_hazier = 0.01;
+constexpr double no_hazier = 0.01;     // SeenFrame::haze: no more than from one clear frame to the next
 constexpr double enough_alike = 0.34;  // of them: for the baseline of another shot
 
 // Haze of a clear frame (SeenFrame::haze, SeenFrame::reddest): 0.08 to 0.27 and below -0.75 in clear frames of four
@@ -172,6 +172,20 @@ cv::Matx33d start_of(const SeenFrame& baseline, int frame, const std::vector<con
     return cv::Matx33d::diag({1 / width, 1 / width, 1}) * placement.place() * cv::Matx33d::diag({width, width, 1});
 }
 
+double least_haze(const std::vector<const Sample*>& samples, double otherwise) {
+    for (const Sample* sample : samples) otherwise = std::min(otherwise, sample->seen.haze);
+    return otherwise;
+}
+
+bool is_hazy(const SeenFrame& seen, const std::vector<const Sample*>& shot) {
+    return seen.haze > std::max(hazy, least_haze(shot, seen.haze) + hazier) ||
+           (seen.haze > pale_haze && seen.reddest > pale_red);
+}
+
+bool is_too_hazy(const SeenFrame& seen) {
+    return seen.haze > too_pale_haze && seen.reddest > too_pale_red;
+}
+
 /// In which share of a shot's frames the tissue of one of them is found again.
 double followed_share(const std::vector<const Sample*>& frames, std::size_t i) {
     const auto back = static_cast<std::ptrdiff_t>(frames.size() - i);
@@ -186,7 +200,10 @@ double followed_share(const std::vector<const Sample*>& frames, std::size_t i) {
 const Sample* earliest_like(const Sample* one, const std::vector<const Sample*>& frames) {
     std::size_t tried = 0;
     for (std::size_t i = 0; i < frames.size() && frames[i]->frame < one->frame && tried < candidates; ++i) {
-        if (frames[i]->clear < one->clear - nearly_clear || frames[i]->seen.haze > one->seen.haze + no_hazier) continue;
+        const SeenFrame& seen = frames[i]->seen;
+        if (frames[i]->clear < one->clear - nearly_clear || seen.haze > one->seen.haze + no_hazier) continue;
+        if (is_hazy(seen, frames) && !is_hazy(one->seen, frames)) continue;
+        if (is_too_hazy(seen) && !is_too_hazy(one->seen)) continue;
         ++tried;
         if (followed_share(frames, i) >= well_seen) return frames[i];
     }
@@ -211,20 +228,6 @@ const Sample* clearest_of(const std::vector<const Sample*>& shot) {
     const double most = *std::max_element(seen.begin(), seen.end());
     const auto best = std::find_if(seen.begin(), seen.end(), [most](double share) { return share >= 0.8 * most; });
     return frames[clear[static_cast<std::size_t>(best - seen.begin())]];
-}
-
-double least_haze(const std::vector<const Sample*>& samples, double otherwise) {
-    for (const Sample* sample : samples) otherwise = std::min(otherwise, sample->seen.haze);
-    return otherwise;
-}
-
-bool is_hazy(const SeenFrame& seen, const std::vector<const Sample*>& shot) {
-    return seen.haze > std::max(hazy, least_haze(shot, seen.haze) + hazier) ||
-           (seen.haze > pale_haze && seen.reddest > pale_red);
-}
-
-bool is_too_hazy(const SeenFrame& seen) {
-    return seen.haze > too_pale_haze && seen.reddest > too_pale_red;
 }
 
 WithoutBaseline reason_of(InView shown) {

@@ -315,6 +315,24 @@ TEST(BeginWithProposal, ToolsThatAreNearerThanTheProposedStay) {
     EXPECT_EQ(found.before.size(), input.target.size());
 }
 
+TEST(BeginWithProposal, BloodThatIsNotSeenMovesNothingFromTheFirstSearchOn) {
+    FitInput input = fit_of(scene(), hidden(), {"bleeding.speed", "bleeding.max_extent", "smoke.haze.accumulation"});
+    for (TargetPoint& aim : input.target) aim.blood = around(0.02 * aim.time / seconds, 0.05);  // never above nothing
+    begin_with_proposal(input);
+    for (const int most : {1000, 2}) {  // to its end, and ended early
+        int drawn = 0;
+        input.draw = [&drawn, most, camera = ideal_camera()](const document::Content& tuned,
+                                                             std::span<const double> times) {
+            return ++drawn > most ? std::optional<std::vector<FrameAmounts>>() : camera(tuned, times);
+        };
+        const FitResult found = fit(input);
+        EXPECT_EQ(found.ended_early, most == 2);
+        EXPECT_EQ(found.tuned.preset.bleeding.speed, scene().preset.bleeding.speed) << most;
+        EXPECT_EQ(found.tuned.preset.bleeding.max_extent, scene().preset.bleeding.max_extent) << most;
+        EXPECT_NE(found.tuned.preset.smoke.haze.accumulation, scene().preset.smoke.haze.accumulation) << most;
+    }
+}
+
 TEST(BeginWithProposal, ASceneThatIsTheReferenceStaysAsItIs) {
     FitInput input = fit_of(hidden(), hidden(), {"bleeding.speed", "bleeding.threshold", "smoke.haze.ventilation"});
     begin_with_proposal(input);

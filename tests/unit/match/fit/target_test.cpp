@@ -128,12 +128,15 @@ TEST(Target, BloodIsSeenWhereItStaysAboveNothingForASecond) {
 TEST(Target, WhatLiesBetweenTwoMomentsWithBloodIsNoBleedingOfThatLength) {
     std::vector<std::optional<double>> lows(40);
     EXPECT_FALSE(shows_blood(bleeding(0.2, lows)));
-    lows[3] = 0.01;
-    EXPECT_FALSE(shows_blood(bleeding(0.2, lows)));
-    lows[6] = 0.01;
-    EXPECT_FALSE(shows_blood(bleeding(0.2, lows))) << "0.6 s apart";
-    lows[7] = lows[8] = 0.01;
+    lows[3] = lows[30] = 0.01;
+    EXPECT_FALSE(shows_blood(bleeding(0.2, lows))) << "5.4 s apart, and nothing is known of what is between";
+    std::fill_n(lows.begin() + 3, 3, 0.01);
+    std::fill_n(lows.begin() + 30, 3, 0.01);
+    EXPECT_FALSE(shows_blood(bleeding(0.2, lows))) << "0.4 s each";
+    std::fill_n(lows.begin() + 30, 4, 0.01);
     EXPECT_TRUE(shows_blood(bleeding(0.2, lows)));
+    lows[20] = 0.0;
+    EXPECT_FALSE(shows_blood(bleeding(0.2, lows))) << "there is none between";
 }
 
 TEST(Target, MisfitIsTheRootMeanSquare) {
