@@ -28,10 +28,11 @@ namespace {
 constexpr int working_side = 256;  // px of the longer side
 constexpr double dark_view = 6.0;  // code value: a darker 95th percentile is a black picture
 constexpr float redder = 1.15F, darker = 0.85F, dark_noise = 0.004F;
-constexpr float white = 0.90F;           // linear: highlights say nothing of what is behind
-constexpr double bleached_share = 0.25;  // of the view
-constexpr float foreign_rest = 5.0F;     // residual in units of noise
-constexpr double view_slack = 0.02;      // of the longer side, around the view of the baseline
+constexpr float white = 0.90F;              // linear: highlights say nothing of what is behind
+constexpr double bleached_share = 0.25;     // of the view
+constexpr float foreign_rest = 5.0F;        // residual in units of noise
+constexpr double smoke_light_error = 0.25;  // share of it that is not known
+constexpr double view_slack = 0.02;         // of the longer side, around the view of the baseline
 
 // What makes a frame not measurable; found on real clips (tests/unit/match/video/real_frames_test.cpp).
 constexpr double least_valid = 0.3, least_compared = 0.05;
@@ -293,9 +294,10 @@ void Estimator::State::count() {
     counts.setTo(0.0F, aside);
 }
 
-/// Instruments that came into view: what no veil before the baseline explains, and is not red.
+/// Instruments that came into view: what no veil before the baseline explains, and is not red. Dense smoke is not quite
+/// as bright and of the same tint as it is taken for, and is no instrument for that.
 void Estimator::State::find_foreign() {
-    veil.residual(placed_linear, frame_linear, light_map, rest);
+    veil.residual(placed_linear, frame_linear, light_map, smoke_light_error, rest);
     foreign.create(size, CV_8U);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
@@ -344,7 +346,7 @@ void Estimator::State::find_amounts() {
     find_blood(placed_counted);
     find_foreign();
     free_veil.solve_narrow(placed_linear, frame_linear, counts, light_map, veil.veil());
-    free_veil.residual(placed_linear, frame_linear, light_map, rest);
+    free_veil.residual(placed_linear, frame_linear, light_map, 0.0, rest);
     aside = (blood.redder() | blood.blood()) & (rest > unexplained_rest);
     cv::dilate(aside | foreign, aside, cv::Mat());
     counts.setTo(0.0F, aside);

@@ -88,7 +88,7 @@ void HazeLightSurvey::add(const cv::Mat& baseline, const cv::Mat& frame, const c
                 tried.below += here.below;
                 continue;
             }
-            solver.residual(small_baseline_, small_frame_, light, rest_);
+            solver.residual(small_baseline_, small_frame_, light, 0.0, rest_);
             for (int y = 0; y < half.height; ++y)
                 for (int x = 0; x < half.width; ++x) {
                     const double r = rest_.at<float>(y, x), r2 = r * r / (outlier * outlier);

@@ -161,15 +161,18 @@ void VeilSolver::scale_to(double mean, const cv::Mat& part) {
     cv::min(cv::max(veil_ + (mean - cv::mean(veil_, part)[0]), 0.0), 1.0, veil_);
 }
 
-void VeilSolver::residual(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& light, cv::Mat& into) const {
+void VeilSolver::residual(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& light, double light_error,
+                          cv::Mat& into) const {
     into.create(frame.size(), CV_32F);
+    const auto of_light = static_cast<float>(light_error);
     for (int y = 0; y < frame.rows; ++y) {
         const auto *b = baseline.ptr<cv::Vec3f>(y), *f = frame.ptr<cv::Vec3f>(y), *h = light.ptr<cv::Vec3f>(y);
         const auto* veil = veil_.ptr<float>(y);
         auto* to = into.ptr<float>(y);
         for (int x = 0; x < frame.cols; ++x) {
-            const cv::Vec3f off = f[x] - b[x] - (h[x] - b[x]) * veil[x];
-            to[x] = std::sqrt(off.dot(off)) / noise_of(b[x], f[x]);
+            const cv::Vec3f off = f[x] - b[x] - (h[x] - b[x]) * veil[x], doubt = h[x] * (of_light * veil[x]);
+            const float noise = noise_of(b[x], f[x]);
+            to[x] = std::sqrt(off.dot(off) / (noise * noise + doubt.dot(doubt)));
         }
     }
 }

@@ -37,8 +37,10 @@ class VeilSolver {
 
     const cv::Mat& veil() const { return veil_; }      ///< CV_32F, 0..1
     const cv::Mat& weight() const { return weight_; }  ///< CV_32F, how much each pixel counted at last
-    /// What the model leaves unexplained: distance of frame and model over what their noise allows, CV_32F.
-    void residual(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& light, cv::Mat& into) const;
+    /// What the model leaves unexplained: distance of frame and model over what their noise allows, CV_32F. Where the
+    /// light may be off by the share `light_error` (0 or more), a dense veil is allowed more than a thin one.
+    void residual(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& light, double light_error,
+                  cv::Mat& into) const;
     /// The sum over `part` (CV_8U, 255) of the squared residual, each cut off at an outlier's.
     double misfit(const cv::Mat& baseline, const cv::Mat& frame, const cv::Mat& part, const cv::Mat& light) const;
 

@@ -94,6 +94,20 @@ cv::Mat round(const cv::Mat& picture) {
     return made;
 }
 
+TEST(Estimator, TakesDenseSmokeForNoInstrument) {
+    const cv::Mat clear = 0.5 * test::tissue();
+    Estimator estimator(test::image_of(clear), {.survey = std::make_shared<const Survey>()});
+    const double all = estimator.measure(test::image_of(clear), 0).valid;
+    const HazeLight another{.color = {0.31, 0.40, 0.42}};  // brighter than it is taken for, and of another tint
+    const FrameAmounts a =
+        estimator.measure(test::image_of(test::veiled(clear, even(0.7), test::light_of(another))), 1);
+    EXPECT_GT(a.valid, 0.95 * all);
+    cv::Mat held = clear.clone();
+    constexpr int width_of_shaft = 40;
+    held(cv::Rect(0, 100, test::width, width_of_shaft)) = cv::Scalar(0.16, 0.16, 0.16);
+    EXPECT_LT(estimator.measure(test::image_of(held), 2).valid, all - 0.9 * width_of_shaft / test::height);
+}
+
 /// White letters over all of a dark picture.
 cv::Mat title_card() {
     cv::Mat card = evenly({0.02F, 0.02F, 0.02F});

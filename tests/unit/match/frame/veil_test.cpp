@@ -70,10 +70,10 @@ TEST(Veil, ResidualIsInUnitsOfNoise) {
     VeilSolver solver;
     cv::Mat frame = test::veiled(clear, test::ramp(0.2, 0.2), light), rest;
     solver.solve(clear, frame, ones(), light);
-    solver.residual(clear, frame, light, rest);
+    solver.residual(clear, frame, light, 0.0, rest);
     EXPECT_LT(cv::mean(rest)[0], 0.2);
     frame(cv::Rect(50, 50, 10, 10)) = cv::Scalar(0.6, 0.1, 0.1);  // blue: neither tissue nor smoke
-    solver.residual(clear, frame, light, rest);
+    solver.residual(clear, frame, light, 0.0, rest);
     EXPECT_GT(rest.at<float>(55, 55), 5.0F);
 }
 
