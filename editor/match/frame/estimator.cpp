@@ -10,6 +10,7 @@
 #include "lapfx/error.h"
 #include "match/frame/blood.h"
 #include "match/frame/interval.h"
+#include "match/frame/painted_blood.h"
 #include "match/frame/veil.h"
 #include "match/frame/veil_model.h"
 #include "match/picture/camera_gains.h"
@@ -25,7 +26,6 @@ namespace lapfx::match {
 
 namespace {
 
-constexpr int working_side = 256;  // px of the longer side
 constexpr double dark_view = 6.0;  // code value: a darker 95th percentile is a black picture
 constexpr float redder = 1.15F, darker = 0.85F, dark_noise = 0.004F;
 constexpr float white = 0.90F;              // linear: highlights say nothing of what is behind
@@ -54,12 +54,6 @@ constexpr int wide_passes = 3;
 constexpr double telling_veil = 0.03;
 constexpr float unexplained_rest = 1.2F;
 constexpr double least_part = 0.01;  // of the picture, for the statistics of the veil
-
-cv::Size working_size_of(const Image& image) {
-    const double scale = std::min(1.0, static_cast<double>(working_side) / std::max(image.width, image.height));
-    return {std::max(16, static_cast<int>(std::lround(image.width * scale))),
-            std::max(16, static_cast<int>(std::lround(image.height * scale)))};
-}
 
 double share_of(const cv::Mat& part, const cv::Mat& whole) {
     const int all = cv::countNonZero(whole);
@@ -97,16 +91,6 @@ cv::Mat around(const cv::Mat& view) {
     return disc;
 }
 
-/// A round view that was given, CV_8U 255 inside.
-cv::Mat disc_of(const glm::dvec3& round, cv::Size size) {
-    cv::Mat disc = cv::Mat::zeros(size, CV_8U);
-    constexpr int parts = 4;  // of a pixel, as bits
-    const auto fixed = [](double px) { return static_cast<int>(std::lround(px * (1 << parts))); };
-    cv::circle(disc, {fixed(round.x * size.width - 0.5), fixed(round.y * size.height - 0.5)},
-               fixed(round.z * size.height - 0.5), 255, cv::FILLED, cv::LINE_8, parts);
-    return disc;
-}
-
 [[noreturn]] void refuse(const std::string& place, const std::string& reason) {
     throw Error(Failure::bad_input, Fault{.file = "", .place = place, .reason = reason});
 }
@@ -133,6 +117,7 @@ struct Estimator::State {
 
     VeilSolver veil, free_veil;
     BloodFinder blood;
+    cv::Mat clear_haze, painted;  // of a person's strokes: haze of the baseline, blood in the frame
     AppearanceFinder appearance;
     VeilFigures figures;
     cv::Mat frame_code, frame_linear, frame_redness, texture, last_texture, counts, rest, valid, foreign, white_part,
@@ -154,6 +139,7 @@ struct Estimator::State {
     void count();
     void find_foreign();
     void find_blood(const cv::Mat& within);
+    const cv::Mat& counted_blood() const { return options.painted_blood ? painted : blood.blood(); }
     void explain();
     FrameAmounts amounts_of(double time, bool moved);
     bool pale(double least) const;
@@ -195,6 +181,7 @@ Estimator::State::State(const Image& baseline, const EstimatorOptions& given)
     placement = Placement(own_texture, counted);
     lay_over();
     see_light(known.light);
+    if (options.painted_blood) clear_haze = options.painted_blood->haze_of(code);
 }
 
 void Estimator::State::see_light(const HazeLight& found) {
@@ -456,11 +443,12 @@ FrameAmounts Estimator::State::amounts_of(double time, bool moved) {
     amounts.rest = rest_share();
     amounts.hidden = share_of(blood.hidden(), valid);
     if (area > 0.0) {
-        amounts.blood.value = share_of(blood.blood(), valid);
+        amounts.blood.value = share_of(counted_blood(), valid);
         amounts.veil.value = cv::mean(veil.veil(), valid)[0];
     }
     judge(amounts, moved);
     set_intervals(amounts);
+    if (options.painted_blood && amounts.measurable()) set_painted_interval(amounts.blood);
     return amounts;
 }
 
@@ -515,6 +503,7 @@ FrameAmounts Estimator::measure(const Image& frame, double time) {
     s.lay_over();
     s.see_likeness();
     s.explain();
+    if (s.options.painted_blood) s.options.painted_blood->find(s.frame_code, s.clear_haze, s.painted);
     const FrameAmounts amounts = s.amounts_of(time, moved);
     s.texture.copyTo(s.last_texture);
     s.has_last = true;
@@ -534,7 +523,7 @@ cv::Size Estimator::working_size() const {
     return state_->size;
 }
 const cv::Mat& Estimator::blood() const {
-    return state_->blood.blood();
+    return state_->counted_blood();
 }
 const cv::Mat& Estimator::veil() const {
     return state_->veil.veil();

@@ -6,7 +6,8 @@
 //     draw(estimator.blood(), estimator.veil());  // the layers of the frame measured last
 //
 // Blood: share of the valid view where a film of it explains what changed, with the veil removed; where the baseline
-// does not lie well, what is redder than all of its tissue near by.
+// does not lie well, what is redder than all of its tissue near by. Where a person painted blood and what is none
+// (painted_blood.h), it is all that looks like it, and the veil stays as it is.
 // What the camera changed, exposure and white balance, is no amount: where that explains the frame better than smoke,
 // both are looked for over the baseline as it would be now (camera_gains.h). Veil: 1 - transmission of the smoke, mean
 // over the valid view. The model is that of scattering: a frame is baseline * (1 - veil) + light * veil, where `light`
@@ -31,6 +32,8 @@
 
 namespace lapfx::match {
 
+class PaintedBlood;  // match/frame/painted_blood.h
+
 /// What several frames of a video say about its view; found by Estimator::survey.
 struct Survey {
     HazeLight light;    ///< of dense smoke
@@ -47,6 +50,8 @@ struct EstimatorOptions {
     std::optional<glm::dvec3> round_view = {};
     std::shared_ptr<const Survey> survey = {};         ///< of the same baseline, when it is known already
     std::shared_ptr<const VeilModel> veil_model = {};  ///< of the mean veil; none: the shipped one
+    /// What a person's strokes say of this video's blood; none: what is new since the baseline is looked for.
+    std::shared_ptr<const PaintedBlood> painted_blood = {};
 };
 
 class Estimator {

@@ -56,4 +56,9 @@ void set_intervals(FrameAmounts& a) {
     set(a.blood, std::max(known, doubt * a.blood.value), std::max(known + missed, doubt * a.blood.value));
 }
 
+void set_painted_interval(Amount& blood) {
+    constexpr double factor = 2.0, least = 0.005;
+    set(blood, blood.value * (1.0 - 1.0 / factor) + least, blood.value * (factor - 1.0) + least);
+}
+
 }  // namespace lapfx::match

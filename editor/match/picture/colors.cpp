@@ -36,6 +36,13 @@ QuickCode::QuickCode() {
     table_ = table.data();
 }
 
+cv::Size working_size_of(const Image& image) {
+    constexpr int side = 256, least = 16;  // px
+    const double scale = std::min(1.0, static_cast<double>(side) / std::max(image.width, image.height));
+    return {std::max(least, static_cast<int>(std::lround(image.width * scale))),
+            std::max(least, static_cast<int>(std::lround(image.height * scale)))};
+}
+
 void shrink(const Image& image, cv::Size size, cv::Mat& into) {
     const cv::Mat whole(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.pixels.data()));
     cv::Mat small;

@@ -9,6 +9,9 @@
 
 namespace lapfx::match {
 
+/// The size at which an image is measured: at most 256 px on its longer side, at least 16 on each.
+cv::Size working_size_of(const Image& image);
+
 /// An image at `size`, CV_8UC3 BGR; each pixel is the mean of those that it stands for.
 void shrink(const Image& image, cv::Size size, cv::Mat& into);
 

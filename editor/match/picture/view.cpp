@@ -1,6 +1,7 @@
 #include "match/picture/view.h"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 namespace lapfx::match {
@@ -64,6 +65,20 @@ cv::Mat wanted_part(cv::Size size, const glm::dvec4& region, std::span<const Mas
         if (corners.size() >= 3) cv::fillPoly(wanted, std::vector<std::vector<cv::Point>>{corners}, 0);
     }
     return wanted;
+}
+
+cv::Mat disc_of(const glm::dvec3& round, cv::Size size) {
+    cv::Mat inside = cv::Mat::zeros(size, CV_8U);
+    constexpr int parts = 4;  // of a pixel, as bits
+    const auto fixed = [](double px) { return static_cast<int>(std::lround(px * (1 << parts))); };
+    cv::circle(inside, {fixed(round.x * size.width - 0.5), fixed(round.y * size.height - 0.5)},
+               fixed(round.z * size.height - 0.5), 255, cv::FILLED, cv::LINE_8, parts);
+    return inside;
+}
+
+cv::Mat view_in(const cv::Mat& code, const LookedAt& part) {
+    return (part.round_view ? disc_of(*part.round_view, code.size()) : view_of(code)) &
+           wanted_part(code.size(), part.region, part.masks);
 }
 
 }  // namespace lapfx::match

@@ -127,6 +127,14 @@ nlohmann::json json_of(std::optional<double> baseline, bool suggested) {
     return {{"time", *baseline}, {"suggested", suggested}};
 }
 
+/// Blood is absolute then: all that is in view.
+nlohmann::json json_of(const PaintedVideo& painted) {
+    return {{"file", painted.file},
+            {"absolute", true},
+            {"without_blood", painted.without_blood ? nlohmann::json(*painted.without_blood) : nlohmann::json(nullptr)},
+            {"threshold", painted.blood->threshold()}};
+}
+
 }  // namespace
 
 std::string csv_of(const Measurement& measurement) {
@@ -156,7 +164,7 @@ std::string json_of(const Measurement& measurement) {
                          {"to", shot.to},
                          {"baseline", json_of(shot.baseline, shot.suggested)},
                          {"without", shot.baseline ? nlohmann::json(nullptr) : nlohmann::json(row_of(shot.why).key)}});
-    const nlohmann::json whole{
+    nlohmann::json whole{
         {"format", "lapfx.amounts"},
         {"version", 1},
         {"baseline", json_of(measurement.baseline, measurement.suggested)},
@@ -170,6 +178,7 @@ std::string json_of(const Measurement& measurement) {
         {"course_only", measurement.course_only},
         {"notes", measurement.notes},
         {"frames", std::move(frames)}};
+    if (measurement.painted) whole["blood_by_strokes"] = json_of(*measurement.painted);
     return whole.dump(2) + "\n";
 }
 

@@ -43,6 +43,7 @@ void check(const VideoReader& video, const MeasureOptions& options) {
     check_time(video, "to", to);
     if (to < options.from) throw refused("to", seconds_text(to) + " is before from, " + seconds_text(options.from));
     if (options.baseline) check_time(video, "baseline", *options.baseline);
+    if (options.strokes) check_times(video, *options.strokes);
     if (options.every < 1) throw refused("every", std::to_string(options.every) + " is below the minimum 1");
     if (video.info().frames == 1)
         throw refused("", "has one frame; measuring compares frames with a clear one of the same view");
@@ -72,6 +73,15 @@ void tell_overlay(Measurement& found) {
     std::snprintf(text, sizeof text, "Burnt-in text or a logo is left out: %.1f %% of the picture.",
                   100.0 * pixels / static_cast<double>(overlay.total()));
     found.notes.emplace_back(text);
+}
+
+void tell_strokes(Measurement& found) {
+    if (!found.painted) return;
+    const auto without = found.painted->without_blood;
+    found.notes.push_back(
+        "Blood is all in view that looks as the strokes of " + found.painted->file + " say; " +
+        (without ? "the frame at " + seconds_text(*without) + " counts as without blood."
+                 : "no frame without blood is known, so what is doubtful is not counted (without_blood names one)."));
 }
 
 /// What is said of shots, once of each baseline.
@@ -139,6 +149,7 @@ std::ptrdiff_t count_of(const Measurement& found, Curve curve) {
 void sum_up(Measurement& found) {
     const std::ptrdiff_t veils = count_of(found, Curve::veil), courses = count_of(found, Curve::course);
     if (veils + courses == 0) refuse_all(found);
+    tell_strokes(found);
     tell_shots(found);
     tell_flags(found);
     tell_overlay(found);
@@ -332,7 +343,12 @@ Measurement measure(VideoReader& video, const MeasureOptions& options, const Pro
                              [&progress](double share) { return !progress || progress(find_share * share); });
     found.suggested = !options.baseline;
     found.baseline = options.baseline ? options.baseline : main_shot(found.shots)->baseline;
-    Frames frames(video, options, found, progress);
+    MeasureOptions learned = options;
+    if (options.strokes) {
+        found.painted = learn_blood(video, *options.strokes, found.baseline, options.estimator);
+        learned.estimator.painted_blood = found.painted->blood;
+    }
+    Frames frames(video, learned, found, progress);
     int frame = found.shots.front().first;
     for (const Shot& shot : found.shots) frame = frames.measure(shot, frame);
     sum_up(found);

@@ -20,6 +20,7 @@
 #include "lapfx/progress.h"
 #include "match/frame/estimator.h"
 #include "match/video/episode.h"
+#include "match/video/painted_video.h"
 #include "match/video/shots.h"
 
 namespace lapfx::match {
@@ -34,6 +35,8 @@ struct MeasureOptions {
     double from = 0.0;                    ///< s, the first that is measured
     std::optional<double> to = {};        ///< s, the last; none: to the end
     int every = 1;                        ///< measures every n-th frame
+    /// Of blood, by which it is looked for then; none: what is new since the baseline is.
+    std::optional<BloodStrokes> strokes = {};
     FrameMeasured measured = {};
 };
 
@@ -43,7 +46,8 @@ struct Measurement {
     std::optional<double> baseline;    ///< s: the one that was given, else that of the longest shot that has one
     bool suggested = false;            ///< the baseline was found, not given
     std::shared_ptr<const Survey> survey = std::make_shared<const Survey>();  ///< of that baseline; never null
-    Episode blood, veil;             ///< without figures where most frames do not have the amount
+    std::optional<PaintedVideo> painted = {};  ///< by whose strokes blood is all that is in view
+    Episode blood, veil;                       ///< without figures where most frames do not have the amount
     bool course_only = false;        ///< no level is known: the veil's episode has times only (FrameAmounts::course)
     std::vector<std::string> notes;  ///< what a reader of the figures should know, one line each
 };
@@ -61,7 +65,7 @@ void survey(VideoReader& video, Estimator& estimator, double from, double to, co
 double hazeness_of(const Image& image);
 
 /// Throws Error: bad_input for a baseline or a part outside the video, a baseline that the file cannot give, or a video
-/// without a measurable frame; runtime when `progress` stopped it.
+/// without a measurable frame, and for strokes as learn_blood(); runtime when `progress` stopped it.
 Measurement measure(VideoReader& video, const MeasureOptions& options, const Progress& progress = {});
 
 /// Why an amount has no peak and mean: "not measurable", or in how few frames it is.
@@ -71,7 +75,7 @@ std::string without_episode(const Measurement& measurement, Curve curve);
 /// and the flags, words with one space between them, say why.
 std::string csv_of(const Measurement& measurement);
 /// The same with shots and their baselines, light, episodes, notes, and of each frame how well it is seen and its
-/// course.
+/// course; where a person's strokes told the blood, also "blood_by_strokes": of which file, and that it is absolute.
 std::string json_of(const Measurement& measurement);
 /// Blood and veil over time with their intervals and episodes, 1280x720. A course is drawn without a scale.
 Image plot_of(const Measurement& measurement);

@@ -1,0 +1,64 @@
+// Strokes of a brush over frames of a surgery video, by which a person says what is blood there and what is not.
+//
+//     const match::BloodStrokes strokes = match::read_blood_strokes(text, "strokes.json", {640, 512});
+//     cv::Mat marks = match::marks_of(strokes, which, view);   // blood and other of one frame, as pixels
+//
+// A file of them:
+//
+//     {"format": "lapfx.blood_strokes", "version": 1, "without_blood": 0.4, "strokes": [
+//         {"time": 2.5, "marks": "blood", "radius": 6, "points": [[310, 200], [335, 214]]},
+//         {"time": 2.5, "marks": "other", "radius": 12, "points": [[120, 80], [180, 96], [230, 90]]}]}
+//
+// `time` and `without_blood`: s of the video. `points` and `radius` are px of the picture; where no coordinate of the
+// file is above 1 the points are fractions of width and height, and each radius is one of the width. Pure, any thread.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lapfx::match {
+
+/// What a stroke says of the pixels below it. These are the values of marks_of(), too; 0: nothing was painted there.
+enum class Mark : std::uint8_t {
+    blood = 1,
+    other = 2  ///< tissue, an instrument, or anything else that is no blood
+};
+struct MarkRow {
+    Mark mark;
+    std::string_view key;  ///< in a file
+};
+inline constexpr MarkRow mark_rows[] = {{Mark::blood, "blood"}, {Mark::other, "other"}};
+
+struct BloodStroke {
+    double time = 0.0;  ///< s of the video: of the frame that is painted over
+    Mark mark = Mark::blood;
+    double radius = 0.0;                  ///< of the brush, share of the picture's width, above 0
+    std::vector<glm::dvec2> points = {};  ///< fractions of the picture, from its upper left corner; at least one
+};
+
+inline constexpr std::size_t most_strokes = 500, most_stroke_points = 2000;
+inline constexpr double most_stroke_radius = 0.25;  // of the width
+
+struct BloodStrokes {
+    std::string file;                          ///< stands in messages and results
+    std::optional<double> without_blood = {};  ///< s of the video: a frame that has no blood, as a person says
+    std::vector<BloodStroke> strokes;          ///< a later one is painted over those before
+};
+
+/// `name`: BloodStrokes::file. `size`: of the video's pictures. Throws Error (bad_input) that names the place, the
+/// value and what is allowed, for what is not such a file, a key or value that is not known or not allowed, a point
+/// outside the picture, or strokes of which none marks blood.
+BloodStrokes read_blood_strokes(std::string_view json, const std::string& name, glm::ivec2 size);
+
+/// What the strokes of `which` (numbers in `strokes`) mark within `view` (CV_8U, 255 inside): CV_8U of its size, values
+/// of Mark. A brush has at least the pixel below each point. Throws Error (bad_input) for a stroke that lies outside of
+/// the view.
+cv::Mat marks_of(const BloodStrokes& strokes, std::span<const std::size_t> which, const cv::Mat& view);
+
+}  // namespace lapfx::match

@@ -1,0 +1,144 @@
+#include "match/frame/painted_blood.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <random>
+
+#include "lapfx/error.h"
+#include "match/picture/colors.h"
+
+namespace lapfx::match {
+
+namespace {
+
+// Those of experiments on real labelled operations.
+constexpr double strength = 0.1;  // of the regression: how much the examples count against small weights
+constexpr int clear_examples = 1000;
+constexpr std::uint32_t seed = 1;
+constexpr double thresholds[] = {0.5, 0.6, 0.7, 0.8, 0.9};
+constexpr double most_false = 0.005;                         // of the view of a frame without blood
+constexpr double blur = 2.0;                                 // px of 256 on the longer side, as the areas
+constexpr double least_piece = 100.0, largest_hole = 200.0;  // px of area
+
+/// Turns pieces of `mask` (CV_8U, 0 and 255) whose area is below `area` to 0; `within`: what counts.
+void drop_small(cv::Mat& mask, double area) {
+    cv::Mat labels, figures, middles;
+    const int count = cv::connectedComponentsWithStats(mask, labels, figures, middles, 8, CV_32S);
+    std::vector<std::uint8_t> kept(static_cast<std::size_t>(count), 0);
+    for (int label = 1; label < count; ++label)
+        if (figures.at<int>(label, cv::CC_STAT_AREA) >= area) kept[static_cast<std::size_t>(label)] = 255;
+    for (int y = 0; y < mask.rows; ++y)
+        for (int x = 0; x < mask.cols; ++x)
+            mask.at<std::uint8_t>(y, x) = kept[static_cast<std::size_t>(labels.at<int>(y, x))];
+}
+
+/// Whole pieces of what is likelier than `threshold`.
+cv::Mat pieces_of(const cv::Mat& chance, const cv::Mat& view, double threshold) {
+    const double area = std::pow(unit_of(chance.size()), 2);
+    cv::Mat blood = (chance >= threshold) & view;
+    drop_small(blood, least_piece * area);
+    cv::Mat none = view & ~blood;
+    drop_small(none, largest_hole * area);
+    return view & ~none;
+}
+
+}  // namespace
+
+/// Rows of features with what they are.
+struct PaintedBlood::Examples {
+    std::vector<double> figures;
+    std::vector<std::uint8_t> kinds;  // 1: blood
+
+    void add(const BloodFeatures& features, int y, int x, bool blood) {
+        for (const cv::Mat& feature : features) figures.push_back(feature.at<float>(y, x));
+        kinds.push_back(blood ? 1 : 0);
+    }
+    bool has(std::uint8_t kind) const { return std::ranges::find(kinds, kind) != kinds.end(); }
+    cv::Mat rows() {
+        return {static_cast<int>(kinds.size()), static_cast<int>(blood_feature_count), CV_64F, figures.data()};
+    }
+};
+
+PaintedBlood::PaintedBlood(const BloodStrokes& strokes, std::span<const PaintedPicture> pictures,
+                           const ClearPicture& clear, const LookedAt& part)
+    : part_(part) {
+    const auto refuse = [&strokes](const std::string& reason) {
+        throw Error(Failure::bad_input, Fault{.file = strokes.file, .place = "/strokes", .reason = reason});
+    };
+    cv::Mat clear_code, clear_haze;
+    if (clear.picture != nullptr) {
+        shrink(*clear.picture, working_size_of(*clear.picture), clear_code);
+        clear_haze = haze_of(clear_code);
+    }
+    Examples examples;
+    for (const PaintedPicture& painted : pictures) add(examples, painted.picture, clear_haze, strokes, painted.strokes);
+    if (!examples.has(1)) refuse("no stroke marks blood");
+    without_blood_ = clear.picture != nullptr && clear.without_blood != WithoutBlood::no;
+    if (without_blood_ && clear.without_blood == WithoutBlood::maybe && examples.has(0)) {
+        learned_ = Logistic::fit(examples.rows(), examples.kinds, strength);
+        without_blood_ = choose_threshold(clear_code, clear_haze);
+    }
+    if (without_blood_) add_some(examples, clear_code, clear_haze);
+    if (!examples.has(0)) refuse("no stroke marks what is no blood, and no frame without blood is known");
+    learned_ = Logistic::fit(examples.rows(), examples.kinds, strength);
+    threshold_ = *std::rbegin(thresholds);
+    if (without_blood_) choose_threshold(clear_code, clear_haze);
+}
+
+/// Of what the strokes mark; a picture of another size than the clear one has haze of its own.
+void PaintedBlood::add(Examples& examples, const Image& picture, const cv::Mat& clear_haze, const BloodStrokes& strokes,
+                       std::span<const std::size_t> which) const {
+    cv::Mat code;
+    shrink(picture, clear_haze.empty() ? working_size_of(picture) : clear_haze.size(), code);
+    const cv::Mat view = view_in(code, part_), marks = marks_of(strokes, which, view);
+    const BloodFeatures features = blood_features(code, view, clear_haze);
+    for (int y = 0; y < marks.rows; ++y)
+        for (int x = 0; x < marks.cols; ++x)
+            if (const auto mark = static_cast<Mark>(marks.at<std::uint8_t>(y, x)); mark != Mark{})
+                examples.add(features, y, x, mark == Mark::blood);
+}
+
+void PaintedBlood::add_some(Examples& examples, const cv::Mat& code, const cv::Mat& clear_haze) const {
+    const cv::Mat view = view_in(code, part_);
+    std::vector<cv::Point> inside;
+    cv::findNonZero(view, inside);
+    if (inside.empty()) return;
+    const BloodFeatures features = blood_features(code, view, clear_haze);
+    std::mt19937 random(seed);
+    for (int i = 0; i < clear_examples; ++i) {
+        const cv::Point& at = inside[random() % inside.size()];
+        examples.add(features, at.y, at.x, false);
+    }
+}
+
+cv::Mat PaintedBlood::haze_of(const cv::Mat& code) const {
+    return match::haze_of(code, view_in(code, part_));
+}
+
+cv::Mat PaintedBlood::chance_in(const cv::Mat& code, const cv::Mat& view, const cv::Mat& clear_haze) const {
+    const BloodFeatures features = blood_features(code, view, clear_haze);
+    cv::Mat chance(code.size(), CV_32F, cv::Scalar(learned_.bias));
+    for (std::size_t k = 0; k < features.size(); ++k) cv::scaleAdd(features[k], learned_.weights[k], chance, chance);
+    for (int y = 0; y < chance.rows; ++y)
+        for (float* p = chance.ptr<float>(y); p != chance.ptr<float>(y) + chance.cols; ++p)
+            *p = static_cast<float>(Logistic::chance(*p));
+    return mean_near(chance, view, blur * unit_of(code.size()));
+}
+
+/// The lowest at which hardly anything of a frame is taken for blood; the highest, and false, where there is none.
+bool PaintedBlood::choose_threshold(const cv::Mat& code, const cv::Mat& clear_haze) {
+    const cv::Mat view = view_in(code, part_), chance = chance_in(code, view, clear_haze);
+    for (const double threshold : thresholds) {
+        threshold_ = threshold;
+        if (cv::countNonZero(pieces_of(chance, view, threshold)) <= most_false * cv::countNonZero(view)) return true;
+    }
+    return false;
+}
+
+void PaintedBlood::find(const cv::Mat& code, const cv::Mat& clear_haze, cv::Mat& blood) const {
+    const cv::Mat view = view_in(code, part_);
+    blood = pieces_of(chance_in(code, view, clear_haze), view, threshold_);
+}
+
+}  // namespace lapfx::match
