@@ -25,6 +25,7 @@ constexpr int progress_steps = 100;
 
 struct Options {
     std::string video, output, json, plot, overlay, region, view;
+    std::string strokes;
     std::vector<std::string> masks;
     std::optional<double> baseline, to;
     double from = 0.0;
@@ -78,7 +79,8 @@ void print(const match::Measurement& found) {
 Error at_option(const Error& error, const std::string& file) {
     std::vector<Fault> faults = error.faults();
     for (Fault& fault : faults) {
-        if (fault.file.empty()) fault.file = file;
+        if (!fault.file.empty()) continue;  // of another file, at a place in it
+        fault.file = file;
         if (!fault.place.empty() && error.failure() == Failure::bad_input) fault.place = "--" + fault.place;
     }
     return {error.failure(), std::move(faults)};
@@ -157,6 +159,7 @@ match::Measurement measure(VideoReader& video, const Options& o) {
     for (const std::string& text : o.masks)
         for (match::MaskPolygon& mask : masks_of(text, video.info().size))
             options.estimator.masks.push_back(std::move(mask));
+    if (!o.strokes.empty()) options.strokes = strokes_of(o.strokes, video.info().size);
     Progress progress("measuring", progress_steps);
     OverlayFile overlay(o.overlay, video.info());  // after Progress: Ctrl-C leaves nothing of it
     if (overlay)
@@ -239,6 +242,10 @@ Verb measure_verb() {
                 "A polygon that is left out, such as an instrument: its corners x,y,x,y,x,y..., as --roi, or a "
                 "JSON file of polygons, [[[x,y],...],...]; may be repeated",
                 &o->masks, {.one_each = true});
+    verb.option("--blood", "FILE.json",
+                "Strokes that a person painted over one frame or more: what they mark as blood is learned, and all "
+                "that looks like it is found in each frame, whatever the baseline held",
+                &o->strokes);
     verb.option("--from", "S", "First time that is measured, s", &o->from, {.number = Number::finite});
     verb.option("--to", "S", "Last time that is measured, s", &o->to, {.number = Number::finite});
     add_blood(verb, "redness", o->blood.redness);
@@ -260,6 +267,17 @@ Verb measure_verb() {
         "Peak, mean, area under the curve, onset (10 % of the way to the peak), rise (10 % to 90 %) and decay (until\n"
         "half is gone) are those of the curve smoothed over 0.2 s. Where fewer than half of the frames have an amount\n"
         "it has none of them, and where it changes by no more than the error of measuring it has no times.\n\n"
+        "With --blood, blood is all that is in view; its interval is from half to twice of it, give or take .005. "
+        "Three\n"
+        "strokes over blood, also where it is thin, and six over what is none, folds in shadow and instruments among\n"
+        "them, will do; a second frame helps, and one behind smoke if there is smoke. The file is\n"
+        "  {\"format\": \"lapfx.blood_strokes\", \"version\": 1, \"without_blood\": 0.4, \"strokes\": [\n"
+        "    {\"time\": 2.5, \"marks\": \"blood\", \"radius\": 6, \"points\": [[310,200],[335,214]]},\n"
+        "    {\"time\": 2.5, \"marks\": \"other\", \"radius\": 12, \"points\": [[120,80],[180,96]]}]}\n"
+        "with times in s, points as --mask and radii in pixels (fractions of the width where points are fractions).\n"
+        "without_blood is the time of a frame that has no blood; it tells how much else looks like blood. Left out, "
+        "the\n"
+        "baseline counts as one if hardly anything in it looks as the strokes say.\n\n"
         "The columns of the CSV are time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags. What is not\n"
         "measurable is empty, and the flags say why, words with one space between them:\n  " +
         flag_words() +

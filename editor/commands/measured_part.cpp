@@ -12,6 +12,7 @@
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/file_guard.h"
 #include "lapfx/error.h"
+#include "lapfx/scene.h"
 
 namespace lapfx::commands {
 
@@ -131,6 +132,11 @@ glm::dvec3 round_view_of(const std::string& text, glm::ivec2 size) {
     if (view.z < least_view_radius || view.z > most_view_radius)
         throw wrong_option("--view", "the radius of \"" + text + "\" is outside 0.1 to 2 heights of the picture");
     return view;
+}
+
+match::BloodStrokes strokes_of(const std::string& file, glm::ivec2 size) {
+    note_read(file);
+    return match::read_blood_strokes(read_file(file, longest_file), file, size);
 }
 
 }  // namespace lapfx::commands

@@ -1,11 +1,12 @@
-// The parts of a picture that `lapfx measure` is told to look at or to leave out. Each is in pixels, or in fractions of
-// the picture if none of its numbers is above 1. All throw Error (bad_input).
+// The parts of a picture that `lapfx measure` is told to look at, to leave out, or to take for blood. Each is in
+// pixels, or in fractions of the picture if none of its numbers is above 1. All throw Error (bad_input).
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "match/frame/estimator.h"
+#include "match/frame/blood_strokes.h"
+#include "match/picture/view.h"
 
 namespace lapfx::commands {
 
@@ -15,5 +16,7 @@ std::vector<match::MaskPolygon> masks_of(const std::string& text, glm::ivec2 siz
 glm::dvec4 region_of(const std::string& text, glm::ivec2 size);
 /// --view: "x,y,r" as fractions of width, height and height; fractions if neither x nor y is above 1.
 glm::dvec3 round_view_of(const std::string& text, glm::ivec2 size);
+/// --blood: a file of strokes (match/frame/blood_strokes.h).
+match::BloodStrokes strokes_of(const std::string& file, glm::ivec2 size);
 
 }  // namespace lapfx::commands

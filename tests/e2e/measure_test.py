@@ -75,6 +75,64 @@ def mean_at(pixels, width, x, y, side=8):
     return [sum(pixels[i + c] for i in at) / len(at) for c in range(3)]
 
 
+def strokes_over(folder, name, *strokes, **more):
+    """A file of strokes, each (time, what it marks, points), 4 px thick at each side."""
+    path = os.path.join(folder, name)
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump({"format": "lapfx.blood_strokes", "version": 1, **more,
+                   "strokes": [{"time": time, "marks": marks, "radius": 4, "points": points}
+                               for time, marks, points in strokes]}, file)
+    return path
+
+
+def check_strokes(lapfx, reference, folder):
+    """A square of blood that the baseline holds already, and all else of the frame: strokes tell it."""
+    spot = os.path.join(folder, "there.avi")
+    ffmpeg("-i", reference, "-vf", "select=eq(n\\,0),loop=9:1,setpts=N/10/TB,format=bgr0,"
+           "drawbox=x=280:y=220:w=80:h=80:color=0x780608:t=fill", "-r", "10", "-frames:v", "10", "-c:v", "ffv1",
+           "-pix_fmt", "bgr0", spot)
+    blood = (0.5, "blood", [[300, 240], [340, 280]])
+    others = [(0.5, "other", points) for points in ([[200, 160], [240, 340]], [[400, 200], [420, 330]],
+                                                    [[250, 380], [400, 390]])]
+    path = strokes_over(folder, "strokes.json", blood, *others)
+    csv_file, json_file, overlay = (os.path.join(folder, "by." + end) for end in ("csv", "json", "mp4"))
+    code, _, told = run(lapfx, spot, "--baseline", "0", "--blood", path, "-o", csv_file, "--json", json_file,
+                        "--overlay", overlay)
+    assert code == 0, told
+    assert "Blood is all in view that looks as the strokes of " + path + " say; no frame without blood is known" in told
+    found = json.load(open(json_file))
+    assert found["blood_by_strokes"] == {"file": path, "absolute": True, "without_blood": None, "threshold": 0.9}, found
+    frame = found["frames"][-1]
+    share = 80 * 80 / (640 * 512) / frame["valid"]
+    value = frame["blood"]["value"]
+    assert 0.5 * share < value < 1.1 * share and frame["blood"]["low"] < share < frame["blood"]["high"], (frame, share)
+    assert abs(frame["blood"]["low"] - (value / 2 - 0.005)) < 1e-9, frame
+    assert abs(frame["blood"]["high"] - (2 * value + 0.005)) < 1e-9, frame
+    row = list(csv.DictReader(open(csv_file)))[-1]
+    assert abs(float(row["blood"]) - value) < 1e-5 and row["flags"] == "", row
+    there = mean_at(pixels_of(overlay, 8, 640, 512), 640, 316, 256)
+    assert all(abs(a - b) < 12 for a, b in zip(there, SPOT)), (there, SPOT)
+    code, _, told = run(lapfx, spot, "--baseline", "0", "-o", json_file)
+    assert code == 0 and "strokes" not in told, told
+    plain = json.load(open(json_file))
+    assert plain["frames"][-1]["blood"]["value"] < 0.005 and "blood_by_strokes" not in plain, plain["frames"][-1]
+    out = os.path.join(folder, "none.csv")
+    cases = [
+        (strokes_over(folder, "a.json", *others), ": /strokes: no stroke marks blood"),
+        (strokes_over(folder, "b.json", blood, (5, "other", [[9, 9]])),
+         ": /strokes/1/time: 5.00 s is outside the video (allowed: 0 to 1.00 s)"),
+        (strokes_over(folder, "c.json", (0.5, "blood", [[700, 2]])),
+         ": /strokes/0/points/0: [700,2] is not inside the picture of 640x512"),
+        (strokes_over(folder, "d.json", blood, without_blood=0.5), ": /without_blood: stroke 0 marks blood there"),
+        (os.path.join(folder, "nowhere.json"), "nowhere.json")]
+    for file, line in cases:
+        code, said, told = run(lapfx, spot, "--baseline", "0", "--blood", file, "-o", out)
+        assert code == 2 and said == "" and told.count("\n") == 1, (code, told)
+        assert told.startswith("lapfx: " + file) and line in told and not os.path.exists(out), (line, told)
+    code, _, told = run(lapfx, spot, "--blood", path, "--json", path, "-o", out)
+    assert code == 2 and told.count("\n") == 1 and "is a file that is read here" in told, told
+
+
 def stream_of(video):
     done = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
                            "stream=nb_read_frames,r_frame_rate,width,height", "-of", "json", video],
@@ -311,6 +369,7 @@ def main(lapfx, reference, light_reference):
     with tempfile.TemporaryDirectory() as folder:
         check_output(lapfx, reference, folder)
         check_overlay(lapfx, reference, folder)
+        check_strokes(lapfx, reference, folder)
         check_notes(lapfx, light_reference, folder)
         check_faults(lapfx, reference, folder)
         check_nothing_measurable(lapfx, reference, folder)
