@@ -24,6 +24,9 @@ constexpr Bound no_blood_moving[] = {{"false_area", 0.025}, {"false_area_95", 0.
 constexpr Bound blood_thin[] = {{"mean_absolute_error", 0.015}};
 constexpr Bound blood_veiled[] = {{"mean_absolute_error", 0.025}};
 constexpr Bound blood_labelled[] = {{"mean_absolute_error", 0.022}, {"correlation", 0.88, true}, {"dice", 0.55, true}};
+constexpr Bound blood_painted[] = {
+    {"mean_absolute_error", 0.02}, {"dice", 0.5, true}, {"interval_coverage", 0.85, true}};
+constexpr Bound none_painted[] = {{"false_area", 0.005}};
 constexpr Bound dense[] = {{"told", 1.0, true}};
 constexpr double most_of_moving = 0.75, most_of_hard = 0.8;  // of the pictures, to be measured at least
 
@@ -47,10 +50,10 @@ bool always(const Picture&) {
 }
 
 bool still(const Picture& p) {
-    return !p.moves && !p.labelled;
+    return !p.moves && !p.labelled && p.by_strokes == 0;
 }
 bool moving(const Picture& p) {
-    return p.moves && !p.labelled;
+    return p.moves && !p.labelled && p.by_strokes == 0;
 }
 bool under(const Picture& p, double from, double to) {
     return p.true_veil >= from && p.true_veil < to;
@@ -86,7 +89,17 @@ const PictureClass classes[] = {
     {"blood_dense", "v > .4: blood told not measurable", Asked::told,
      [](const Picture& p) { return !p.labelled && p.true_veil > match::dense_veil; }, blood, blood_measurable, dense},
     {"blood_labelled", "blood labelled by a person, scene moves", Asked::amount,
-     [](const Picture& p) { return p.labelled; }, blood, blood_measurable, blood_labelled, most_of_hard}};
+     [](const Picture& p) { return p.labelled && p.by_strokes == 0; }, blood, blood_measurable, blood_labelled,
+     most_of_hard},
+    {"blood_by_strokes", "blood by strokes over one frame", Asked::amount,
+     [](const Picture& p) { return p.by_strokes == 1 && p.true_blood > next_to_nothing; }, blood, blood_measurable,
+     blood_painted, most_of_hard},
+    {"blood_by_strokes_none", "  the frame before the bleeding, learned from", Asked::amount,
+     [](const Picture& p) { return p.by_strokes == 1 && p.true_blood <= next_to_nothing; }, blood, blood_measurable,
+     none_painted, most_of_hard},
+    {"blood_by_strokes_two", "blood by strokes over two frames", Asked::amount,
+     [](const Picture& p) { return p.by_strokes == 2 && p.true_blood > next_to_nothing; }, blood, blood_measurable,
+     blood_painted, most_of_hard}};
 
 void add_line(BenchReport& report, const std::string& name, const Figures& figures, const std::string& bounds,
               const std::string& verdict) {
@@ -149,7 +162,7 @@ struct Told {
     bool known_where_labelled;
 
     bool tells(const Picture& picture) const {
-        return measurable(picture) && (known_where_labelled || !picture.labelled);
+        return measurable(picture) && (known_where_labelled || !picture.labelled) && picture.by_strokes == 0;
     }
     std::vector<Reading> readings_of(std::span<const Picture> pictures) const {
         std::vector<Reading> all;
@@ -257,7 +270,8 @@ void add_classes(BenchReport& report, std::span<const Picture> pictures, bool re
     const bool labelled = std::ranges::any_of(pictures, &Picture::labelled),
                others = !labelled || !std::ranges::all_of(pictures, &Picture::labelled);
     for (const PictureClass& row : classes)
-        if (row.key == "blood_labelled" ? labelled : others) add_class(report, row, pictures, real);
+        if (row.key == "blood_labelled" || row.key.starts_with("blood_by_strokes") ? labelled : others)
+            add_class(report, row, pictures, real);
     report.table += "\n";
     for (const Told& told : all_told)
         if (others || told.known_where_labelled) add_as_shipped(report, told.amount, told.readings_of(pictures), real);

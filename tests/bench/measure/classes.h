@@ -17,6 +17,7 @@ struct MeasuredPicture {
     int view = 0;  ///< pictures of one view have the same baseline
     bool real = false, moves = false, shifted = false;
     bool labelled = false;  ///< a person said where its blood is; its veil is not known
+    int by_strokes = 0;     ///< its blood is told by strokes over so many frames (by_strokes.h); 0: by the baseline
     std::map<std::string, std::string> labels;
     double true_blood = 0.0, true_veil = 0.0;
     std::optional<double> dice;  ///< of blood; none where next to nothing is there

@@ -48,6 +48,14 @@ TEST(Classes, ArePickedByMotionAndTheVeilBeforeTheBlood) {
     MeasuredPicture labelled = picture(0.0, 0.1, true);
     labelled.labelled = true;
     EXPECT_THAT(classes_of(labelled), ElementsAre("blood_labelled")) << "its veil is not known";
+    MeasuredPicture by_strokes = labelled;
+    for (const auto& [frames, blood, key] : {std::tuple{1, 0.1, "blood_by_strokes"},
+                                             {1, 0.0, "blood_by_strokes_none"},
+                                             {2, 0.1, "blood_by_strokes_two"}}) {
+        by_strokes.by_strokes = frames;
+        by_strokes.true_blood = blood;
+        EXPECT_THAT(classes_of(by_strokes), ElementsAre(key));
+    }
     MeasuredPicture shifted = picture(0.05, 0.1);
     shifted.shifted = true;
     EXPECT_THAT(classes_of(shifted),
@@ -67,7 +75,10 @@ TEST(Classes, HaveTheBoundsOfTheIssue) {
                                      Pair("blood_moving_none", "false area <= 0.025;its 95 % <= 0.08;"),
                                      Pair("blood_veil_15", "MAE <= 0.015;"), Pair("blood_veil_30", "MAE <= 0.025;"),
                                      Pair("blood_dense", "told >= 1;"),
-                                     Pair("blood_labelled", "MAE <= 0.022;r >= 0.88;Dice >= 0.55;")));
+                                     Pair("blood_labelled", "MAE <= 0.022;r >= 0.88;Dice >= 0.55;"),
+                                     Pair("blood_by_strokes", "MAE <= 0.02;Dice >= 0.5;intervals >= 0.85;"),
+                                     Pair("blood_by_strokes_none", "false area <= 0.005;"),
+                                     Pair("blood_by_strokes_two", "MAE <= 0.02;Dice >= 0.5;intervals >= 0.85;")));
 }
 
 TEST(Classes, BoundsAreNotKeptByRefusingPictures) {
@@ -112,6 +123,24 @@ TEST(Classes, LabelledPicturesHaveARowWhereThereAreAny) {
     EXPECT_EQ(rows(std::vector{labelled}), 0);
     labelled.labelled = true;
     EXPECT_EQ(rows(std::vector{labelled}), 1);
+}
+
+TEST(Classes, IntervalsOfBloodByStrokesAreOfTheirOwnRowAlone) {
+    MeasuredPicture labelled = picture(0.0, 0.1, true);
+    labelled.labels["operation"] = "here/0";
+    labelled.labelled = true;
+    MeasuredPicture by_strokes = labelled;
+    by_strokes.by_strokes = 1;
+    by_strokes.measured.blood = {.value = 0.3, .low = 0.2, .high = 0.4};
+    BenchReport report;
+    add_classes(report, std::vector{labelled, by_strokes}, true);
+    const auto coverage = [&report](const char* of, const char* figure) {
+        return std::ranges::find(report.rows, std::string(of), [](const BenchRow& row) { return row.of.at("class"); })
+            ->measured.at(figure);
+    };
+    EXPECT_EQ(coverage("blood_intervals_as_shipped", "coverage"), 1.0);
+    EXPECT_EQ(coverage("blood_by_strokes", "interval_coverage"), 0.0);
+    EXPECT_NEAR(coverage("blood_by_strokes", "mean_absolute_error"), 0.2, 1e-12);
 }
 
 TEST(Classes, BloodBehindADenseVeilHasToBeToldOfEachPicture) {

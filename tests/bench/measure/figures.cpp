@@ -24,6 +24,7 @@ constexpr Named short_names[] = {{"mean_absolute_error", "MAE"},
                                  {"false_area", "false area"},
                                  {"false_area_95", "its 95 %"},
                                  {"told", "told"},
+                                 {"interval_coverage", "intervals"},
                                  {"coverage", "coverage"}};
 
 /// An interval is cut off at 0 and 1: its longer side has the half width.

@@ -4,14 +4,16 @@
 // its colour, camera, light, preset, wounds and burns; shift, gain, white balance, noise, compression
 // (camera.cpp). --quick draws a tenth of them. With --over known veils and blood are laid over real clear frames as
 // well (over.cpp), and with --labelled real frames are measured in which a person said where the blood is
-// (labelled.cpp). The true amounts of renders come from their layers (Preview::layers), before noise and compression:
-// blood is each pixel whose light blood changes by more than a tenth, veil the mean of 1 - transmission, both over the
-// view without the instrument. Each picture is measured by the estimator with a clear picture of the same view as
-// baseline, as `lapfx measure` does. Classes, bounds and figures: classes.cpp.
+// (labelled.cpp), also with their blood told by ten draws of strokes over one and over two of them (by_strokes.cpp).
+// The true amounts of renders come from their layers (Preview::layers), before noise and compression: blood is each
+// pixel whose light blood changes by more than a tenth, veil the mean of 1 - transmission, both over the view without
+// the instrument. Each picture is measured by the estimator with a clear picture of the same view as baseline, as
+// `lapfx measure` does. Classes, bounds and figures: classes.cpp.
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
 
 #include "bench/benches.h"
+#include "bench/measure/by_strokes.h"
 #include "bench/measure/classes.h"
 #include "bench/measure/each.h"
 #include "bench/measure/labelled.h"
@@ -29,9 +31,9 @@ namespace lapfx::bench {
 namespace {
 
 struct Extent {
-    int stills, clips, pictures_of_clip, composites, timed_frames;
+    int stills, clips, pictures_of_clip, composites, timed_frames, draws;
 };
-constexpr Extent whole{200, 20, 40, 4, 200}, quick{20, 3, 9, 2, 0}, least{4, 1, 8, 2, 5};
+constexpr Extent whole{200, 20, 40, 4, 200, 10}, quick{20, 3, 9, 2, 0, 10}, least{4, 1, 8, 2, 5, 1};
 
 constexpr std::size_t longest_model = 1 << 20;  // bytes
 constexpr double least_area = 0.005;            // of the view: of less blood the Dice is chance
@@ -127,6 +129,22 @@ std::string measure_over(const BenchOptions& options, const match::EstimatorOpti
     return text;
 }
 
+/// The same frames with their blood told by strokes over one of them, and over two.
+void measure_by_strokes(const KnownView& view, int index, const BenchOptions& options,
+                        match::EstimatorOptions estimator, int draws, std::vector<MeasuredPicture>& pictures) {
+    for (const int frames : {1, 2})
+        for (int draw = 0; draw < draws; ++draw) {
+            Random random(static_cast<std::uint32_t>(options.seed), static_cast<std::uint32_t>(frames),
+                          static_cast<std::uint32_t>(100 * index + draw));
+            const PaintedView painted = painted_view(view, random, frames);
+            if (!painted.blood) continue;
+            estimator.painted_blood = painted.blood;
+            const std::size_t before = pictures.size();
+            measure_view(painted.view, index, estimator, pictures);
+            for (std::size_t i = before; i < pictures.size(); ++i) pictures[i].by_strokes = frames;
+        }
+}
+
 /// Share of the bounds that are kept.
 double met_of_all(const BenchReport& report) {
     double met = 0.0, all = 0.0;
@@ -160,7 +178,10 @@ BenchReport bench_measure(const BenchOptions& options) {
     }
     std::vector<MeasuredPicture> over;
     const std::string left_out = options.over.empty() ? "" : measure_over(options, estimator, extent.composites, over);
-    for (int index = 0; const KnownView& view : labelled) measure_view(view, index++, estimator, over);
+    for (int index = 0; const KnownView& view : labelled) {
+        measure_view(view, index, estimator, over);
+        measure_by_strokes(view, index++, options, estimator, extent.draws, over);
+    }
     if (!options.frames.empty()) {
         std::vector<MeasuredPicture> all = pictures;
         all.insert(all.end(), over.begin(), over.end());
