@@ -495,6 +495,15 @@ std::shared_ptr<const Survey> Estimator::surveyed() const {
     return std::make_shared<const Survey>(std::move(found));
 }
 
+double Estimator::as_red_as_blood() const {
+    const State& s = *state_;
+    cv::Mat linear, redness;
+    to_linear(s.code, linear);
+    cv::GaussianBlur(linear, linear, {3, 3}, 0);
+    redness_of(linear, redness);
+    return share_of(redness >= s.options.blood.redness, s.counted);
+}
+
 FrameAmounts Estimator::measure(const Image& frame, double time) {
     State& s = *state_;
     s.see_overlay();

@@ -69,6 +69,9 @@ class Estimator {
     /// survey.
     bool survey(const Image& frame);
     std::shared_ptr<const Survey> surveyed() const;
+    /// How much of the baseline's tissue is as red as blood by the qualifier, 0..1: it may hold as much blood, which no
+    /// frame is told to have, since only what is new is measured.
+    double as_red_as_blood() const;
 
     /// `frame` has the shape of the baseline, at any size. Frames follow each other in time: cuts and strong motion are
     /// found from one to the next; forget() begins again. `place`: where the baseline lies in the next frame, from its

@@ -84,13 +84,21 @@ void tell_strokes(Measurement& found) {
                  : "no frame without blood is known, so what is doubtful is not counted (without_blood names one)."));
 }
 
+/// Why the baseline that was given does not serve a shot, and what does.
+std::string other_text(const Measurement& found, const Shot& shot) {
+    return "the baseline at " + seconds_text(*found.baseline) + " does not show its tissue; " +
+           (shot.baseline ? "it is compared with the frame at " + seconds_text(*shot.baseline) +
+                                (found.painted ? "" : ", and blood that is there already is not seen")
+                          : std::string(row_of(shot.why).help));
+}
+
 /// What is said of shots, once of each baseline.
 void tell_shots(Measurement& found) {
     std::vector<std::string> notes;
     for (const Shot& shot : found.shots) {
-        if (shot.why == WithoutBaseline::hazy)
+        if (shot.other || shot.why == WithoutBaseline::hazy)
             notes.push_back(seconds_text(shot.from) + " to " + seconds_text(shot.to) + ": " +
-                            std::string(row_of(shot.why).help) + ".");
+                            (shot.other ? other_text(found, shot) : std::string(row_of(shot.why).help)) + ".");
         if (!shot.baseline || !shot.hazy) continue;
         std::string note = "The baseline at " + seconds_text(*shot.baseline) +
                            " may be hazy itself: smoke is what is denser than there.";
@@ -269,6 +277,7 @@ class Frames {
             estimator->forget(shot.start);
             if (shot.baseline == found_.baseline) found_.survey = estimator->surveyed();
         }
+        held_ = shot.other && estimator != nullptr && !found_.painted ? estimator->as_red_as_blood() : 0.0;
         last_.reset();
         bool cut = shot.cut;
         for (; frame <= shot.last; frame += options_.every) {
@@ -289,7 +298,11 @@ class Frames {
     FrameAmounts amounts_of(const Shot& shot, Estimator* estimator, int frame) {
         const double time = video_.time_of(frame);
         if (!video_.read(frame, image_)) return {.time = time, .flags = told::missing};
-        if (estimator != nullptr) return estimator->measure(image_, time);
+        if (estimator != nullptr) {
+            FrameAmounts amounts = estimator->measure(image_, time);
+            amounts.blood.high = std::min(amounts.blood.high + held_, 1.0);
+            return amounts;
+        }
         SeenFrame seen = look_at(image_);
         if (last_) tell_smoke_from_bag(*last_, seen);
         FrameAmounts amounts = unserved(seen, time, shot.why == WithoutBaseline::hazy);
@@ -307,6 +320,7 @@ class Frames {
     Image image_;
     std::optional<SeenFrame> last_;  // of the same shot, without an estimator
     double last_time_ = 0.0;
+    double held_ = 0.0;  // share of the view: as much blood may be in the baseline of a shot that another was given for
     double share_ = find_share;
 };
 
@@ -325,7 +339,7 @@ double suggest_baseline(VideoReader& video, double from, double to, const Progre
     const std::vector<Shot> shots = find_shots(video, from, to, {}, progress);
     const Shot& shot = *main_shot(shots);
     if (shot.baseline) return *shot.baseline;
-    if (shot.clearest) return *shot.clearest;
+    if (shot.clear) return *shot.clear;
     throw refused("", "has no frame that is measurable: " + std::string(row_of(shot.why).help));
 }
 

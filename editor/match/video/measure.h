@@ -52,7 +52,8 @@ struct Measurement {
     std::vector<std::string> notes;  ///< what a reader of the figures should know, one line each
 };
 
-/// The time of the baseline of the longest shot; where each of its frames is hazy, of the clearest one all the same.
+/// The time of the baseline of the longest shot; where each of its frames is hazy, of its earliest that is nearly as
+/// clear as the clearest all the same.
 /// Throws Error: bad_input where no tissue is in view, runtime when `progress` stopped it.
 double suggest_baseline(VideoReader& video, double from, double to, const Progress& progress = {});
 

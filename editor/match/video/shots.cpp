@@ -261,6 +261,7 @@ struct ShotsSoFar {
     void take(std::size_t i, const Offer& offer) {
         shots[i].baseline = offer.time;
         shots[i].suggested = offer.suggested;
+        shots[i].other = shots[i].other && offer.suggested;
         shots[i].why = WithoutBaseline::has_one;
         shots[i].hazy = is_hazy(*offer.seen, samples[i]);
         if (shots[i].first <= offer.frame && offer.frame <= shots[i].last)
@@ -276,11 +277,11 @@ void propose(VideoReader& video, double least, ShotsSoFar& found) {
         if (shot.baseline || shot.why != WithoutBaseline::brief || shot.to - shot.from < least) continue;
         const Sample* const best = clearest_of(found.samples[i]);
         if (best == nullptr) continue;
-        shot.clearest = video.time_of(best->frame);
+        shot.clear = video.time_of(best->frame);
         if (is_too_hazy(best->seen))
             shot.why = WithoutBaseline::hazy;
         else
-            found.take(i, {.frame = best->frame, .time = *shot.clearest, .seen = &best->seen});
+            found.take(i, {.frame = best->frame, .time = *shot.clear, .seen = &best->seen});
     }
 }
 
@@ -379,11 +380,12 @@ std::vector<Shot> find_shots(VideoReader& video, double from, double to, std::op
         given = look_at(image);
         const Offer offer{.frame = frame, .time = *baseline, .seen = &*given, .suggested = false};
         for (std::size_t i = 0; i < found.shots.size(); ++i) {
-            const Shot& shot = found.shots[i];
-            const bool own = shot.first <= frame && frame <= shot.last;
-            if (own || (shot.why == WithoutBaseline::brief &&
-                        seen_of(*offer.seen, thinned(found.samples[i], compared)) >= enough_alike))
+            Shot& shot = found.shots[i];
+            const bool own = shot.first <= frame && frame <= shot.last, tissue = shot.why == WithoutBaseline::brief;
+            if (own || (tissue && seen_of(*offer.seen, thinned(found.samples[i], compared)) >= enough_alike))
                 found.take(i, offer);
+            else
+                shot.other = tissue;
         }
     }
     propose(video, std::min(least_shot, least_share * (video.time_of(last) - video.time_of(first))), found);

@@ -44,11 +44,14 @@ struct Shot {
     double from = 0.0, to = 0.0;          ///< s, of these frames
     std::optional<double> baseline = {};  ///< s; it may lie in another shot, which shows the same tissue
     bool suggested = true;                ///< the baseline was found, not given
-    std::optional<double> clearest = {};  ///< s: of the shot's own frames, also where it is too hazy for a baseline
-    bool hazy = false;                    ///< the baseline may be hazy itself: smoke is what is denser than there
+    /// s: of the shot's own frames the earliest that is nearly as clear as the clearest, also where it is too hazy for
+    /// a baseline.
+    std::optional<double> clear = {};
+    bool hazy = false;  ///< the baseline may be hazy itself: smoke is what is denser than there
     /// Where the baseline lies in the first frame, as far as it can be followed there: Estimator::forget().
     cv::Matx33d start = cv::Matx33d::eye();
-    bool cut = false;  ///< it begins with another view than the frame before
+    bool cut = false;    ///< it begins with another view than the frame before
+    bool other = false;  ///< a baseline was given, whose tissue it does not show
     WithoutBaseline why = WithoutBaseline::has_one;
 };
 

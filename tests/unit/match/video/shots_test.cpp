@@ -1,5 +1,6 @@
 #include "match/video/shots.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -103,6 +104,40 @@ TEST(Shots, ABaselineThatIsGivenServesAllThatShowItsTissueAndNoOther) {
     ASSERT_TRUE(shots[1].baseline);
     EXPECT_TRUE(shots[1].suggested);
     EXPECT_GE(*shots[1].baseline, 25 * frame - 1e-9);
+    EXPECT_FALSE(shots[0].other || shots[2].other);
+    EXPECT_TRUE(shots[1].other);
+    for (const Shot& shot : shots_in(clip)) EXPECT_FALSE(shot.other) << "none is given";
+}
+
+/// Only what is new is measured, and what a shot's own frames hold is there in all of them.
+TEST(Shots, WhereTheGivenBaselineIsNotInViewBloodThatIsThereAlreadyIsNotDenied) {
+    cv::Mat bloody = test::tissue(2);
+    test::bleed(bloody, {150, 130}, 44);
+    const double bled = 3.14159 * 44 * 44 / (test::width * test::height);
+    test::Clip clip;
+    clip.add(test::tissue(1), 25);
+    clip.add(bloody, 25);
+    clip.add(test::tissue(5), 6);
+    VideoReader video(clip.video());
+    const Measurement found = measure(video, {.baseline = 0.0});
+    ASSERT_EQ(stretches(found.shots), "0-24 25-49 50-55");
+    EXPECT_EQ(found.shots[0].baseline, 0.0);
+    EXPECT_LT(found.frames[10].blood.high, 0.03);
+    for (const std::size_t i : {25, 40, 49}) {
+        EXPECT_LT(found.frames[i].blood.value, 0.01) << i;
+        EXPECT_EQ(found.frames[i].blood.low, 0.0) << i;
+        EXPECT_GT(found.frames[i].blood.high, bled) << i;
+        EXPECT_LT(found.frames[i].blood.high, bled + 0.04) << i;
+    }
+    EXPECT_THAT(found.notes,
+                testing::IsSupersetOf(
+                    {"1.00 s to 1.96 s: the baseline at 0.00 s does not show its tissue; it is compared with the frame "
+                     "at 1.00 s, and blood that is there already is not seen.",
+                     "2.00 s to 2.20 s: the baseline at 0.00 s does not show its tissue; the shot is too short for a "
+                     "baseline of its own, and no other one shows its tissue."}));
+    const Measurement suggested = measure(video, {});
+    EXPECT_LT(suggested.frames[40].blood.high, 0.03) << "its own is the only one";
+    for (const std::string& note : suggested.notes) EXPECT_EQ(note.find("already"), std::string::npos) << note;
 }
 
 TEST(Shots, ABriefOneHasNone) {
