@@ -54,6 +54,42 @@ TEST(Overlay, IsNothingWithoutTextOrMotionOrFrames) {
     EXPECT_EQ(cv::countNonZero(found_in(true, true, 3)), 0);
 }
 
+/// There a letter is no more than a fold of the tissue.
+TEST(Overlay, IsNotLookedForInSmallPictures) {
+    const auto found_at = [](int across) {
+        OverlaySurvey survey;
+        for (int i = 0; i < 6; ++i) {
+            Image picture = frame(i, true, true);
+            const cv::Mat whole(picture.height, picture.width, CV_8UC4, picture.pixels.data());
+            cv::Mat smaller;
+            cv::resize(whole, smaller, {across, across / 2}, 0, 0, cv::INTER_AREA);
+            survey.add({.width = smaller.cols,
+                        .height = smaller.rows,
+                        .pixels = {smaller.datastart, smaller.dataend},
+                        .name = ""});
+        }
+        return cv::countNonZero(survey.found({across, across / 2}));
+    };
+    EXPECT_EQ(found_at(128), 0);
+    EXPECT_GT(found_at(240), 100);
+}
+
+/// A recorder may leave a line at the edge of the picture, which stays as well.
+TEST(Overlay, IsNoLineAtTheEdgeOfThePicture) {
+    const auto with_line = [](int from_edge) {
+        OverlaySurvey survey;
+        for (int i = 0; i < 6; ++i) {
+            Image picture = frame(i, true, false);
+            const cv::Mat whole(picture.height, picture.width, CV_8UC4, picture.pixels.data());
+            whole(cv::Rect(60, picture.height - from_edge - 3, 120, 3)) = cv::Scalar(230, 240, 230, 255);
+            survey.add(picture);
+        }
+        return cv::countNonZero(survey.found({test::width, test::height}));
+    };
+    EXPECT_EQ(with_line(0), 0);
+    EXPECT_GT(with_line(12), 250);
+}
+
 /// Pictures of a folder may be cut a pixel narrower.
 TEST(Overlay, IsFoundInPicturesThatDifferByAPixel) {
     OverlaySurvey survey;

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <opencv2/imgproc.hpp>
 
 #include "lapfx/authoring/video.h"
 #include "lapfx/error.h"
 #include "match/picture/colors.h"
+#include "match/picture/overlay.h"
 #include "match/picture/traps.h"
 #include "match/picture/view.h"
 #include "match/video/measure.h"
@@ -120,6 +122,36 @@ TEST_F(RealFrames, SmokeFromBeginningToEndHasNoLevel) {
         EXPECT_TRUE(found.course_only) << number;
         EXPECT_FALSE(found.veil.peak || found.veil.onset) << number;
     }
+}
+
+/// In few frames much of what moves keeps its value by chance.
+TEST_F(RealFrames, OverlaysAreFoundWhereThereIsOneAlone) {
+    constexpr double told = 0.002;  // of the picture
+    int without = 0, with = 0, all = 0;
+    cv::RNG random(7);
+    for (const int number : {198, 200, 203, 204}) {
+        VideoReader reader(clip(number));
+        std::vector<Image> frames(25);
+        for (int i = 0; i < 25; ++i) reader.read(5 * i, frames[static_cast<std::size_t>(i)]);
+        for (int tried = 0; tried < 16; ++tried) {
+            OverlaySurvey plain, burnt;
+            for (int i = 0; i < 5; ++i) {
+                Image picture = frames[static_cast<std::size_t>(random.uniform(0, 25))];
+                plain.add(picture);
+                const cv::Mat whole(picture.height, picture.width, CV_8UC4, picture.pixels.data());
+                cv::putText(whole, "OR 4  23.11.2026", {70, 120}, cv::FONT_HERSHEY_SIMPLEX, 0.5, cv::Scalar::all(255),
+                            2);
+                burnt.add(picture);
+            }
+            const auto is_told = [](const OverlaySurvey& survey) {
+                const cv::Mat found = survey.found({256, 256});
+                return cv::countNonZero(found) >= told * static_cast<double>(found.total());
+            };
+            ++all, without += is_told(plain) ? 1 : 0, with += is_told(burnt) ? 1 : 0;
+        }
+    }
+    EXPECT_LE(without, 1) << "of " << all;
+    EXPECT_GE(with, 9 * all / 10);
 }
 
 /// Tissue is pulled and an instrument goes away: nothing bleeds.
