@@ -124,6 +124,21 @@ TEST_F(RealFrames, SmokeFromBeginningToEndHasNoLevel) {
     }
 }
 
+/// Pale tissue with little smoke before it serves, and it is said that it may be hazy.
+TEST_F(RealFrames, PaleTissueIsABaselineAndSmokeIsNone) {
+    const auto main_of = [this](int number) {
+        VideoReader reader(clip(number));
+        return *main_shot(find_shots(reader, 0.0, reader.info().duration, {}));
+    };
+    const Shot pale = main_of(295);
+    ASSERT_TRUE(pale.baseline);
+    EXPECT_GT(*pale.baseline, 3.0) << "it clears towards the end";
+    EXPECT_TRUE(pale.hazy);
+    const Shot smoke = main_of(296);
+    EXPECT_FALSE(smoke.baseline);
+    EXPECT_EQ(smoke.why, WithoutBaseline::hazy);
+}
+
 /// In few frames much of what moves keeps its value by chance.
 TEST_F(RealFrames, OverlaysAreFoundWhereThereIsOneAlone) {
     constexpr double told = 0.002;  // of the picture
