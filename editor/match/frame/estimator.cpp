@@ -425,7 +425,7 @@ void Estimator::State::see_veil() {
     aside = valid & ~blood.blood();
     const cv::Scalar light = cv::mean(light_map, aside);
     figures.map = cv::mean(veil.veil(), aside)[0];
-    figures.likeness = likeness;
+    figures.likeness = placement.likeness();  // the map compares pixels as the camera's motion lays them
     if (cv::countNonZero(aside) < least_part * size.area()) {  // too little is left to compare
         figures.statistics.fill(figures.map);
         return;

@@ -22,8 +22,10 @@ namespace lapfx::match {
 
 struct VeilFigures {
     VeilStatistics statistics{};
-    double map = 0.0;       ///< mean of the veil's map over the same part, 0..1
-    double likeness = 1.0;  ///< how much of the baseline's texture is there, 0..1 (FrameAmounts)
+    double map = 0.0;  ///< mean of the veil's map over the same part, 0..1
+    /// How much of the baseline's texture is where the camera's motion lays it, 0..1: there the map is right, however
+    /// much more of it is found by tissue's own motion.
+    double likeness = 1.0;
 };
 
 /// A picture whose veil is known.
