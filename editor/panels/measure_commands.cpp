@@ -83,7 +83,7 @@ void add_measure_commands(app::Editor& editor) {
                                  return editor.reference().video() != nullptr &&
                                         editor.document.scene().reference.measure.baseline > 0;
                              },
-                         .tip = "Looks for the clearest frame of the reference and takes it as the baseline",
+                         .tip = "Looks for the earliest clear frame of the reference and takes it as the baseline",
                          .missing = "the baseline is suggested already"});
     editor.commands.add({.id = "measure.pick_blood",
                          .title = "Pick blood",

@@ -225,7 +225,7 @@ class Settings {
         char text[96];
         if (on_.bench.ready()) {
             std::snprintf(text, sizeof text, "Compared with the frame at %.2f s%s.", on_.bench.baseline(),
-                          measure().baseline > 0 ? "" : ", the clearest one");
+                          measure().baseline > 0 ? "" : ", the earliest clear one");
             ui::label(ui_, ui_.copy(text), {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
         }
         row("baseline");

@@ -252,7 +252,7 @@ using RM = ReferenceMeasure;
 constexpr Parameter measure_rows[] = {
     number<&RM::baseline>("baseline", "Baseline", {0, longest_video, 0.05, "s"},
                           "Time of a frame of the reference without smoke and blood, which all others are compared "
-                          "with. 0: the clearest frame is looked for."),
+                          "with. 0: the earliest frame that is nearly as clear as the clearest is looked for."),
     number<&RM::from>("from", "From", {0, longest_video, 0.05, "s"}, "Time in the reference where measuring starts."),
     number<&RM::to>("to", "To", {0, longest_video, 0.05, "s"},
                     "Time in the reference where measuring ends; 0 goes on to its end."),

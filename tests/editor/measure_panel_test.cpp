@@ -243,7 +243,7 @@ TEST_F(MeasurePanelOfKnown, TheQualifierIsTunedLive) {
 
 TEST_F(MeasurePanel, TheBaselineIsAFrameOrSuggested) {
     EXPECT_EQ(measure().baseline, 0.0);
-    EXPECT_TRUE(says("the clearest one"));
+    EXPECT_TRUE(says("the earliest clear one"));
     const double suggested = bench().baseline();
     go(0.2);
     ui().click(rows + "Baseline/Use this frame").frame().frame();
@@ -251,7 +251,7 @@ TEST_F(MeasurePanel, TheBaselineIsAFrameOrSuggested) {
     EXPECT_EQ(bench().baseline(), measure().baseline);
     EXPECT_EQ(editor().reference().video()->frame_at(measure().baseline), editor().reference().frame());
     EXPECT_LT(bench().amounts().blood.value, 0.01) << "it is compared with itself";
-    EXPECT_FALSE(says("the clearest one"));
+    EXPECT_FALSE(says("the earliest clear one"));
     ui().click(rows + "Baseline/Suggest").frame().frame();
     EXPECT_EQ(measure().baseline, 0.0);
     EXPECT_EQ(bench().baseline(), suggested);

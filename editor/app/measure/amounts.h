@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -38,6 +39,12 @@ struct PlottedAmount {
 inline constexpr std::array plotted_amounts = {PlottedAmount{&Amounts::blood_area},
                                                PlottedAmount{&Amounts::blood_volume}, PlottedAmount{&Amounts::haze, 2},
                                                PlottedAmount{&Amounts::bleeding_wounds}};
+static_assert(std::all_of(plotted_amounts.begin(), plotted_amounts.end(),
+                          [](const PlottedAmount& plotted) {
+                              return std::any_of(std::begin(amount_rows), std::end(amount_rows),
+                                                 [&](const AmountRow& row) { return row.member == plotted.member; });
+                          }),
+              "each has a row in the table of amounts");
 
 /// The plotted amounts over a scene's time.
 struct AmountSeries {
@@ -48,6 +55,7 @@ struct AmountSeries {
     const std::vector<double>& of(AmountMember member) const {
         const auto row = std::find_if(plotted_amounts.begin(), plotted_amounts.end(),
                                       [&](const PlottedAmount& plotted) { return plotted.member == member; });
+        assert(row != plotted_amounts.end());
         return values[static_cast<std::size_t>(row - plotted_amounts.begin())];
     }
     void add(double time, const Amounts& amounts);

@@ -95,7 +95,7 @@ class Measuring {
 
     // --- the baseline: undo steps ------------------------------------------------------------------------------------
     void use_frame();  ///< frame() of the reference, also while it is still being decoded
-    void suggest();    ///< the clearest frame is looked for, now and in each measurement
+    void suggest();    ///< a clear frame is looked for (find_shots), now and in each measurement
 
   private:
     /// What is measured.

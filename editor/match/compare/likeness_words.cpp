@@ -114,14 +114,14 @@ class Telling {
         clauses_.push_back({.amount = words_.amount, .text = std::move(text), .what = what, .key = std::move(key)});
     }
     /// Curves may be within the error of measuring of each other though a viewer sees an amount in one alone, or sees
-    /// it begin much earlier.
+    /// it begin much earlier. Of what is about none (told_peak) a viewer sees nothing.
     void tell_match() {
         const double in_preview = a_.preview.peak.value_or(0.0), in_reference = a_.reference.peak.value_or(0.0);
         const std::string seen_alone = " alone, though by no more than the error of measuring";
-        if (a_.in_preview == Presence::shown && a_.in_reference == Presence::none &&
+        if (a_.in_preview == Presence::shown && a_.in_reference == Presence::none && in_preview > told_peak &&
             in_reference < plain_alone * in_preview)
             return say("is seen in the preview" + seen_alone, Said::surplus, silencing_key());
-        if (a_.in_reference == Presence::shown && a_.in_preview == Presence::none &&
+        if (a_.in_reference == Presence::shown && a_.in_preview == Presence::none && in_reference > told_peak &&
             in_preview < plain_alone * in_reference)
             return say("is seen in the reference" + seen_alone, Said::missing, event_key(a_.reference, true));
         const bool late = a_.late && std::abs(*a_.late) > plain_late;

@@ -20,6 +20,7 @@ struct Course {
     double peak = 0.0, peak_at = 0.0, last = 0.0, last_at = 0.0;
     bool any = false;      ///< the amount is measurable at all
     bool changes = false;  ///< by more than its error
+    bool shown = false;    ///< it is above its error at some time
 };
 
 Course course_of(std::span<const TargetPoint> target, std::optional<Amount> TargetPoint::*amount) {
@@ -33,6 +34,7 @@ Course course_of(std::span<const TargetPoint> target, std::optional<Amount> Targ
         course.last = at->value, course.last_at = aim.time;
         course.any = true;
         const double error = beyond * course_error(*at, errors);
+        course.shown = course.shown || at->low > 0.0;
         most_above = std::max(most_above, at->value - error), least_above = std::min(least_above, at->value + error);
     }
     course.changes = course.any && most_above > least_above;
@@ -46,19 +48,26 @@ std::ptrdiff_t moments_with_blood(std::span<const TargetPoint> target) {
 /// Whether a curve says anything, and if not, why.
 std::string without_course(const Course& course, const std::string& amount) {
     if (!course.any) return amount + " of the reference is not measurable";
+    if (!course.changes && course.shown)
+        return "the " + amount + " of the reference does not change beyond the error of measuring";
     if (!course.changes) return "the reference shows no " + amount + " beyond the error of measuring";
     return {};
 }
 
-/// The same of blood, which dense smoke hides.
-std::string without_blood(const Course& course, std::span<const TargetPoint> target) {
-    const bool unseen = course.any && !shows_blood(target);
-    const std::string why = unseen ? "no bleeding is seen, left as it is" : without_course(course, "blood");
+/// Dense smoke hides blood. Empty where there is none; else how often, to be said after something.
+std::string hidden_by_smoke(std::span<const TargetPoint> target) {
     const auto hidden = std::count_if(target.begin(), target.end(), [](const TargetPoint& aim) {
         return aim.veil && aim.veil->value > dense_veil && !aim.blood;
     });
-    if (why.empty() || hidden == 0) return why;
-    return why + "; smoke hides it in " + std::to_string(100 * hidden / std::ssize(target)) + " % of the moments";
+    if (hidden == 0) return {};
+    return "; smoke hides it in " + std::to_string(100 * hidden / std::ssize(target)) + " % of the moments";
+}
+
+/// The same as without_course() of blood.
+std::string without_blood(const Course& course, std::span<const TargetPoint> target) {
+    const bool unseen = course.any && !shows_blood(target);
+    const std::string why = unseen ? "no bleeding is seen, left as it is" : without_course(course, "blood");
+    return why.empty() ? why : why + hidden_by_smoke(target);
 }
 
 }  // namespace
@@ -83,7 +92,7 @@ std::string why_undetermined(std::size_t parameter, const std::vector<FreeParame
         if (weights.blood == 0.0) return "blood does not count, its weight is 0";
         if (blood.any && too_rare(key, target))
             return "blood of the reference is measurable in " + std::to_string(moments_with_blood(target)) + " of " +
-                   std::to_string(target.size()) + " moments only";
+                   std::to_string(target.size()) + " moments only" + hidden_by_smoke(target);
         if (const std::string why = without_blood(blood, target); !why.empty()) return why;
         if (key == "bleeding.max_extent" && blood.last > still_grows * blood.peak)
             return "blood still spreads when the video ends; a video of its standstill would tell it";

@@ -20,11 +20,11 @@ bool lies(char32_t code, char32_t from, char32_t to) {
     return code >= from && code <= to;
 }
 
+/// `code`: of first_character(), so that it is no half of a pair of UTF-16.
 bool showable(char32_t code) {
     if (code == '\t' || code == '\n') return true;
     const bool control = code < 0x20 || lies(code, 0x7F, 0x9F);
-    const bool no_letter =
-        lies(code, 0xD800, 0xDFFF) || lies(code, 0xFDD0, 0xFDEF) || (code & 0xFFFEU) == 0xFFFE || code > 0x10FFFF;
+    const bool no_letter = lies(code, 0xFDD0, 0xFDEF) || (code & 0xFFFEU) == 0xFFFE;
     // A name such as "cod.<U+202E>gpj" would read as another one.
     const bool turns = lies(code, 0x202A, 0x202E) || lies(code, 0x2066, 0x2069);
     return !control && !no_letter && !turns;

@@ -1,4 +1,5 @@
-// Decodes UTF-8 from outside, which may be any bytes.
+// Decodes UTF-8 from outside, which may be any bytes. The core has its own (lapfx/authoring/utf8.h): the toolkit stands
+// alone.
 #pragma once
 
 #include <cstddef>

@@ -99,7 +99,7 @@ inline constexpr std::size_t most_left_out_parts = 12, most_part_corners = 32;
 
 /// How the reference's blood and smoke are measured. Times in s of the reference.
 struct ReferenceMeasure {
-    double baseline = 0.0;        ///< of a frame without smoke and blood; 0: the clearest one is looked for
+    double baseline = 0.0;        ///< of a frame without smoke and blood; 0: a clear one is looked for
     double from = 0.0, to = 0.0;  ///< what is measured; to 0: up to the end
     BloodQualifier blood = {};
     MeasuredRegion region = {};

@@ -164,6 +164,19 @@ TEST(LikenessWords, WhatIsSeenInOneAloneIsSaidThoughItIsWithinTheError) {
            Said::rough_match, "");
 }
 
+TEST(LikenessWords, WhatIsAboutNoneIsSeenInNeither) {
+    AmountLikeness a = alike();
+    a.in_reference = Presence::none, a.reference.peak = 0.0;
+    a.peak_ratio.reset(), a.area_ratio.reset();
+    a.preview.peak = told_peak + 0.001, a.preview.onset = 0.8;
+    expect(of_blood(a), "blood is seen in the preview alone, though by no more than the error of measuring",
+           Said::surplus, "events.0.strength");
+    a.preview.peak = told_peak;
+    expect(of_blood(a), "blood matches within the error of measuring", Said::match, "");
+    std::swap(a.preview, a.reference), std::swap(a.in_preview, a.in_reference);
+    expect(told(alike(), a).back(), "veil matches within the error of measuring", Said::match, "");
+}
+
 TEST(LikenessWords, WhatComesMuchTooEarlyIsSaidThoughItIsWithinTheError) {
     AmountLikeness a = alike();
     a.late = -0.9;

@@ -36,8 +36,12 @@ TEST(Undetermined, BloodThatSmokeHidesIsNotCalledMissing) {
               "no bleeding is seen, left as it is")
         << "for a moment alone";
     EXPECT_EQ(why("bleeding.max_extent", target_with([](int) { return 0.3; }, none)),
-              "the reference shows no blood beyond the error of measuring")
+              "the blood of the reference does not change beyond the error of measuring")
         << "all of it was there before";
+    EXPECT_EQ(why("smoke.haze.accumulation", target_with(none, [](int) { return 0.3; })),
+              "the veil of the reference does not change beyond the error of measuring");
+    EXPECT_EQ(why("smoke.haze.accumulation", target_with(none, none)),
+              "the reference shows no veil beyond the error of measuring");
     const auto hidden_late = [](int i) { return i < 6 ? 0.0 : -1.0; };
     EXPECT_EQ(why("bleeding.max_extent", target_with(hidden_late, [](int i) { return 0.07 * i; })),
               "no bleeding is seen, left as it is; smoke hides it in 40 % of the moments");
@@ -66,6 +70,10 @@ TEST(Undetermined, BloodInFewMomentsIsTooRare) {
     EXPECT_FALSE(too_rare("smoke.haze.ventilation", seen_for(2)));
     EXPECT_EQ(why("bleeding.max_extent", seen_for(2)), "blood of the reference is measurable in 2 of 10 moments only");
     EXPECT_THAT(why("bleeding.max_extent", seen_for(3)), testing::StartsWith("blood still spreads"));
+    const auto then_smoke =
+        target_with([](int i) { return i < 2 ? 0.1 * i : -1.0; }, [](int i) { return i < 4 ? 0.0 : 0.7; });
+    EXPECT_EQ(why("bleeding.max_extent", then_smoke),
+              "blood of the reference is measurable in 2 of 10 moments only; smoke hides it in 60 % of the moments");
 }
 
 TEST(Undetermined, VentilationNeedsFourSecondsOfClearing) {
