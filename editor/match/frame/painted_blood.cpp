@@ -45,6 +45,11 @@ cv::Mat pieces_of(const cv::Mat& chance, const cv::Mat& view, double threshold) 
 
 }  // namespace
 
+/// A frame as it was painted.
+struct PaintedBlood::Lesson {
+    cv::Mat code, view, marks;  // of marks_of()
+};
+
 /// Rows of features with what they are.
 struct PaintedBlood::Examples {
     std::vector<double> figures;
@@ -53,6 +58,13 @@ struct PaintedBlood::Examples {
     void add(const BloodFeatures& features, int y, int x, bool blood) {
         for (const cv::Mat& feature : features) figures.push_back(feature.at<float>(y, x));
         kinds.push_back(blood ? 1 : 0);
+    }
+    void add(const Lesson& lesson, const cv::Mat& clear_haze) {
+        const BloodFeatures features = blood_features(lesson.code, lesson.view, clear_haze);
+        for (int y = 0; y < lesson.marks.rows; ++y)
+            for (int x = 0; x < lesson.marks.cols; ++x)
+                if (const auto mark = static_cast<Mark>(lesson.marks.at<std::uint8_t>(y, x)); mark != Mark{})
+                    add(features, y, x, mark == Mark::blood);
     }
     bool has(std::uint8_t kind) const { return std::ranges::find(kinds, kind) != kinds.end(); }
     cv::Mat rows() {
@@ -72,7 +84,11 @@ PaintedBlood::PaintedBlood(const BloodStrokes& strokes, std::span<const PaintedP
         clear_haze = haze_of(clear_code);
     }
     Examples examples;
-    for (const PaintedPicture& painted : pictures) add(examples, painted.picture, clear_haze, strokes, painted.strokes);
+    std::vector<Lesson> lessons;
+    for (const PaintedPicture& painted : pictures) {
+        lessons.push_back(lesson_of(painted, clear_haze, strokes));
+        examples.add(lessons.back(), clear_haze);
+    }
     if (!examples.has(1)) refuse("no stroke marks blood");
     without_blood_ = clear.picture != nullptr && clear.without_blood != WithoutBlood::no;
     if (without_blood_ && clear.without_blood == WithoutBlood::maybe && examples.has(0)) {
@@ -84,19 +100,29 @@ PaintedBlood::PaintedBlood(const BloodStrokes& strokes, std::span<const PaintedP
     learned_ = Logistic::fit(examples.rows(), examples.kinds, strength);
     threshold_ = *std::rbegin(thresholds);
     if (without_blood_) choose_threshold(clear_code, clear_haze);
+    found_again_ = found_in(lessons, clear_haze);
 }
 
-/// Of what the strokes mark; a picture of another size than the clear one has haze of its own.
-void PaintedBlood::add(Examples& examples, const Image& picture, const cv::Mat& clear_haze, const BloodStrokes& strokes,
-                       std::span<const std::size_t> which) const {
-    cv::Mat code;
-    shrink(picture, clear_haze.empty() ? working_size_of(picture) : clear_haze.size(), code);
-    const cv::Mat view = view_in(code, part_), marks = marks_of(strokes, which, view);
-    const BloodFeatures features = blood_features(code, view, clear_haze);
-    for (int y = 0; y < marks.rows; ++y)
-        for (int x = 0; x < marks.cols; ++x)
-            if (const auto mark = static_cast<Mark>(marks.at<std::uint8_t>(y, x)); mark != Mark{})
-                examples.add(features, y, x, mark == Mark::blood);
+/// A picture of another size than the clear one is brought to its size.
+PaintedBlood::Lesson PaintedBlood::lesson_of(const PaintedPicture& painted, const cv::Mat& clear_haze,
+                                             const BloodStrokes& strokes) const {
+    Lesson made;
+    shrink(painted.picture, clear_haze.empty() ? working_size_of(painted.picture) : clear_haze.size(), made.code);
+    made.view = view_in(made.code, part_);
+    made.marks = marks_of(strokes, painted.strokes, made.view);
+    return made;
+}
+
+double PaintedBlood::found_in(std::span<const Lesson> lessons, const cv::Mat& clear_haze) const {
+    double marked = 0.0, found = 0.0;
+    for (const Lesson& lesson : lessons) {
+        cv::Mat blood;
+        find(lesson.code, clear_haze, blood);
+        const cv::Mat as_blood = lesson.marks == static_cast<double>(Mark::blood);
+        marked += cv::countNonZero(as_blood);
+        found += cv::countNonZero(as_blood & blood);
+    }
+    return found / std::max(marked, 1.0);
 }
 
 void PaintedBlood::add_some(Examples& examples, const cv::Mat& code, const cv::Mat& clear_haze) const {

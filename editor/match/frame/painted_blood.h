@@ -60,11 +60,15 @@ class PaintedBlood {
     double threshold() const { return threshold_; }
     /// Whether the clear picture counted as without blood.
     bool without_blood() const { return without_blood_; }
+    /// Share of what the strokes mark as blood that find() gives in the frames that were painted, 0..1: where it is
+    /// little, they marked what does not look like blood, or not like one blood.
+    double found_again() const { return found_again_; }
 
   private:
     struct Examples;
-    void add(Examples& examples, const Image& picture, const cv::Mat& clear_haze, const BloodStrokes& strokes,
-             std::span<const std::size_t> which) const;
+    struct Lesson;
+    Lesson lesson_of(const PaintedPicture& painted, const cv::Mat& clear_haze, const BloodStrokes& strokes) const;
+    double found_in(std::span<const Lesson> lessons, const cv::Mat& clear_haze) const;
     void add_some(Examples& examples, const cv::Mat& code, const cv::Mat& clear_haze) const;
     cv::Mat chance_in(const cv::Mat& code, const cv::Mat& view, const cv::Mat& clear_haze) const;
     bool choose_threshold(const cv::Mat& code, const cv::Mat& clear_haze);
@@ -73,6 +77,7 @@ class PaintedBlood {
     Logistic learned_;
     double threshold_ = 0.0;
     bool without_blood_ = false;
+    double found_again_ = 0.0;
 };
 
 }  // namespace lapfx::match

@@ -132,7 +132,8 @@ nlohmann::json json_of(const PaintedVideo& painted) {
     return {{"file", painted.file},
             {"absolute", true},
             {"without_blood", painted.without_blood ? nlohmann::json(*painted.without_blood) : nlohmann::json(nullptr)},
-            {"threshold", painted.blood->threshold()}};
+            {"threshold", painted.blood->threshold()},
+            {"found_again", painted.blood->found_again()}};
 }
 
 }  // namespace

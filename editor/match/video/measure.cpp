@@ -21,6 +21,7 @@ constexpr std::size_t kept = 4;         // estimators: shots alternate
 // in one of ten.
 constexpr double course_noise = 0.03;
 constexpr std::size_t told_shots = 5;  // notes of one kind
+constexpr double least_found_again = 0.5;
 
 Error refused(const std::string& place, const std::string& reason) {
     return {Failure::bad_input, Fault{.file = "", .place = place, .reason = reason}};
@@ -82,6 +83,14 @@ void tell_strokes(Measurement& found) {
         "Blood is all in view that looks as the strokes of " + found.painted->file + " say; " +
         (without ? "the frame at " + seconds_text(*without) + " counts as without blood."
                  : "no frame without blood is known, so what is doubtful is not counted (without_blood names one)."));
+    if (const double found_again = found.painted->blood->found_again(); found_again < least_found_again) {
+        char text[240];
+        std::snprintf(text, sizeof text,
+                      "Only %.0f %% of what the strokes mark as blood looks alike enough to be found again: mark blood "
+                      "where it is plain to see, in a clearer frame, or more of it.",
+                      100.0 * found_again);
+        found.notes.emplace_back(text);
+    }
 }
 
 /// Why the baseline that was given does not serve a shot, and what does.

@@ -71,6 +71,14 @@ TEST(PaintedBlood, IsFoundWhereverItIsInAnyFrame) {
     for (const int seed : {1, 2, 3}) EXPECT_LE(test::share(found_in(learned.blood, test::tissue(seed))), 0.005) << seed;
 }
 
+TEST(PaintedBlood, SaysHowMuchOfTheStrokesItFindsAgain) {
+    EXPECT_EQ(Learned(strokes(), test::tissue(), WithoutBlood::yes).blood.found_again(), 1.0);
+    BloodStrokes half = strokes();  // as much tissue again is marked as blood
+    half.strokes.push_back(stroke(Mark::blood, {at(60, 120), at(95, 140)}));
+    half.strokes.push_back(stroke(Mark::blood, {at(80, 180)}));
+    EXPECT_NEAR(Learned(half, test::tissue(), WithoutBlood::yes).blood.found_again(), 0.5, 0.15);
+}
+
 TEST(PaintedBlood, IsTheSameEachTime) {
     const Learned one(strokes(), test::tissue(), WithoutBlood::yes), two(strokes(), test::tissue(), WithoutBlood::yes);
     const cv::Mat frame = bloody(2, {90, 120});

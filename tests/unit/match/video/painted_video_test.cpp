@@ -95,8 +95,20 @@ TEST_F(PaintedVideoTest, JsonSaysThatBloodIsAbsoluteAndByWhichStrokes) {
     EXPECT_EQ(with["absolute"], true);
     EXPECT_EQ(with["without_blood"], 0.0);
     EXPECT_EQ(with["threshold"], 0.5);
+    EXPECT_GT(with["found_again"], 0.95);
     VideoReader video(clip.video());
     EXPECT_FALSE(nlohmann::json::parse(json_of(measure(video, {.baseline = 0.0}))).contains("blood_by_strokes"));
+}
+
+TEST_F(PaintedVideoTest, StrokesOfBloodThatMarkTissueAreToldOf) {
+    add(2);
+    const char* told = "of what the strokes mark as blood looks alike enough to be found again";
+    EXPECT_THAT(measured(strokes()).notes, Not(testing::Contains(HasSubstr(told))));
+    BloodStrokes tissue = strokes();
+    tissue.strokes[0] = stroke(4 * frame, Mark::blood, {{40, 100}, {60, 180}, {90, 220}});
+    const Measurement found = measured(tissue);
+    EXPECT_LT(found.painted->blood->found_again(), 0.5);
+    EXPECT_THAT(found.notes, testing::Contains(HasSubstr(told)));
 }
 
 TEST_F(PaintedVideoTest, AFaultNamesTheStroke) {
