@@ -38,6 +38,14 @@ Verb bench_verb(RunBench run) {
     };
     add_case("--first", fit_options->first, "Begin with this case");
     add_case("--last", fit_options->last, "End with this case");
+    fit.flag("--quick",
+             "Fit only the first four cases, by turns from another view and from the same, from smaller pictures at a "
+             "third of the times, to judge a change by",
+             &fit_options->quick, {.excludes = {"--short", "--first", "--last"}});
+    fit.option("--bloodless", "FILE...",
+               "Fit one of the scenes to these videos, too, in which nothing bleeds: how many of the fits leave "
+               "bleeding as it is",
+               &fit_options->bloodless);
     add(std::move(fit));
     auto [frame, frame_options] = made(
         "frame",

@@ -24,7 +24,9 @@ struct BenchOptions {
     std::string learn;                ///< file that a model of the veil is written to, learned instead; none: not
     std::string model;                ///< file of the model of the veil that is measured with; none: the shipped one
     std::string frames;               ///< CSV that each frame's figures are written to, unless empty
-    bool quick = false;               ///< measures the main classes of few pictures, to judge a change by
+    bool quick = false;               ///< measures the main classes of few cases, to judge a change by
+    /// Videos in which nothing bleeds, that `bench fit` fits a scene to, too.
+    std::vector<std::string> bloodless;
     /// Does everything in a few seconds, for tests: it shows that the benchmark works, but its figures mean nothing.
     bool short_form = false;
 };

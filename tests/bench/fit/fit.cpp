@@ -9,7 +9,9 @@
 // a second, root mean square; and again over those times alone at which the reference is measurable. How far the
 // measured reference itself is from its truth stands beside them. Parameters: those of the scene itself; the smoke rate
 // b is the optical depth that a second of burning adds to what the camera sees, since presets show the same haze more
-// or less densely. Intervals are those of the fit.
+// or less densely. Intervals are those of the fit. --quick: the first four scenes, by turns from another view and
+// from the same, from smaller pictures and at a third of the times. --bloodless: real
+// videos in which nothing bleeds, as well (bloodless.h).
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -20,6 +22,7 @@
 #include <span>
 
 #include "bench/benches.h"
+#include "bench/fit/bloodless.h"
 #include "bench/fit/cases.h"
 #include "bench/measure/camera.h"
 #include "commands/options.h"
@@ -42,6 +45,7 @@ namespace {
 
 constexpr std::uint32_t film_part = 41;  // of the random numbers (random.h)
 constexpr double begins_at = 0.3;        // s: where tools of the fitted scene begin before the fit
+constexpr int quick_cases = 4;
 
 struct Drawing {
     glm::ivec2 size{320, 256};
@@ -405,6 +409,74 @@ std::string summary(const std::vector<Outcome>& outcomes) {
     return text;
 }
 
+/// How many cases are fitted, and how carefully.
+struct Extent {
+    int first = 0, end = commands::fit_cases;
+    enum class Views : std::uint8_t { both, other, by_turns } views = Views::both;
+    Drawing drawing = {};
+    Effort effort = {};
+    BloodlessEffort bloodless = {};
+
+    bool fits(int number, bool same_view) const {
+        return views == Views::both || same_view == (views == Views::by_turns && number % 2 == 1);
+    }
+    int fits() const { return (views == Views::both ? 2 : 1) * (end - first); }
+};
+Extent extent_of(const BenchOptions& options) {
+    Extent extent{.first = std::min(options.first, commands::fit_cases) - 1,
+                  .end = std::min(options.last, commands::fit_cases)};
+    if (options.short_form)
+        extent = {.end = 1,
+                  .views = Extent::Views::other,
+                  .drawing = {.size = {160, 128}, .rate = 1.0, .truth_step = 3.5, .curve_side = 64},
+                  .effort = {.step = 3.5, .rounds = 1},
+                  .bloodless = {.side = 64, .step = 2.0, .rounds = 1, .apart = 0.5}};
+    if (options.quick)
+        extent = {.end = quick_cases,
+                  .views = Extent::Views::by_turns,
+                  .drawing = {.size = {240, 192}, .rate = 2.0, .truth_step = 2.0, .curve_side = 128},
+                  .effort = {.step = 0.7, .rounds = 3}};
+    extent.effort.seed = extent.bloodless.seed = static_cast<std::uint32_t>(options.seed);
+    return extent;
+}
+
+BenchRow figures_of(const BloodlessFit& fit) {
+    BenchRow row{.of = {{"bloodless", fit.video}},
+                 .measured = {{"fitted", fit.fitted},
+                              {"left_alone", fit.left_alone},
+                              {"most_blood", fit.most_blood},
+                              {"blood_above_error_s", fit.above_error},
+                              {"fit_s", fit.seconds}}};
+    if (fit.veil_rms) row.measured["veil_rms"] = *fit.veil_rms;
+    return row;
+}
+
+std::string line_of(const BloodlessFit& fit) {
+    char text[160];
+    std::snprintf(text, sizeof text, ": blood at most %.3f, above its error for %.2f s; %.0f s", fit.most_blood,
+                  fit.above_error, fit.seconds);
+    const char* const what = !fit.fitted ? ", not fitted" : fit.left_alone ? ", left alone" : ", CHANGED";
+    return fit.video + what + text + (fit.why.empty() ? "" : "; " + fit.why) + '\n';
+}
+
+/// Adds rows, the share that leave bleeding alone, and a line that says so.
+void fit_all_bloodless(const std::vector<std::string>& videos, const CaseScene& scene, const Extent& extent,
+                       BenchReport& report) {
+    if (videos.empty()) return;
+    commands::Progress progress("fitting to videos without bleeding", static_cast<int>(videos.size()));
+    int fitted = 0, left_alone = 0;
+    for (const std::string& video : videos) {
+        const BloodlessFit fit = fit_bloodless(video, scene, extent.drawing.options(), extent.bloodless);
+        std::cout << line_of(fit) << std::flush;
+        report.rows.push_back(figures_of(fit));
+        fitted += fit.fitted ? 1 : 0, left_alone += fit.left_alone ? 1 : 0;
+        progress.step();
+    }
+    report.table += "Videos without bleeding: it is left alone in " + std::to_string(left_alone) + " of " +
+                    std::to_string(fitted) + " that are fitted (all), of " + std::to_string(videos.size()) + '\n';
+    report.ratios["bleeding_left_alone"] = static_cast<double>(left_alone) / std::max(fitted, 1);
+}
+
 }  // namespace
 
 BenchReport bench_fit(const BenchOptions& options) {
@@ -414,36 +486,38 @@ BenchReport bench_fit(const BenchOptions& options) {
     const Context context = Context::create(Backend::automatic);
     BenchReport report{.bench = "fit", .renderer = context.renderer(), .rows = {}, .ratios = {}, .table = {}};
     PreparedViews prepared;
-    const Drawing drawing =
-        options.short_form ? Drawing{.size = {160, 128}, .rate = 1.0, .truth_step = 3.5, .curve_side = 64} : Drawing{};
-    const auto seed = static_cast<std::uint32_t>(options.seed);
-    const int first = options.short_form ? 0 : std::min(options.first, commands::fit_cases) - 1;
-    const int end = options.short_form ? 1 : std::min(options.last, commands::fit_cases);
-    const Effort effort = options.short_form ? Effort{.seed = seed, .step = 3.5, .rounds = 1} : Effort{.seed = seed};
+    for (const std::string& video : options.bloodless)
+        const VideoReader opened(video);  // those that cannot be read are told at once
+    const Extent extent = extent_of(options);
+    const Drawing& drawing = extent.drawing;
+    const std::uint32_t seed = extent.effort.seed;
     std::vector<Outcome> outcomes;
-    commands::Progress progress("fitting", 2 * (end - first));
-    for (int i = first; i < end; ++i) {
+    std::optional<CaseScene> any;  // that bleeds
+    commands::Progress progress("fitting", extent.fits());
+    for (int i = extent.first; i < extent.end; ++i) {
         FitCase drawn = draw_fit_case(seed, i, prepared,
                                       [&](const CaseScene& scene) { return peaks_of(truth_of(scene, drawing)); });
         const Filmed reference = film(drawn.hidden, Random(seed, film_part, static_cast<std::uint32_t>(i)), drawing);
         const std::vector<ShownAmounts> truth = truth_of(drawn.hidden, drawing);
         for (const bool same_view : {false, true}) {
-            if (same_view && options.short_form) continue;
+            if (!extent.fits(i, same_view)) continue;
             CaseScene scene = same_view ? drawn.hidden : drawn.fitted;
             if (same_view) {
                 scene.tuned.scene.light.color = drawn.fitted.tuned.scene.light.color;
                 scene.tuned.preset = drawn.fitted.tuned.preset;
                 scene.tuned.preset.vessels = drawn.hidden.tuned.preset.vessels;
             }
-            Outcome outcome = fit_one(drawn.hidden, scene, reference, truth, drawing, effort);
+            Outcome outcome = fit_one(drawn.hidden, scene, reference, truth, drawing, extent.effort);
             outcome.same_view = same_view;
             std::cout << i + 1 << ' ' << line_of(outcome) << std::flush;  // a whole run takes more than an hour
             report.rows.push_back(figures_of(outcome));
             outcomes.push_back(std::move(outcome));
             progress.step();
         }
+        if (!any) any = std::move(drawn.fitted);
     }
     report.table = summary(outcomes);
+    fit_all_bloodless(options.bloodless, *any, extent, report);
     const auto close = std::count_if(outcomes.begin(), outcomes.end(), is_close);
     report.ratios["curves_close"] = static_cast<double>(close) / static_cast<double>(outcomes.size());
     return report;
