@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
 
 #include "lapfx/error.h"
@@ -19,6 +20,7 @@ constexpr std::string_view format = "lapfx.blood_strokes";
 constexpr int version = 1;
 constexpr double longest_video = 86'400.0;  // s
 constexpr std::size_t shown_letters = 40;   // of a value, in a message
+constexpr int deepest_level = 32;           // what is nested deeper is no file of ours
 
 std::string text_of(double number) {
     char text[32];
@@ -26,9 +28,16 @@ std::string text_of(double number) {
     return text;
 }
 
+/// Not within a character.
+std::string cut(const std::string& text) {
+    std::size_t end = shown_letters;
+    if (text.size() <= end) return text;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+    return text.substr(0, end) + "...";
+}
+
 std::string shown(const json& value) {
-    const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
-    return text.size() <= shown_letters ? text : text.substr(0, shown_letters) + "...";
+    return cut(value.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 /// Reads one file; the first thing that is wrong is thrown.
@@ -47,6 +56,12 @@ class StrokesReader {
         const glm::dvec2 whole = in_fractions(strokes) ? glm::dvec2(1.0) : glm::dvec2(size_);
         for (std::size_t i = 0; i < strokes.size(); ++i)
             made.strokes.push_back(stroke_of(strokes[i], "/strokes/" + std::to_string(i), whole));
+        const auto points =
+            std::accumulate(made.strokes.begin(), made.strokes.end(), std::size_t{0},
+                            [](std::size_t sum, const BloodStroke& stroke) { return sum + stroke.points.size(); });
+        if (points > most_points)
+            refuse("/strokes", "have " + std::to_string(points) + " points together (allowed: up to " +
+                                   std::to_string(most_points) + ")");
         if (std::ranges::none_of(made.strokes, [](const BloodStroke& s) { return s.mark == Mark::blood; }))
             refuse("/strokes", "no stroke marks blood");
         return made;
@@ -60,7 +75,8 @@ class StrokesReader {
     /// A key that is there twice would hide a value.
     json parsed(std::string_view text) const {
         std::vector<std::set<std::string>> keys;
-        const auto seen = [&](int, json::parse_event_t event, json& value) {
+        const auto seen = [&](int depth, json::parse_event_t event, json& value) {
+            if (depth > deepest_level) refuse("", "is nested deeper than " + std::to_string(deepest_level) + " levels");
             if (event == json::parse_event_t::object_start) keys.emplace_back();
             if (event == json::parse_event_t::object_end) keys.pop_back();
             if (event == json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
@@ -90,7 +106,7 @@ class StrokesReader {
             if (std::ranges::find(known, key) != known.end()) continue;
             std::string allowed;
             for (const std::string_view name : known) allowed += (allowed.empty() ? "" : ", ") + std::string(name);
-            refuse(place + "/" + key, "unknown key (allowed: " + allowed + ")");
+            refuse(place + "/" + cut(key), "unknown key (allowed: " + allowed + ")");
         }
     }
 

@@ -42,7 +42,7 @@ struct BloodStroke {
     std::vector<glm::dvec2> points = {};  ///< fractions of the picture, from its upper left corner; at least one
 };
 
-inline constexpr std::size_t most_strokes = 500, most_stroke_points = 2000;
+inline constexpr std::size_t most_strokes = 500, most_stroke_points = 2000, most_points = 20'000;
 inline constexpr double most_stroke_radius = 0.25;  // of the width
 
 struct BloodStrokes {
@@ -53,7 +53,7 @@ struct BloodStrokes {
 
 /// `name`: BloodStrokes::file. `size`: of the video's pictures. Throws Error (bad_input) that names the place, the
 /// value and what is allowed, for what is not such a file, a key or value that is not known or not allowed, a point
-/// outside the picture, or strokes of which none marks blood.
+/// outside the picture, more than most_points together, or strokes of which none marks blood.
 BloodStrokes read_blood_strokes(std::string_view json, const std::string& name, glm::ivec2 size);
 
 /// What the strokes of `which` (numbers in `strokes`) mark within `view` (CV_8U, 255 inside): CV_8U of its size, values

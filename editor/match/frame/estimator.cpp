@@ -31,7 +31,7 @@ constexpr float redder = 1.15F, darker = 0.85F, dark_noise = 0.004F;
 constexpr float white = 0.90F;              // linear: highlights say nothing of what is behind
 constexpr double bleached_share = 0.25;     // of the view
 constexpr float foreign_rest = 5.0F;        // residual in units of noise
-constexpr double smoke_light_error = 0.25;  // share of it that is not known
+constexpr double smoke_light_error = 0.25;  // standard deviation of what it is taken for, a share of it
 constexpr double view_slack = 0.02;         // of the longer side, around the view of the baseline
 
 // What makes a frame not measurable; found on real clips (tests/unit/match/video/real_frames_test.cpp).

@@ -101,11 +101,11 @@ Logistic Logistic::fit(const cv::Mat& rows, std::span<const std::uint8_t> kinds,
         cv::Mat step = problem.step_at(weights);
         double next = problem.value(weights + step);
         // Far from the least, Newton's step may be too long.
-        for (int halved = 0; next > value && halved < most_halvings; ++halved) {
+        for (int halved = 0; !(next <= value) && halved < most_halvings; ++halved) {
             step *= 0.5;
             next = problem.value(weights + step);
         }
-        if (next > value) break;
+        if (!(next <= value)) break;
         weights += step;
         value = next;
         if (cv::norm(step, cv::NORM_INF) < least_step) break;

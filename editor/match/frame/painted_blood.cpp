@@ -15,13 +15,13 @@ namespace {
 // Those of experiments on real labelled operations.
 constexpr double strength = 0.1;  // of the regression: how much the examples count against small weights
 constexpr int clear_examples = 1000;
+constexpr int most_examples = 20'000;  // of a frame that was painted
 constexpr std::uint32_t seed = 1;
 constexpr double thresholds[] = {0.5, 0.6, 0.7, 0.8, 0.9};
-constexpr double most_false = 0.005;                         // of the view of a frame without blood
 constexpr double blur = 2.0;                                 // px of 256 on the longer side, as the areas
 constexpr double least_piece = 100.0, largest_hole = 200.0;  // px of area
 
-/// Turns pieces of `mask` (CV_8U, 0 and 255) whose area is below `area` to 0; `within`: what counts.
+/// Turns pieces of `mask` (CV_8U, 0 and 255) whose area is below `area` to 0.
 void drop_small(cv::Mat& mask, double area) {
     cv::Mat labels, figures, middles;
     const int count = cv::connectedComponentsWithStats(mask, labels, figures, middles, 8, CV_32S);
@@ -33,14 +33,32 @@ void drop_small(cv::Mat& mask, double area) {
             mask.at<std::uint8_t>(y, x) = kept[static_cast<std::size_t>(labels.at<int>(y, x))];
 }
 
+/// Adds to `blood` the pieces of what is none, smaller than `area`, that it touches.
+void fill_holes(cv::Mat& blood, const cv::Mat& view, double area) {
+    cv::Mat none = view & ~blood, near, labels, figures, middles;
+    cv::dilate(blood, near, cv::Mat());
+    const int count = cv::connectedComponentsWithStats(none, labels, figures, middles, 8, CV_32S);
+    std::vector<std::uint8_t> touched(static_cast<std::size_t>(count), 0);
+    const auto is_hole = [&](int y, int x) {
+        const int label = labels.at<int>(y, x);
+        return label > 0 && figures.at<int>(label, cv::CC_STAT_AREA) < area;
+    };
+    for (int y = 0; y < none.rows; ++y)
+        for (int x = 0; x < none.cols; ++x)
+            if (near.at<std::uint8_t>(y, x) != 0) touched[static_cast<std::size_t>(labels.at<int>(y, x))] = 1;
+    for (int y = 0; y < none.rows; ++y)
+        for (int x = 0; x < none.cols; ++x)
+            if (is_hole(y, x) && touched[static_cast<std::size_t>(labels.at<int>(y, x))] != 0)
+                blood.at<std::uint8_t>(y, x) = 255;
+}
+
 /// Whole pieces of what is likelier than `threshold`.
 cv::Mat pieces_of(const cv::Mat& chance, const cv::Mat& view, double threshold) {
     const double area = std::pow(unit_of(chance.size()), 2);
     cv::Mat blood = (chance >= threshold) & view;
     drop_small(blood, least_piece * area);
-    cv::Mat none = view & ~blood;
-    drop_small(none, largest_hole * area);
-    return view & ~none;
+    fill_holes(blood, view, largest_hole * area);
+    return blood;
 }
 
 }  // namespace
@@ -61,9 +79,12 @@ struct PaintedBlood::Examples {
     }
     void add(const Lesson& lesson, const cv::Mat& clear_haze) {
         const BloodFeatures features = blood_features(lesson.code, lesson.view, clear_haze);
+        const int every = 1 + cv::countNonZero(lesson.marks) / most_examples;
+        int number = 0;
         for (int y = 0; y < lesson.marks.rows; ++y)
             for (int x = 0; x < lesson.marks.cols; ++x)
-                if (const auto mark = static_cast<Mark>(lesson.marks.at<std::uint8_t>(y, x)); mark != Mark{})
+                if (const auto mark = static_cast<Mark>(lesson.marks.at<std::uint8_t>(y, x));
+                    mark != Mark{} && number++ % every == 0)
                     add(features, y, x, mark == Mark::blood);
     }
     bool has(std::uint8_t kind) const { return std::ranges::find(kinds, kind) != kinds.end(); }
@@ -91,15 +112,16 @@ PaintedBlood::PaintedBlood(const BloodStrokes& strokes, std::span<const PaintedP
     }
     if (!examples.has(1)) refuse("no stroke marks blood");
     without_blood_ = clear.picture != nullptr && clear.without_blood != WithoutBlood::no;
-    if (without_blood_ && clear.without_blood == WithoutBlood::maybe && examples.has(0)) {
-        learned_ = Logistic::fit(examples.rows(), examples.kinds, strength);
-        without_blood_ = choose_threshold(clear_code, clear_haze);
+    if (without_blood_ && clear.without_blood == WithoutBlood::maybe) {
+        without_blood_ = examples.has(0);  // else nothing says whether it has
+        if (without_blood_) learned_ = Logistic::fit(examples.rows(), examples.kinds, strength);
+        without_blood_ = without_blood_ && choose_threshold(clear_code, clear_haze) <= most_found_without;
     }
     if (without_blood_) add_some(examples, clear_code, clear_haze);
     if (!examples.has(0)) refuse("no stroke marks what is no blood, and no frame without blood is known");
     learned_ = Logistic::fit(examples.rows(), examples.kinds, strength);
     threshold_ = *std::rbegin(thresholds);
-    if (without_blood_) choose_threshold(clear_code, clear_haze);
+    if (without_blood_) found_without_ = choose_threshold(clear_code, clear_haze);
     found_again_ = found_in(lessons, clear_haze);
 }
 
@@ -139,7 +161,10 @@ void PaintedBlood::add_some(Examples& examples, const cv::Mat& code, const cv::M
 }
 
 cv::Mat PaintedBlood::haze_of(const cv::Mat& code) const {
-    return match::haze_of(code, view_in(code, part_));
+    const cv::Mat view = view_in(code, part_);
+    cv::Mat haze = match::haze_of(code, view);
+    haze.setTo(1.0F, view == 0);  // where other frames show more of the view, nothing is known of their haze
+    return haze;
 }
 
 cv::Mat PaintedBlood::chance_in(const cv::Mat& code, const cv::Mat& view, const cv::Mat& clear_haze) const {
@@ -152,14 +177,17 @@ cv::Mat PaintedBlood::chance_in(const cv::Mat& code, const cv::Mat& view, const 
     return mean_near(chance, view, blur * unit_of(code.size()));
 }
 
-/// The lowest at which hardly anything of a frame is taken for blood; the highest, and false, where there is none.
-bool PaintedBlood::choose_threshold(const cv::Mat& code, const cv::Mat& clear_haze) {
+/// The lowest at which hardly anything of a frame is taken for blood; the highest where there is none. Gives the share
+/// of the view that is taken for blood by it.
+double PaintedBlood::choose_threshold(const cv::Mat& code, const cv::Mat& clear_haze) {
     const cv::Mat view = view_in(code, part_), chance = chance_in(code, view, clear_haze);
+    double share = 0.0;
     for (const double threshold : thresholds) {
         threshold_ = threshold;
-        if (cv::countNonZero(pieces_of(chance, view, threshold)) <= most_false * cv::countNonZero(view)) return true;
+        share = cv::countNonZero(pieces_of(chance, view, threshold)) / std::max(1.0 * cv::countNonZero(view), 1.0);
+        if (share <= most_found_without) break;
     }
-    return false;
+    return share;
 }
 
 void PaintedBlood::find(const cv::Mat& code, const cv::Mat& clear_haze, cv::Mat& blood) const {

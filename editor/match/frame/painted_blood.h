@@ -34,9 +34,12 @@ struct PaintedPicture {
 /// Whether a frame has no blood: then it is learned from, too, and says which threshold is needed.
 enum class WithoutBlood : std::uint8_t {
     no,
-    maybe,  ///< it counts as without where hardly anything in it looks as the strokes alone say
+    maybe,  ///< it counts as without where strokes of both kinds are there and hardly anything in it looks as they say
     yes
 };
+/// Of the view of a frame without blood: so much may be taken for it.
+inline constexpr double most_found_without = 0.005;
+
 /// A frame without smoke.
 struct ClearPicture {
     const Image* picture = nullptr;  ///< null: none is known
@@ -60,6 +63,9 @@ class PaintedBlood {
     double threshold() const { return threshold_; }
     /// Whether the clear picture counted as without blood.
     bool without_blood() const { return without_blood_; }
+    /// Share of the view of the clear picture that find() takes for blood though it counts as without, 0..1: more than
+    /// most_found_without where no threshold spares it.
+    double found_without() const { return found_without_; }
     /// Share of what the strokes mark as blood that find() gives in the frames that were painted, 0..1: where it is
     /// little, they marked what does not look like blood, or not like one blood.
     double found_again() const { return found_again_; }
@@ -71,13 +77,13 @@ class PaintedBlood {
     double found_in(std::span<const Lesson> lessons, const cv::Mat& clear_haze) const;
     void add_some(Examples& examples, const cv::Mat& code, const cv::Mat& clear_haze) const;
     cv::Mat chance_in(const cv::Mat& code, const cv::Mat& view, const cv::Mat& clear_haze) const;
-    bool choose_threshold(const cv::Mat& code, const cv::Mat& clear_haze);
+    double choose_threshold(const cv::Mat& code, const cv::Mat& clear_haze);
 
     LookedAt part_;
     Logistic learned_;
     double threshold_ = 0.0;
     bool without_blood_ = false;
-    double found_again_ = 0.0;
+    double found_without_ = 0.0, found_again_ = 0.0;
 };
 
 }  // namespace lapfx::match

@@ -83,6 +83,14 @@ void tell_strokes(Measurement& found) {
         "Blood is all in view that looks as the strokes of " + found.painted->file + " say; " +
         (without ? "the frame at " + seconds_text(*without) + " counts as without blood."
                  : "no frame without blood is known, so what is doubtful is not counted (without_blood names one)."));
+    if (const double taken = found.painted->blood->found_without(); taken > most_found_without) {
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      "Of the frame without blood %.1f %% is taken for blood all the same: as much may be false in "
+                      "others.",
+                      100.0 * taken);
+        found.notes.emplace_back(text);
+    }
     if (const double found_again = found.painted->blood->found_again(); found_again < least_found_again) {
         char text[240];
         std::snprintf(text, sizeof text,

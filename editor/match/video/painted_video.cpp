@@ -40,7 +40,7 @@ WithoutBlood without_blood(const VideoReader& video, const BloodStrokes& strokes
 
 void check_times(const VideoReader& video, const BloodStrokes& strokes) {
     const auto check = [&](double time, const std::string& place) {
-        if (time < 0.0 || time > video.info().duration)
+        if (!(time >= 0.0 && time <= video.info().duration))
             refuse(strokes, place,
                    seconds_text(time) + " is outside the video (allowed: 0 to " + seconds_text(video.info().duration) +
                        ")");
@@ -55,6 +55,10 @@ PaintedVideo learn_blood(VideoReader& video, const BloodStrokes& strokes, std::o
     std::map<int, std::vector<std::size_t>> by_frame;
     for (std::size_t i = 0; i < strokes.strokes.size(); ++i)
         by_frame[video.frame_at(strokes.strokes[i].time)].push_back(i);
+    if (by_frame.size() > most_painted_frames)
+        refuse(strokes, "/strokes",
+               "lie over " + std::to_string(by_frame.size()) + " frames (allowed: 1 to " +
+                   std::to_string(most_painted_frames) + ")");
     std::vector<PaintedPicture> pictures;
     for (auto& [frame, which] : by_frame)
         pictures.push_back({picture_at(video, frame, strokes, place_of(which.front())), std::move(which)});

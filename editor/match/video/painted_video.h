@@ -23,9 +23,12 @@ struct PaintedVideo {
     std::optional<double> without_blood;        ///< s: the frame that counts as without blood; none: none is known
 };
 
+inline constexpr std::size_t most_painted_frames = 20;
+
 /// `baseline`, s: a frame without smoke; where the strokes name no frame without blood it may be one, which is tried
-/// unless they mark blood in it. Throws Error (bad_input) as check_times() and PaintedBlood, for a frame
-/// that the video cannot give, and for strokes of blood in the frame that is said to have none.
+/// unless they mark blood in it. Throws Error (bad_input) as check_times() and PaintedBlood, for more
+/// frames than most_painted_frames, for a frame that the video cannot give, and for strokes of blood in the frame that
+/// is said to have none.
 PaintedVideo learn_blood(VideoReader& video, const BloodStrokes& strokes, std::optional<double> baseline,
                          const EstimatorOptions& options);
 

@@ -326,7 +326,7 @@ std::vector<Shot> joined(const std::vector<Shot>& shots) {
         }
         made.back().last = shot.last;
         made.back().to = shot.to;
-        if (length > longest) made.back().why = shot.why;
+        if (length > longest) made.back().why = shot.why, made.back().other = shot.other;
         longest = std::max(longest, length);
     }
     return made;

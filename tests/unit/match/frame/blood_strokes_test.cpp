@@ -55,9 +55,13 @@ TEST(BloodStrokes, WhatIsWrongIsToldWithItsPlaceAndWhatIsAllowed) {
         std::string changed = blood;
         return file_of(changed.replace(changed.find(from), from.size(), to));
     };
-    const std::pair<std::string, const char*> cases[] = {
+    const std::pair<std::string, std::string> cases[] = {
         {"{", "s.json: line 1: is no JSON"},
         {"{\"format\": \"lapfx.blood_strokes\",\n \"version\": }", "s.json: line 2: is no JSON"},
+        {std::string(100'000, '[') + std::string(100'000, ']'), "s.json: is nested deeper than 32 levels"},
+        {file_of("{\"" + std::string(5000, 'x') + "\": 1}"),
+         "/strokes/0/" + std::string(40, 'x') + "...: unknown key (allowed: time, marks, radius, points)"},
+        {file_of("{\"" + std::string(39, 'x') + "\u00e4\": 1}"), std::string(39, 'x') + "...: unknown key"},
         {"[]", "s.json: is no JSON object with \"format\": \"lapfx.blood_strokes\""},
         {"{}", "s.json: /format: missing; expected \"lapfx.blood_strokes\""},
         {R"({"format": "lapfx.scene", "version": 1})", R"(/format: "lapfx.scene" is not "lapfx.blood_strokes")"},
@@ -86,6 +90,18 @@ TEST(BloodStrokes, WhatIsWrongIsToldWithItsPlaceAndWhatIsAllowed) {
         {stroke("[100, 50]", "[100, 101]"), "/strokes/0/points/1: [100,101] is not inside the picture of 200x100"},
         {stroke("[20, 10]", "[-1, 10]"), "/strokes/0/points/0: [-1,10] is not inside the picture of 200x100"}};
     for (const auto& [text, told] : cases) EXPECT_THAT(fault_of(text), HasSubstr(told)) << text;
+}
+
+TEST(BloodStrokes, HaveABoundedNumberOfPointsTogether) {
+    const auto of = [](int strokes, int points_each) {
+        std::string points, all;
+        for (int i = 0; i < points_each; ++i) points += i > 0 ? ",[9,9]" : "[9,9]";
+        for (int i = 0; i < strokes; ++i)
+            all += (i > 0 ? "," : "") + (R"({"time": 1, "marks": "blood", "radius": 4, "points": [)" + points + "]}");
+        return file_of(all);
+    };
+    EXPECT_EQ(read_blood_strokes(of(10, 2000), "s.json", size).strokes.size(), 10U);
+    EXPECT_EQ(fault_of(of(11, 1900)), "s.json: /strokes: have 20900 points together (allowed: up to 20000)");
 }
 
 BloodStroke stroke_at(Mark mark, double radius, std::vector<glm::dvec2> points) {

@@ -104,6 +104,26 @@ TEST(PaintedBlood, SmallPiecesAreNoneAndSmallHolesBelongToIt) {
     EXPECT_NEAR(test::share(found_in(learned.blood, frame)), whole, 0.03 * whole);
 }
 
+/// A person's mask may leave corners that are smaller than a hole in blood.
+TEST(PaintedBlood, APartThatNoBloodTouchesIsNone) {
+    const LookedAt corner{.masks = {{{0.05, 0}, {0.12, 0}, {0.12, 0.12}, {0.05, 0.12}},
+                                    {{0, 0.06}, {0.12, 0.06}, {0.12, 0.12}, {0, 0.12}}}};
+    const Learned learned(strokes(), test::tissue(), WithoutBlood::yes, corner);
+    EXPECT_EQ(learned.blood.found_without(), 0.0);
+    EXPECT_EQ(test::share(found_in(learned.blood, test::tissue())), 0.0);
+}
+
+/// Nothing is known of the haze where the clear frame is dark.
+TEST(PaintedBlood, WhereTheClearFrameShowsNothingNoHazeIsRemoved) {
+    cv::Mat cut_off = test::tissue();
+    cut_off(cv::Rect(0, 0, 60, test::height)) = cv::Scalar::all(0);
+    const Learned learned(strokes(), test::tissue(), WithoutBlood::yes);
+    cv::Mat found;
+    learned.blood.find(code_at_working_size(test::image_of(test::tissue())),
+                       learned.blood.haze_of(code_at_working_size(test::image_of(cut_off))), found);
+    EXPECT_LE(test::share(found), 0.005);
+}
+
 /// Something like blood in a frame that has none: the more, the higher the threshold; where it is blood itself, or no
 /// such frame is known, the highest.
 TEST(PaintedBlood, TheThresholdIsTheLowestThatSparesAFrameWithoutBlood) {
@@ -117,6 +137,9 @@ TEST(PaintedBlood, TheThresholdIsTheLowestThatSparesAFrameWithoutBlood) {
     }
     EXPECT_TRUE(std::ranges::is_sorted(thresholds)) << testing::PrintToString(thresholds);
     EXPECT_EQ(thresholds.back(), 0.9);
+    EXPECT_GT(Learned(strokes(), alike, WithoutBlood::yes).blood.found_without(), 4.0 * most_found_without)
+        << "said to have none";
+    EXPECT_LE(Learned(strokes(), test::tissue(), WithoutBlood::yes).blood.found_without(), most_found_without);
     EXPECT_TRUE(std::ranges::any_of(thresholds, [](double t) { return t > 0.5 && t < 0.9; }))
         << testing::PrintToString(thresholds);
 }
@@ -131,8 +154,13 @@ TEST(PaintedBlood, AFrameThatMayHaveBloodIsLearnedFromOnlyIfItHasNone) {
     EXPECT_NEAR(test::share(found_in(bled.blood, bloody(2, {90, 120}))), disc, 0.15 * disc);
     BloodStrokes blood_alone = strokes();
     blood_alone.strokes.resize(2);
-    EXPECT_TRUE(Learned(blood_alone, test::tissue(), WithoutBlood::maybe).blood.without_blood())
-        << "nothing else is known";
+    try {
+        const Learned learned(blood_alone, test::tissue(), WithoutBlood::maybe);
+        FAIL() << "nothing says whether it has blood";
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(),
+                     "s.json: /strokes: no stroke marks what is no blood, and no frame without blood is known");
+    }
 }
 
 std::string fault_of(const BloodStrokes& from, WithoutBlood without_blood, const LookedAt& part = {}) {

@@ -111,6 +111,25 @@ TEST_F(PaintedVideoTest, StrokesOfBloodThatMarkTissueAreToldOf) {
     EXPECT_THAT(found.notes, testing::Contains(HasSubstr(told)));
 }
 
+TEST_F(PaintedVideoTest, OfAFrameWithoutBloodThatLooksBloodyItIsTold) {
+    add(2);
+    BloodStrokes wrong = strokes();
+    wrong.without_blood = 6 * frame;  // it bleeds there
+    EXPECT_THAT(measured(wrong).notes, testing::Contains(HasSubstr("is taken for blood all the same")));
+    wrong.without_blood = 0.0;
+    EXPECT_THAT(measured(wrong).notes, Not(testing::Contains(HasSubstr("is taken for blood all the same"))));
+}
+
+TEST_F(PaintedVideoTest, StrokesOverMoreThanTwentyFramesAreRefused) {
+    add(2);
+    add(0);
+    BloodStrokes many = strokes();
+    for (int i = 0; i < 20; ++i) many.strokes.push_back(stroke(i * frame, Mark::other, {{30, 30}, {120, 40}}));
+    EXPECT_EQ(measured(many).frames.size(), 2U * frames) << "20 frames, one of them twice";
+    many.strokes.push_back(stroke(20 * frame, Mark::other, {{30, 30}, {120, 40}}));
+    EXPECT_THAT(faults(many), testing::ElementsAre("s.json: /strokes: lie over 21 frames (allowed: 1 to 20)"));
+}
+
 TEST_F(PaintedVideoTest, AFaultNamesTheStroke) {
     add(2);
     BloodStrokes late = strokes(), contrary = strokes(), after = strokes();
