@@ -65,15 +65,19 @@ void tell_flags(Measurement& found) {
     }
 }
 
+std::string percent_text(double share) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f %%", 100.0 * share);
+    return text;
+}
+
 void tell_overlay(Measurement& found) {
     const cv::Mat& overlay = found.survey->overlay;
     if (overlay.empty()) return;
     const int pixels = cv::countNonZero(overlay);
     if (pixels < told_overlay * static_cast<double>(overlay.total())) return;
-    char text[96];
-    std::snprintf(text, sizeof text, "Burnt-in text or a logo is left out: %.1f %% of the picture.",
-                  100.0 * pixels / static_cast<double>(overlay.total()));
-    found.notes.emplace_back(text);
+    found.notes.push_back("Burnt-in text or a logo is left out: " +
+                          percent_text(pixels / static_cast<double>(overlay.total())) + " of the picture.");
 }
 
 void tell_strokes(Measurement& found) {
@@ -83,22 +87,14 @@ void tell_strokes(Measurement& found) {
         "Blood is all in view that looks as the strokes of " + found.painted->file + " say; " +
         (without ? "the frame at " + seconds_text(*without) + " counts as without blood."
                  : "no frame without blood is known, so what is doubtful is not counted (without_blood names one)."));
-    if (const double taken = found.painted->blood->found_without(); taken > most_found_without) {
-        char text[160];
-        std::snprintf(text, sizeof text,
-                      "Of the frame without blood %.1f %% is taken for blood all the same: as much may be false in "
-                      "others.",
-                      100.0 * taken);
-        found.notes.emplace_back(text);
-    }
-    if (const double found_again = found.painted->blood->found_again(); found_again < least_found_again) {
-        char text[240];
-        std::snprintf(text, sizeof text,
-                      "Only %.0f %% of what the strokes mark as blood looks alike enough to be found again: mark blood "
-                      "where it is plain to see, in a clearer frame, or more of it.",
-                      100.0 * found_again);
-        found.notes.emplace_back(text);
-    }
+    const PaintedBlood& blood = *found.painted->blood;
+    if (blood.found_without() > most_found_without)
+        found.notes.push_back("Of the frame without blood " + percent_text(blood.found_without()) +
+                              " is taken for blood all the same: as much may be false in others.");
+    if (blood.found_again() < least_found_again)
+        found.notes.push_back("Only " + percent_text(blood.found_again()) +
+                              " of what the strokes mark as blood looks alike enough to be found again: mark blood "
+                              "where it is plain to see, in a clearer frame, or more of it.");
 }
 
 /// Why the baseline that was given does not serve a shot, and what does.
