@@ -73,7 +73,7 @@ class Shapes {
 
   private:
     const ReferenceMeasure& measure() const { return edited_.document.scene().reference.measure; }
-    static glm::dvec2 place_of(const PartCorner& corner) { return {corner.x, corner.y}; }
+    static glm::dvec2 place_of(const PicturePlace& corner) { return {corner.x, corner.y}; }
     glm::vec2 on_screen(glm::dvec2 place) const { return glm::vec2(view_.to_screen(place * glm::dvec2(view_.size))); }
     glm::dvec2 in_picture(glm::vec2 at) const {
         const glm::dvec2 place = glm::clamp(view_.to_picture(at) / glm::dvec2(view_.size), 0.0, 1.0);
@@ -198,7 +198,7 @@ class Shapes {
             ui_, view_, moves, [&](glm::dvec2 p) { return glm::clamp(p, half, 1.0 - half); }, place);
         const glm::dvec2 way = place - before;
         change_part(edit, "Move part", index, [&](auto& corners) {
-            for (PartCorner& corner : corners) {
+            for (PicturePlace& corner : corners) {
                 corner.x = std::clamp(corner.x + way.x, 0.0, 1.0);
                 corner.y = std::clamp(corner.y + way.y, 0.0, 1.0);
             }
@@ -239,7 +239,7 @@ class Shapes {
     const ui::View& view_;
     // Copied before any handle changes them.
     const MeasuredRegion region_;
-    std::array<std::array<PartCorner, most_part_corners>, most_left_out_parts> corners_;
+    std::array<std::array<PicturePlace, most_part_corners>, most_left_out_parts> corners_;
     std::array<std::size_t, most_left_out_parts> corner_counts_{};
     const std::size_t count_;
 };

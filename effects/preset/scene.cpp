@@ -174,16 +174,16 @@ constexpr Parameter mark_rows[] = {
                              "When blood begins, in the reference's time. -1: not marked."),
 };
 
-template <double M::*Member>
+template <class Owner, double Owner::*Member>
 constexpr Rule set_or_not(std::string_view key) {
     return {key, [](const void* owner) -> std::string {
-                const double time = static_cast<const M*>(owner)->*Member;
+                const double time = static_cast<const Owner*>(owner)->*Member;
                 return time == -1 || time >= 0 ? "" : number_text(time) + " s is neither -1 nor from 0 on";
             }};
 }
-constexpr Rule mark_rules[] = {set_or_not<&M::smoke_starts>("smoke_starts"), set_or_not<&M::smoke_peaks>("smoke_peaks"),
-                               set_or_not<&M::smoke_clears>("smoke_clears"),
-                               set_or_not<&M::blood_starts>("blood_starts")};
+constexpr Rule mark_rules[] = {
+    set_or_not<M, &M::smoke_starts>("smoke_starts"), set_or_not<M, &M::smoke_peaks>("smoke_peaks"),
+    set_or_not<M, &M::smoke_clears>("smoke_clears"), set_or_not<M, &M::blood_starts>("blood_starts")};
 
 constexpr Range loop_time{-86'400, 86'400, 0.04, "s"};
 constexpr Parameter loop_rows[] = {
@@ -256,13 +256,18 @@ constexpr Parameter measure_rows[] = {
     number<&RM::from>("from", "From", {0, longest_video, 0.05, "s"}, "Time in the reference where measuring starts."),
     number<&RM::to>("to", "To", {0, longest_video, 0.05, "s"},
                     "Time in the reference where measuring ends; 0 goes on to its end."),
+    number<&RM::without_blood>("without_blood", "Without blood", {-1, longest_video, 0.05, "s"},
+                               "Time of a frame of the reference that has no blood, for strokes to learn from; -1: "
+                               "the baseline's frame, where the strokes agree with it."),
 };
-constexpr Rule measure_rules[] = {{"to", [](const void* owner) -> std::string {
+constexpr Rule measure_rules[] = {{"to",
+                                   [](const void* owner) -> std::string {
                                        const RM& measure = *static_cast<const RM*>(owner);
                                        if (measure.to == 0 || measure.to > measure.from) return "";
                                        return number_text(measure.to) + " s is neither 0 nor after from, " +
                                               number_text(measure.from) + " s";
-                                   }}};
+                                   }},
+                                  set_or_not<RM, &RM::without_blood>("without_blood")};
 
 using Q = BloodQualifier;
 constexpr Parameter blood_rows[] = {
@@ -281,6 +286,7 @@ constexpr Parameter blood_rows[] = {
 };
 
 constexpr Range part_of_picture{0, 1, 0.005, "of the picture"};
+constexpr Range stroke_radius{0.001, most_stroke_radius, 0.001, "of the width"};
 using MR = MeasuredRegion;
 constexpr Parameter region_rows[] = {
     number<&MR::x>("x", "X", {0, 0.95, 0.005, "of the picture"}, "The region's left edge."),
@@ -289,13 +295,27 @@ constexpr Parameter region_rows[] = {
     number<&MR::height>("height", "Height", {0.05, 1, 0.005, "of the picture"}, "The region's height."),
 };
 
-constexpr Parameter corner_rows[] = {
-    number<&PartCorner::x>("x", "X", part_of_picture, "Where the corner is, from the left edge."),
-    number<&PartCorner::y>("y", "Y", part_of_picture, "Where the corner is, from the upper edge."),
+constexpr Parameter place_rows[] = {
+    number<&PicturePlace::x>("x", "X", part_of_picture, "Where it is, from the left edge."),
+    number<&PicturePlace::y>("y", "Y", part_of_picture, "Where it is, from the upper edge."),
 };
 constexpr Table part_tables[] = {
     list<&LeftOutPart::corners, most_part_corners>("corners", "Corners", "The polygon's corners, three or more.",
-                                                   {corner_rows}),
+                                                   {place_rows}),
+};
+
+using BS = BloodStroke;
+constexpr std::string_view stroke_marks[] = {"blood", "other"};
+constexpr Parameter stroke_rows[] = {
+    number<&BS::time>("time", "Time", {0, longest_video, 0.04, "s"},
+                      "Time in the reference of the frame that is painted over."),
+    choice<&BS::marks>("marks", "Marks", stroke_marks,
+                       "blood: what is below the stroke is blood; other: it is tissue or anything else."),
+    number<&BS::radius>("radius", "Radius", stroke_radius, "Radius of the brush."),
+};
+constexpr Table stroke_tables[] = {
+    list<&BS::points, most_stroke_points>("points", "Points", "Where the brush went: a line from point to point.",
+                                          {place_rows}),
 };
 
 constexpr Table measure_tables[] = {
@@ -305,6 +325,11 @@ constexpr Table measure_tables[] = {
     list<&RM::parts, most_left_out_parts>(
         "parts", "Parts", "Polygons of the reference's picture that are not measured, such as a logo or an instrument.",
         {{}, part_tables}),
+    list<&RM::strokes, most_blood_strokes>(
+        "strokes", "Strokes",
+        "Strokes of a brush that say what is blood in the reference and what is not. With one of blood, all blood in "
+        "view is measured, not only what is new since the baseline.",
+        {stroke_rows, stroke_tables}),
 };
 
 using CR = ComparedRegion;

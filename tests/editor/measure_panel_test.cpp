@@ -352,7 +352,7 @@ TEST_F(MeasurePanelOfKnown, APartIsDrawnMovedAndTakenOut) {
     EXPECT_LT(bench().amounts().valid, valid - 0.005);
     EXPECT_TRUE(says("Part 1: 3 corners"));
 
-    const PartCorner corner = measure().parts[0].corners[0];
+    const PicturePlace corner = measure().parts[0].corners[0];
     ui().drag(picture_path + "/Part 1 corner 1", {-30, -20}).frame().frame();
     EXPECT_LT(measure().parts[0].corners[0].x, corner.x - 0.02);
     EXPECT_LT(measure().parts[0].corners[0].y, corner.y - 0.02);

@@ -390,7 +390,7 @@ void MeasureBench::stop_drawing() {
 }
 
 void MeasureBench::close_part() {
-    std::vector<PartCorner> corners = std::move(look.drawn);
+    std::vector<PicturePlace> corners = std::move(look.drawn);
     stop_drawing();
     if (corners.size() < 3 || document_.scene().reference.measure.parts.size() >= most_left_out_parts) return;
     document_.change("Add part", [&](document::Content& c) {

@@ -29,7 +29,7 @@ struct MeasureLook {
     bool blood = true, smoke = true, left_out = true;  ///< drawn over the picture
     bool picks_blood = false;                          ///< the next click on the picture says what blood is
     bool draws_part = false;                           ///< clicks on the picture are corners of a part
-    std::vector<PartCorner> drawn;                     ///< the corners so far
+    std::vector<PicturePlace> drawn;                   ///< the corners so far
     ui::ViewState state;
 };
 

@@ -52,7 +52,7 @@ class StrokesReader {
         check_keys(all, "", {"format", "version", "without_blood", "strokes"});
         BloodStrokes made{.file = name_, .without_blood = {}, .strokes = {}};
         if (all.contains("without_blood")) made.without_blood = number(all, "", "without_blood", 0.0, longest_video);
-        const json& strokes = list(all, "", "strokes", most_strokes);
+        const json& strokes = list(all, "", "strokes", most_blood_strokes);
         const glm::dvec2 whole = in_fractions(strokes) ? glm::dvec2(1.0) : glm::dvec2(size_);
         for (std::size_t i = 0; i < strokes.size(); ++i)
             made.strokes.push_back(stroke_of(strokes[i], "/strokes/" + std::to_string(i), whole));
@@ -62,7 +62,7 @@ class StrokesReader {
         if (points > most_points)
             refuse("/strokes", "have " + std::to_string(points) + " points together (allowed: up to " +
                                    std::to_string(most_points) + ")");
-        if (std::ranges::none_of(made.strokes, [](const BloodStroke& s) { return s.mark == Mark::blood; }))
+        if (std::ranges::none_of(made.strokes, [](const BloodStroke& s) { return s.marks == StrokeMark::blood; }))
             refuse("/strokes", "no stroke marks blood");
         return made;
     }
@@ -151,7 +151,7 @@ class StrokesReader {
         if (!stroke.is_object()) refuse(place, shown(stroke) + " is not an object");
         check_keys(stroke, place, {"time", "marks", "radius", "points"});
         BloodStroke made{.time = number(stroke, place, "time", 0.0, longest_video),
-                         .mark = mark_of(member(stroke, place, "marks"), place + "/marks"),
+                         .marks = mark_of(member(stroke, place, "marks"), place + "/marks"),
                          .radius = number(stroke, place, "radius", 0.0, most_stroke_radius * whole.x) / whole.x};
         if (made.radius <= 0.0) refuse(place + "/radius", "0 is not above 0");
         const json& points = list(stroke, place, "points", most_stroke_points);
@@ -160,23 +160,20 @@ class StrokesReader {
         return made;
     }
 
-    Mark mark_of(const json& value, const std::string& place) const {
-        std::string allowed;
-        for (const MarkRow& row : mark_rows) {
-            if (value == std::string(row.key)) return row.mark;
-            allowed += (allowed.empty() ? "\"" : " or \"") + std::string(row.key) + "\"";
-        }
-        refuse(place, shown(value) + " is not " + allowed);
+    StrokeMark mark_of(const json& value, const std::string& place) const {
+        if (value == "blood") return StrokeMark::blood;
+        if (value == "other") return StrokeMark::other;
+        refuse(place, shown(value) + " is not \"blood\" or \"other\"");
     }
 
-    glm::dvec2 point_of(const json& point, const std::string& place, glm::dvec2 whole) const {
+    PicturePlace point_of(const json& point, const std::string& place, glm::dvec2 whole) const {
         if (!point.is_array() || point.size() != 2 || !point[0].is_number() || !point[1].is_number())
             refuse(place, shown(point) + " is not [x,y]");
         const glm::dvec2 made = glm::dvec2(point[0].get<double>(), point[1].get<double>()) / whole;
         if (!(made.x >= 0.0 && made.y >= 0.0 && made.x <= 1.0 && made.y <= 1.0))
             refuse(place, shown(point) + " is not inside the picture of " + std::to_string(size_.x) + "x" +
                               std::to_string(size_.y));
-        return made;
+        return {made.x, made.y};
     }
 
     const std::string& name_;
@@ -192,12 +189,12 @@ double distance_to(glm::dvec2 p, glm::dvec2 from, glm::dvec2 to) {
 
 /// Pixels whose middle is within `radius` of a line, and those below its ends; all in px. Gives whether one was in
 /// view.
-bool paint(cv::Mat& marks, const cv::Mat& view, glm::dvec2 from, glm::dvec2 to, double radius, Mark mark) {
+bool paint(cv::Mat& marks, const cv::Mat& view, glm::dvec2 from, glm::dvec2 to, double radius, StrokeMark mark) {
     const auto limit = [](double at, int length) { return std::clamp(static_cast<int>(at), 0, length - 1); };
     bool any = false;
     const auto put = [&](int x, int y) {
         if (view.at<std::uint8_t>(y, x) == 0) return;
-        marks.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(mark);
+        marks.at<std::uint8_t>(y, x) = value_of(mark);
         any = true;
     };
     for (const glm::dvec2 end : {from, to}) put(limit(end.x, view.cols), limit(end.y, view.rows));
@@ -217,15 +214,16 @@ BloodStrokes read_blood_strokes(std::string_view json, const std::string& name, 
 cv::Mat marks_of(const BloodStrokes& strokes, std::span<const std::size_t> which, const cv::Mat& view) {
     cv::Mat marks = cv::Mat::zeros(view.size(), CV_8U);
     const glm::dvec2 size(view.cols, view.rows);
+    const auto at = [size](const PicturePlace& place) { return size * glm::dvec2(place.x, place.y); };
     for (const std::size_t number : which) {
         const BloodStroke& stroke = strokes.strokes[number];
         bool any = false;
         for (std::size_t i = 0; i < stroke.points.size(); ++i)
-            any |= paint(marks, view, size * stroke.points[i > 0 ? i - 1 : 0], size * stroke.points[i],
-                         size.x * stroke.radius, stroke.mark);
+            any |= paint(marks, view, at(stroke.points[i > 0 ? i - 1 : 0]), at(stroke.points[i]),
+                         size.x * stroke.radius, stroke.marks);
         if (!any)
             throw Error(Failure::bad_input, Fault{.file = strokes.file,
-                                                  .place = "/strokes/" + std::to_string(number),
+                                                  .place = strokes.place + "/strokes/" + std::to_string(number),
                                                   .reason = "lies outside of the view that is measured"});
     }
     return marks;

@@ -22,33 +22,17 @@
 #include <string_view>
 #include <vector>
 
+#include "lapfx/scene.h"
+
 namespace lapfx::match {
 
-/// What a stroke says of the pixels below it. These are the values of marks_of(), too; 0: nothing was painted there.
-enum class Mark : std::uint8_t {
-    blood = 1,
-    other = 2  ///< tissue, an instrument, or anything else that is no blood
-};
-struct MarkRow {
-    Mark mark;
-    std::string_view key;  ///< in a file
-};
-inline constexpr MarkRow mark_rows[] = {{Mark::blood, "blood"}, {Mark::other, "other"}};
-
-struct BloodStroke {
-    double time = 0.0;  ///< s of the video: of the frame that is painted over
-    Mark mark = Mark::blood;
-    double radius = 0.0;                  ///< of the brush, share of the picture's width, above 0
-    std::vector<glm::dvec2> points = {};  ///< fractions of the picture, from its upper left corner; at least one
-};
-
-inline constexpr std::size_t most_strokes = 500, most_stroke_points = 2000, most_points = 20'000;
-inline constexpr double most_stroke_radius = 0.25;  // of the width
+inline constexpr std::size_t most_points = 20'000;  // of all strokes together
 
 struct BloodStrokes {
-    std::string file;                          ///< stands in messages and results
+    std::string file;                          ///< stands in messages and results; empty: a scene's own
+    std::string place = {};                    ///< of what holds them there, in messages: a JSON pointer
     std::optional<double> without_blood = {};  ///< s of the video: a frame that has no blood, as a person says
-    std::vector<BloodStroke> strokes;          ///< a later one is painted over those before
+    std::vector<BloodStroke> strokes;          ///< as ReferenceMeasure::strokes; each has a point
 };
 
 /// `name`: BloodStrokes::file. `size`: of the video's pictures. Throws Error (bad_input) that names the place, the
@@ -56,9 +40,12 @@ struct BloodStrokes {
 /// outside the picture, more than most_points together, or strokes of which none marks blood.
 BloodStrokes read_blood_strokes(std::string_view json, const std::string& name, glm::ivec2 size);
 
-/// What the strokes of `which` (numbers in `strokes`) mark within `view` (CV_8U, 255 inside): CV_8U of its size, values
-/// of Mark. A brush has at least the pixel below each point. Throws Error (bad_input) for a stroke that lies outside of
-/// the view.
+/// What a mark is in marks_of(), where 0 is what nothing was painted over.
+inline constexpr std::uint8_t value_of(StrokeMark mark) {
+    return mark == StrokeMark::blood ? 1 : 2;
+}
+/// What the strokes of `which` (numbers in `strokes`) mark within `view` (CV_8U, 255 inside): CV_8U of its size. A
+/// brush has at least the pixel below each point. Throws Error (bad_input) for a stroke that lies outside of the view.
 cv::Mat marks_of(const BloodStrokes& strokes, std::span<const std::size_t> which, const cv::Mat& view);
 
 }  // namespace lapfx::match

@@ -83,9 +83,8 @@ struct PaintedBlood::Examples {
         int number = 0;
         for (int y = 0; y < lesson.marks.rows; ++y)
             for (int x = 0; x < lesson.marks.cols; ++x)
-                if (const auto mark = static_cast<Mark>(lesson.marks.at<std::uint8_t>(y, x));
-                    mark != Mark{} && number++ % every == 0)
-                    add(features, y, x, mark == Mark::blood);
+                if (const std::uint8_t mark = lesson.marks.at<std::uint8_t>(y, x); mark != 0 && number++ % every == 0)
+                    add(features, y, x, mark == value_of(StrokeMark::blood));
     }
     bool has(std::uint8_t kind) const { return std::ranges::find(kinds, kind) != kinds.end(); }
     cv::Mat rows() {
@@ -97,7 +96,8 @@ PaintedBlood::PaintedBlood(const BloodStrokes& strokes, std::span<const PaintedP
                            const ClearPicture& clear, const LookedAt& part)
     : part_(part) {
     const auto refuse = [&strokes](const std::string& reason) {
-        throw Error(Failure::bad_input, Fault{.file = strokes.file, .place = "/strokes", .reason = reason});
+        throw Error(Failure::bad_input,
+                    Fault{.file = strokes.file, .place = strokes.place + "/strokes", .reason = reason});
     };
     cv::Mat clear_code, clear_haze;
     if (clear.picture != nullptr) {
@@ -140,7 +140,7 @@ double PaintedBlood::found_in(std::span<const Lesson> lessons, const cv::Mat& cl
     for (const Lesson& lesson : lessons) {
         cv::Mat blood;
         find(lesson.code, clear_haze, blood);
-        const cv::Mat as_blood = lesson.marks == static_cast<double>(Mark::blood);
+        const cv::Mat as_blood = lesson.marks == static_cast<double>(value_of(StrokeMark::blood));
         marked += cv::countNonZero(as_blood);
         found += cv::countNonZero(as_blood & blood);
     }

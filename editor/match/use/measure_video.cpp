@@ -11,6 +11,15 @@ constexpr std::size_t least_corners = 3;  // of a polygon
 
 }  // namespace
 
+std::optional<BloodStrokes> strokes_of(const ReferenceMeasure& measure) {
+    BloodStrokes made{.file = "", .place = "/reference/measure", .without_blood = {}, .strokes = measure.strokes};
+    std::erase_if(made.strokes, [](const BloodStroke& stroke) { return stroke.points.empty(); });
+    if (std::ranges::none_of(made.strokes, [](const BloodStroke& s) { return s.marks == StrokeMark::blood; }))
+        return {};
+    if (measure.without_blood >= 0.0) made.without_blood = measure.without_blood;
+    return made;
+}
+
 MeasureOptions measure_options(const ReferenceMeasure& measure) {
     MeasureOptions options;
     const MeasuredRegion& region = measure.region;
@@ -20,11 +29,12 @@ MeasureOptions measure_options(const ReferenceMeasure& measure) {
     for (const LeftOutPart& part : measure.parts) {
         if (part.corners.size() < least_corners) continue;
         MaskPolygon& mask = options.estimator.masks.emplace_back();
-        for (const PartCorner& corner : part.corners) mask.emplace_back(corner.x, corner.y);
+        for (const PicturePlace& corner : part.corners) mask.emplace_back(corner.x, corner.y);
     }
     if (measure.baseline > 0) options.baseline = measure.baseline;
     options.from = measure.from;
     if (measure.to > 0) options.to = measure.to;
+    options.strokes = strokes_of(measure);
     return options;
 }
 

@@ -20,6 +20,8 @@
 
 namespace lapfx::match {
 
+/// The strokes of a scene, by which blood is looked for; nothing where none of them marks blood.
+std::optional<BloodStrokes> strokes_of(const ReferenceMeasure& measure);
 /// How a scene says that its reference is measured.
 MeasureOptions measure_options(const ReferenceMeasure& measure);
 

@@ -129,7 +129,7 @@ nlohmann::json json_of(std::optional<double> baseline, bool suggested) {
 
 /// Blood is absolute then: all that is in view.
 nlohmann::json json_of(const PaintedVideo& painted) {
-    return {{"file", painted.file},
+    return {{"file", painted.file.empty() ? nlohmann::json(nullptr) : nlohmann::json(painted.file)},
             {"absolute", true},
             {"without_blood", painted.without_blood ? nlohmann::json(*painted.without_blood) : nlohmann::json(nullptr)},
             {"threshold", painted.blood->threshold()},

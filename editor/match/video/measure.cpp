@@ -84,7 +84,8 @@ void tell_strokes(Measurement& found) {
     if (!found.painted) return;
     const auto without = found.painted->without_blood;
     found.notes.push_back(
-        "Blood is all in view that looks as the strokes of " + found.painted->file + " say; " +
+        "Blood is all in view that looks as the strokes of " +
+        (found.painted->file.empty() ? "the scene" : found.painted->file) + " say; " +
         (without ? "the frame at " + seconds_text(*without) + " counts as without blood."
                  : "no frame without blood is known, so what is doubtful is not counted (without_blood names one)."));
     const PaintedBlood& blood = *found.painted->blood;

@@ -15,7 +15,7 @@ std::string place_of(std::size_t stroke) {
 }
 
 [[noreturn]] void refuse(const BloodStrokes& strokes, const std::string& place, const std::string& reason) {
-    throw Error(Failure::bad_input, Fault{.file = strokes.file, .place = place, .reason = reason});
+    throw Error(Failure::bad_input, Fault{.file = strokes.file, .place = strokes.place + place, .reason = reason});
 }
 
 Image picture_at(VideoReader& video, int frame, const BloodStrokes& strokes, const std::string& place) {
@@ -28,7 +28,7 @@ Image picture_at(VideoReader& video, int frame, const BloodStrokes& strokes, con
 /// What the strokes say of the frame that is compared with: it has no blood if it is the one that they name.
 WithoutBlood without_blood(const VideoReader& video, const BloodStrokes& strokes, int clear) {
     for (std::size_t i = 0; i < strokes.strokes.size(); ++i) {
-        if (strokes.strokes[i].mark != Mark::blood || video.frame_at(strokes.strokes[i].time) != clear) continue;
+        if (strokes.strokes[i].marks != StrokeMark::blood || video.frame_at(strokes.strokes[i].time) != clear) continue;
         if (strokes.without_blood)
             refuse(strokes, "/without_blood", "stroke " + std::to_string(i) + " marks blood there");
         return WithoutBlood::no;

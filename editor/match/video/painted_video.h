@@ -18,7 +18,7 @@
 namespace lapfx::match {
 
 struct PaintedVideo {
-    std::string file;                           ///< of the strokes
+    std::string file;                           ///< of the strokes; empty: they are a scene's own
     std::shared_ptr<const PaintedBlood> blood;  ///< never null
     std::optional<double> without_blood;        ///< s: the frame that counts as without blood; none: none is known
 };

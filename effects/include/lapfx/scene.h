@@ -84,18 +84,32 @@ struct ReferencePlacement {
 };
 
 /// A place in the reference's picture: fractions of it from its upper left corner.
-struct PartCorner {
+struct PicturePlace {
     double x = 0.0, y = 0.0;
+    friend bool operator==(const PicturePlace&, const PicturePlace&) = default;
 };
 /// A polygon of the reference's picture that is not measured; with fewer than three corners it is nothing.
 struct LeftOutPart {
-    std::vector<PartCorner> corners = {};
+    std::vector<PicturePlace> corners = {};
 };
 /// The rectangle of the reference's picture that is measured, fractions of it; what lies beyond the picture is nothing.
 struct MeasuredRegion {
     double x = 0.0, y = 0.0, width = 1.0, height = 1.0;
 };
 inline constexpr std::size_t most_left_out_parts = 12, most_part_corners = 32;
+
+/// What a person says of the pixels below a stroke; `other`: tissue, an instrument, anything that is no blood.
+enum class StrokeMark { blood, other };
+/// A stroke of a brush over a frame of the reference, by which this video's blood is learned. Without points it is
+/// nothing.
+struct BloodStroke {
+    double time = 0.0;  ///< s of the reference: of the frame that is painted over
+    StrokeMark marks = StrokeMark::blood;
+    double radius = 0.01;  ///< of the brush, share of the picture's width
+    std::vector<PicturePlace> points = {};
+};
+inline constexpr std::size_t most_blood_strokes = 500, most_stroke_points = 2000;
+inline constexpr double most_stroke_radius = 0.25;  // of the width
 
 /// How the reference's blood and smoke are measured. Times in s of the reference.
 struct ReferenceMeasure {
@@ -104,6 +118,8 @@ struct ReferenceMeasure {
     BloodQualifier blood = {};
     MeasuredRegion region = {};
     std::vector<LeftOutPart> parts = {};
+    double without_blood = -1.0;            ///< of a frame that has no blood, as a person says; -1: none is named
+    std::vector<BloodStroke> strokes = {};  ///< a later one is painted over those before
 };
 
 /// A rectangle that is compared in the pictures of the reference and the preview, fractions of them; what lies beyond

@@ -16,7 +16,7 @@ constexpr double blood_radius = 2.0, other_radius = 3.0, beside = 4.0;
 constexpr double shortest = 5.0, longest_blood = 20.0, longest_other = 40.0;
 
 /// A straight stroke that stays within `part`, of its picture's px; nothing where that is empty.
-void add_stroke(Random& random, const cv::Mat& part, match::Mark mark, double radius, double longest,
+void add_stroke(Random& random, const cv::Mat& part, StrokeMark marks, double radius, double longest,
                 match::BloodStrokes& strokes) {
     std::vector<cv::Point> inside;
     cv::findNonZero(part, inside);
@@ -31,9 +31,9 @@ void add_stroke(Random& random, const cv::Mat& part, match::Mark mark, double ra
         if (!whole.contains(next) || part.at<std::uint8_t>(next) == 0) break;
         to = next;
     }
-    match::BloodStroke stroke{.time = 0.0, .mark = mark, .radius = radius / part.cols};
+    BloodStroke stroke{.time = 0.0, .marks = marks, .radius = radius / part.cols};
     for (const cv::Point& at : {from, to})
-        stroke.points.emplace_back((at.x + 0.5) / part.cols, (at.y + 0.5) / part.rows);
+        stroke.points.push_back({(at.x + 0.5) / part.cols, (at.y + 0.5) / part.rows});
     strokes.strokes.push_back(std::move(stroke));
 }
 
@@ -46,9 +46,9 @@ match::PaintedPicture painted(const KnownPicture& known, Random& random, match::
     cv::dilate(known.blood_area, outer, match::disc(px(beside)));
     const std::size_t before = strokes.strokes.size();
     for (int i = 0; i < strokes_of_blood; ++i)
-        add_stroke(random, inner, match::Mark::blood, blood_radius * unit, longest_blood * unit, strokes);
+        add_stroke(random, inner, StrokeMark::blood, blood_radius * unit, longest_blood * unit, strokes);
     for (int i = 0; i < strokes_of_other; ++i)
-        add_stroke(random, known.view & ~outer, match::Mark::other, other_radius * unit, longest_other * unit, strokes);
+        add_stroke(random, known.view & ~outer, StrokeMark::other, other_radius * unit, longest_other * unit, strokes);
     match::PaintedPicture made{.picture = known.picture, .strokes = {}};
     for (std::size_t i = before; i < strokes.strokes.size(); ++i) made.strokes.push_back(i);
     return made;

@@ -69,7 +69,9 @@ TEST(Tables, EveryMemberOfASceneHasItsRow) {
     expect_complete<BloodQualifier>(*measure.find("blood"));
     expect_complete<MeasuredRegion>(*measure.find("region"));
     expect_complete<LeftOutPart>(*measure.find("parts"));
-    expect_complete<PartCorner>(*measure.find("parts")->find("corners"));
+    expect_complete<PicturePlace>(*measure.find("parts")->find("corners"));
+    expect_complete<BloodStroke>(*measure.find("strokes"));
+    expect_complete<PicturePlace>(*measure.find("strokes")->find("points"));
 }
 
 void expect_sound(const Table& root, void* document) {

@@ -37,11 +37,11 @@ TEST(BloodStrokes, AFileIsInPixelsOrInFractions) {
     EXPECT_EQ(pixels.without_blood, 0.25);
     ASSERT_EQ(pixels.strokes.size(), 2U);
     EXPECT_EQ(pixels.strokes[0].time, 1.5);
-    EXPECT_EQ(pixels.strokes[0].mark, Mark::blood);
+    EXPECT_EQ(pixels.strokes[0].marks, StrokeMark::blood);
     EXPECT_EQ(pixels.strokes[0].radius, 0.02);
-    EXPECT_EQ(pixels.strokes[0].points, (std::vector<glm::dvec2>{{0.1, 0.1}, {0.5, 0.5}}));
-    EXPECT_EQ(pixels.strokes[1].mark, Mark::other);
-    EXPECT_EQ(pixels.strokes[1].points[0], glm::dvec2(0.005, 0.0)) << "pixels, because the other has pixels";
+    EXPECT_EQ(pixels.strokes[0].points, (std::vector<PicturePlace>{{0.1, 0.1}, {0.5, 0.5}}));
+    EXPECT_EQ(pixels.strokes[1].marks, StrokeMark::other);
+    EXPECT_EQ(pixels.strokes[1].points[0], (PicturePlace{0.005, 0.0})) << "pixels, because the other has pixels";
     const BloodStrokes fractions = read_blood_strokes(
         file_of(R"({"time": 1.5, "marks": "blood", "radius": 0.02, "points": [[0.1, 0.1], [0.5, 0.5]]})"), "s.json",
         size);
@@ -104,17 +104,17 @@ TEST(BloodStrokes, HaveABoundedNumberOfPointsTogether) {
     EXPECT_EQ(fault_of(of(11, 1900)), "s.json: /strokes: have 20900 points together (allowed: up to 20000)");
 }
 
-BloodStroke stroke_at(Mark mark, double radius, std::vector<glm::dvec2> points) {
-    return {.time = 0.0, .mark = mark, .radius = radius, .points = std::move(points)};
+BloodStroke stroke_at(StrokeMark marks, double radius, std::vector<PicturePlace> points) {
+    return {.time = 0.0, .marks = marks, .radius = radius, .points = std::move(points)};
 }
 
 TEST(BloodStrokes, MarkWhatIsWithinTheirRadiusAndTheLaterOneCounts) {
     const cv::Mat view(50, 100, CV_8U, cv::Scalar(255));
-    const BloodStrokes strokes{
-        .file = "s.json",
-        .without_blood = {},
-        .strokes = {stroke_at(Mark::blood, 0.1, {{0.5, 0.5}}), stroke_at(Mark::other, 0.02, {{0.2, 0.5}, {0.8, 0.5}}),
-                    stroke_at(Mark::blood, 1e-6, {{1.0, 1.0}})}};
+    const BloodStrokes strokes{.file = "s.json",
+                               .without_blood = {},
+                               .strokes = {stroke_at(StrokeMark::blood, 0.1, {{0.5, 0.5}}),
+                                           stroke_at(StrokeMark::other, 0.02, {{0.2, 0.5}, {0.8, 0.5}}),
+                                           stroke_at(StrokeMark::blood, 1e-6, {{1.0, 1.0}})}};
     const std::vector<std::size_t> first{0}, all{0, 1, 2};
     const cv::Mat disc = marks_of(strokes, first, view), both = marks_of(strokes, all, view);
     EXPECT_NEAR(cv::countNonZero(disc), 3.14159 * 10 * 10, 8);
@@ -133,7 +133,7 @@ TEST(BloodStrokes, OutsideOfTheViewAreAFault) {
     const BloodStrokes strokes{
         .file = "s.json",
         .without_blood = {},
-        .strokes = {stroke_at(Mark::blood, 0.1, {{0.5, 0.5}}), stroke_at(Mark::other, 0.1, {{0.2, 0.5}})}};
+        .strokes = {stroke_at(StrokeMark::blood, 0.1, {{0.5, 0.5}}), stroke_at(StrokeMark::other, 0.1, {{0.2, 0.5}})}};
     EXPECT_NEAR(cv::countNonZero(marks_of(strokes, std::vector<std::size_t>{0}, view)), 157, 6) << "half of it";
     try {
         marks_of(strokes, std::vector<std::size_t>{0, 1}, view);

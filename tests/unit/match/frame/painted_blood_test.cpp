@@ -20,22 +20,22 @@ cv::Mat bloody(int seed, cv::Point middle, int of_radius = radius) {
     return frame;
 }
 
-glm::dvec2 at(double x, double y) {
+PicturePlace at(double x, double y) {
     return {x / test::width, y / test::height};
 }
 
-BloodStroke stroke(Mark mark, std::vector<glm::dvec2> points) {
-    return {.time = 0.0, .mark = mark, .radius = 5.0 / test::width, .points = std::move(points)};
+BloodStroke stroke(StrokeMark marks, std::vector<PicturePlace> points) {
+    return {.time = 0.0, .marks = marks, .radius = 5.0 / test::width, .points = std::move(points)};
 }
 
 /// Over bloody(1, {150, 130}).
 BloodStrokes strokes() {
-    return {
-        .file = "s.json",
-        .without_blood = {},
-        .strokes = {stroke(Mark::blood, {at(130, 120), at(165, 140)}), stroke(Mark::blood, {at(150, 105)}),
-                    stroke(Mark::other, {at(30, 30), at(120, 40)}), stroke(Mark::other, {at(250, 60), at(280, 220)}),
-                    stroke(Mark::other, {at(40, 220), at(150, 230)})}};
+    return {.file = "s.json",
+            .without_blood = {},
+            .strokes = {stroke(StrokeMark::blood, {at(130, 120), at(165, 140)}),
+                        stroke(StrokeMark::blood, {at(150, 105)}), stroke(StrokeMark::other, {at(30, 30), at(120, 40)}),
+                        stroke(StrokeMark::other, {at(250, 60), at(280, 220)}),
+                        stroke(StrokeMark::other, {at(40, 220), at(150, 230)})}};
 }
 
 struct Learned {
@@ -74,8 +74,8 @@ TEST(PaintedBlood, IsFoundWhereverItIsInAnyFrame) {
 TEST(PaintedBlood, SaysHowMuchOfTheStrokesItFindsAgain) {
     EXPECT_EQ(Learned(strokes(), test::tissue(), WithoutBlood::yes).blood.found_again(), 1.0);
     BloodStrokes half = strokes();  // as much tissue again is marked as blood
-    half.strokes.push_back(stroke(Mark::blood, {at(60, 120), at(95, 140)}));
-    half.strokes.push_back(stroke(Mark::blood, {at(80, 180)}));
+    half.strokes.push_back(stroke(StrokeMark::blood, {at(60, 120), at(95, 140)}));
+    half.strokes.push_back(stroke(StrokeMark::blood, {at(80, 180)}));
     EXPECT_NEAR(Learned(half, test::tissue(), WithoutBlood::yes).blood.found_again(), 0.5, 0.15);
 }
 

@@ -20,18 +20,18 @@ constexpr double frame = 0.04;  // s
 constexpr int frames = 12, radius = 40;
 constexpr double disc = 3.14159 * radius * radius / (test::width * test::height);
 
-BloodStroke stroke(double time, Mark mark, std::vector<glm::dvec2> points) {
-    for (glm::dvec2& point : points) point /= glm::dvec2(test::width, test::height);
-    return {.time = time, .mark = mark, .radius = 5.0 / test::width, .points = std::move(points)};
+BloodStroke stroke(double time, StrokeMark marks, std::vector<PicturePlace> points) {
+    for (PicturePlace& point : points) point.x /= test::width, point.y /= test::height;
+    return {.time = time, .marks = marks, .radius = 5.0 / test::width, .points = std::move(points)};
 }
 
 /// Over the fifth frame.
 BloodStrokes strokes() {
     return {.file = "s.json",
             .without_blood = {},
-            .strokes = {stroke(4 * frame, Mark::blood, {{130, 120}, {165, 140}}),
-                        stroke(4 * frame, Mark::other, {{30, 30}, {120, 40}}),
-                        stroke(4 * frame, Mark::other, {{250, 60}, {280, 220}})}};
+            .strokes = {stroke(4 * frame, StrokeMark::blood, {{130, 120}, {165, 140}}),
+                        stroke(4 * frame, StrokeMark::other, {{30, 30}, {120, 40}}),
+                        stroke(4 * frame, StrokeMark::other, {{250, 60}, {280, 220}})}};
 }
 
 class PaintedVideoTest : public ::testing::Test {
@@ -105,7 +105,7 @@ TEST_F(PaintedVideoTest, StrokesOfBloodThatMarkTissueAreToldOf) {
     const char* told = "of what the strokes mark as blood looks alike enough to be found again";
     EXPECT_THAT(measured(strokes()).notes, Not(testing::Contains(HasSubstr(told))));
     BloodStrokes tissue = strokes();
-    tissue.strokes[0] = stroke(4 * frame, Mark::blood, {{40, 100}, {60, 180}, {90, 220}});
+    tissue.strokes[0] = stroke(4 * frame, StrokeMark::blood, {{40, 100}, {60, 180}, {90, 220}});
     const Measurement found = measured(tissue);
     EXPECT_LT(found.painted->blood->found_again(), 0.5);
     EXPECT_THAT(found.notes, testing::Contains(HasSubstr(told)));
@@ -124,9 +124,9 @@ TEST_F(PaintedVideoTest, StrokesOverMoreThanTwentyFramesAreRefused) {
     add(2);
     add(0);
     BloodStrokes many = strokes();
-    for (int i = 0; i < 20; ++i) many.strokes.push_back(stroke(i * frame, Mark::other, {{30, 30}, {120, 40}}));
+    for (int i = 0; i < 20; ++i) many.strokes.push_back(stroke(i * frame, StrokeMark::other, {{30, 30}, {120, 40}}));
     EXPECT_EQ(measured(many).frames.size(), 2U * frames) << "20 frames, one of them twice";
-    many.strokes.push_back(stroke(20 * frame, Mark::other, {{30, 30}, {120, 40}}));
+    many.strokes.push_back(stroke(20 * frame, StrokeMark::other, {{30, 30}, {120, 40}}));
     EXPECT_THAT(faults(many), testing::ElementsAre("s.json: /strokes: lie over 21 frames (allowed: 1 to 20)"));
 }
 
