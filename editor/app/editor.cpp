@@ -68,7 +68,8 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options, std::shared_p
       measuring_(std::make_unique<Measuring>(document, *reference_, options_.measured, jobs, toasts, !options_.exact)),
       measure_bench_(
           std::make_unique<MeasureBench>(document, *reference_, *measuring_, jobs, images, toasts, options_.exact)),
-      preview_measuring_(std::make_unique<PreviewMeasuring>(document, preview, *reference_, pace_, jobs, options_)),
+      preview_measuring_(
+          std::make_unique<PreviewMeasuring>(document, preview, *reference_, *measuring_, pace_, jobs, options_)),
       fitting_(std::make_unique<Fitting>(Fitting::Parts{.document = document,
                                                         .preview = preview,
                                                         .reference = *reference_,

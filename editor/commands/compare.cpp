@@ -110,6 +110,7 @@ ComparedFiles compare_scene(const Options& o) {
     match::PreviewCurve curve =
         preview_curve(shown, prepare_organ(shown.scene, shown.presets.front().vessels), options.estimator,
                       match::preview_size(video.info().size, reference.aspect));
+    curve.count_plate_by(match::painted_blood(of_reference.found));
     const match::ComparedScene drawn = draw(o,
                                             {.scene = shown.scene,
                                              .preset = shown.presets.front(),

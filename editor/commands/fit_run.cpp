@@ -173,6 +173,7 @@ FitRun run_fit(const FitOptions& given) {
     const glm::ivec2 size = match::preview_size(video.info().size, reference.aspect);
     fit.aspect = static_cast<double>(size.x) / size.y;
     match::PreviewCurve curve = preview_curve(shown, fit.organ, options.estimator, size);
+    curve.count_plate_by(match::painted_blood(run.measured));
     match::FittedScene found = fitted(o, fit, curve, steps);
     if (o.colors && files.fitted_scene.empty())
         found.colors.emplace_back(

@@ -79,7 +79,9 @@ HelpSection measuring() {
     return section(
         "Measure and fit",
         {"Measure tells how much blood and smoke the reference shows, frame by frame, with an interval, and begins by "
-         "itself. Amounts lays the curves of the reference and of the preview, measured alike, over each other, and "
+         "itself. Where a video bleeds from its beginning, Paint blood (Ctrl+Shift+B) over some of it and Paint other "
+         "over what is none: then all that looks like it counts. Amounts lays the curves of the reference and of the "
+         "preview, measured alike, over each other, and "
          "says how far their colours are apart. Counted draws what was counted over the reference. Plate (P) puts a "
          "clear frame of it in place of the organ, so that both pictures show the same tissue.",
          "Fit (Ctrl+Shift+F) finds values with which both curves agree. It works beside you on what may change, within "

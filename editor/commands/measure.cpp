@@ -278,7 +278,10 @@ Verb measure_verb() {
         "with times in s, points and radii in pixels; if no coordinate of the file is above 1, all are fractions, "
         "radii\n"
         "of the width. without_blood is the time of a frame that has neither blood nor smoke; it tells how much else\n"
-        "looks like blood. Left out, the baseline counts as one if hardly anything in it looks as the strokes say.\n\n"
+        "looks like blood. Left out, the baseline counts as one if hardly anything in it looks as the strokes say. "
+        "The\n"
+        "editor's Measure panel paints strokes over the reference and writes such a file; fit, compare and report use\n"
+        "those of their scene.\n\n"
         "The columns of the CSV are time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags. What is not\n"
         "measurable is empty, and the flags say why, words with one space between them:\n  " +
         flag_words() +

@@ -136,7 +136,7 @@ glm::dvec3 round_view_of(const std::string& text, glm::ivec2 size) {
 
 match::BloodStrokes strokes_of(const std::string& file, glm::ivec2 size) {
     note_read(file);
-    return match::read_blood_strokes(read_file(file, longest_file), file, size);
+    return match::read_blood_strokes(read_file(file, match::longest_strokes), file, size);
 }
 
 }  // namespace lapfx::commands

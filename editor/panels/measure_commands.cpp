@@ -2,6 +2,7 @@
 #include "app/base/file_chooser.h"
 #include "app/base/layouts.h"
 #include "app/editor.h"
+#include "app/measure/blood_strokes.h"
 #include "app/measure/measure_bench.h"
 #include "app/measure/measuring.h"
 #include "app/measure/proposed_marks.h"
@@ -27,6 +28,16 @@ constexpr ExportRow export_rows[] = {
     {app::MeasureFile::png, "measure.export_png", "PNG...", ".png", "Pictures", "Writes the curves as a picture"},
 };
 
+void take_tool(app::Editor& editor, app::MeasureTool tool) {
+    editor.layouts().bring_to_front("Measure");
+    editor.measure_bench().take_tool(tool);
+    editor.measure_bench().show();  // it may have come to the front only now
+}
+
+bool holds(app::Editor& editor, app::MeasureTool tool) {
+    return editor.measure_bench().look.tool == tool;
+}
+
 void ask_where(app::Editor& editor, const ExportRow& row) {
     editor.chooser().ask({.task = ui::FileTask::save,
                           .title = std::string("Export amounts as ") + row.filter,
@@ -35,6 +46,109 @@ void ask_where(app::Editor& editor, const ExportRow& row) {
                          [&editor, kind = row.kind](const std::vector<std::string>& files) {
                              editor.measuring().write(kind, files.front());
                          });
+}
+
+// --- strokes of blood ------------------------------------------------------------------------------------------------
+
+constexpr double brush_step = 1.25;
+const ui::FileFilter strokes_filter{"Strokes", {".json"}};
+
+const ReferenceMeasure& measure_of(app::Editor& editor) {
+    return editor.document.scene().reference.measure;
+}
+
+void change_brush(app::Editor& editor, double factor) {
+    double& brush = editor.measure_bench().look.brush;
+    brush = std::clamp(factor * brush, app::MeasureLook::least_brush, app::MeasureLook::most_brush);
+}
+
+void ask_for_strokes(app::Editor& editor) {
+    editor.chooser().ask({.task = ui::FileTask::open, .title = "Open strokes of blood", .filters = {strokes_filter}},
+                         [&editor](const std::vector<std::string>& files) {
+                             app::open_strokes(editor.document, editor.reference(), files.front(), editor.toasts);
+                         });
+}
+
+void ask_where_strokes(app::Editor& editor) {
+    editor.chooser().ask({.task = ui::FileTask::save,
+                          .title = "Export strokes of blood",
+                          .name = editor.reference().file().stem().string() + "_strokes.json",
+                          .filters = {strokes_filter}},
+                         [&editor](const std::vector<std::string>& files) {
+                             app::export_strokes(measure_of(editor), files.front(), editor.toasts);
+                         });
+}
+
+void add_strokes(app::Editor& editor) {
+    const auto shown = [&editor] { return editor.reference().video() != nullptr; };
+    const auto room = [&editor] {
+        return editor.reference().video() != nullptr && measure_of(editor).strokes.size() < most_blood_strokes;
+    };
+    const auto painted = [&editor] { return !measure_of(editor).strokes.empty(); };
+    const auto paints = [&editor] { return editor.measure_bench().look.paints(); };
+    const char* const missing = "there is no reference that can be shown";
+    const char* const full = "there is no reference, or it has as many strokes as it can have";
+    const char* const none = "nothing is painted over the reference";
+    editor.commands.add({.id = "measure.paint_blood",
+                         .title = "Paint blood",
+                         .group = "Reference",
+                         .chord = {key_of('B'), Mods::command | Mods::shift},
+                         .run = [&editor] { take_tool(editor, app::MeasureTool::paint_blood); },
+                         .enabled = room,
+                         .checked = [&editor] { return holds(editor, app::MeasureTool::paint_blood); },
+                         .tip = "Paint over what is blood in the picture: all that looks like it is measured then, not "
+                                "only what is new since the baseline",
+                         .missing = full});
+    editor.commands.add({.id = "measure.paint_other",
+                         .title = "Paint other",
+                         .group = "Reference",
+                         .run = [&editor] { take_tool(editor, app::MeasureTool::paint_other); },
+                         .enabled = room,
+                         .checked = [&editor] { return holds(editor, app::MeasureTool::paint_other); },
+                         .tip = "Paint over what is no blood: tissue that is as red, highlights, an instrument",
+                         .missing = full});
+    editor.commands.add({.id = "measure.smaller_brush",
+                         .title = "Smaller brush",
+                         .group = "Reference",
+                         .chord = {key_of('['), Mods::none},
+                         .run = [&editor] { change_brush(editor, 1 / brush_step); },
+                         .enabled = paints,
+                         .missing = "no brush is in hand"});
+    editor.commands.add({.id = "measure.larger_brush",
+                         .title = "Larger brush",
+                         .group = "Reference",
+                         .chord = {key_of(']'), Mods::none},
+                         .run = [&editor] { change_brush(editor, brush_step); },
+                         .enabled = paints,
+                         .missing = "no brush is in hand"});
+    editor.commands.add({.id = "measure.without_blood",
+                         .title = "No blood in this frame",
+                         .group = "Reference",
+                         .run = [&editor] { app::name_frame_without_blood(editor.document, editor.reference()); },
+                         .enabled = shown,
+                         .tip = "The frame of the reference that is shown has no blood: strokes learn from all of it",
+                         .missing = missing});
+    editor.commands.add({.id = "measure.open_strokes",
+                         .title = "Open strokes...",
+                         .group = "Reference",
+                         .run = [&editor] { ask_for_strokes(editor); },
+                         .enabled = shown,
+                         .tip = "Reads strokes of blood from a file, in place of those over the reference",
+                         .missing = missing});
+    editor.commands.add({.id = "measure.export_strokes",
+                         .title = "Export strokes...",
+                         .group = "Reference",
+                         .run = [&editor] { ask_where_strokes(editor); },
+                         .enabled = painted,
+                         .tip = "Writes the strokes to a file for lapfx measure --blood",
+                         .missing = none});
+    editor.commands.add({.id = "measure.remove_strokes",
+                         .title = "Remove strokes",
+                         .group = "Reference",
+                         .run = [&editor] { app::remove_strokes(editor.document); },
+                         .enabled = painted,
+                         .tip = "Takes all strokes away: blood is what is new since the baseline then",
+                         .missing = none});
 }
 
 void add_exports(app::Editor& editor) {
@@ -90,16 +204,9 @@ void add_measure_commands(app::Editor& editor) {
                          .group = "Reference",
                          .chord = {key_of('K'), Mods::command | Mods::shift},
                          .icon = ui::Icon::eyedropper,
-                         .run =
-                             [&editor] {
-                                 editor.layouts().bring_to_front("Measure");
-                                 app::MeasureBench& bench = editor.measure_bench();
-                                 bench.stop_drawing();
-                                 bench.look.picks_blood = !bench.look.picks_blood;
-                                 bench.show();  // it may have come to the front only now
-                             },
+                         .run = [&editor] { take_tool(editor, app::MeasureTool::pick_blood); },
                          .enabled = shown,
-                         .checked = [&editor] { return editor.measure_bench().look.picks_blood; },
+                         .checked = [&editor] { return holds(editor, app::MeasureTool::pick_blood); },
                          .tip = "Takes the colour of blood from the picture: sets redness and brightness",
                          .missing = missing});
     editor.commands.add({.id = "measure.draw_part",
@@ -107,23 +214,18 @@ void add_measure_commands(app::Editor& editor) {
                          .group = "Reference",
                          .run =
                              [&editor] {
-                                 editor.layouts().bring_to_front("Measure");
-                                 app::MeasureBench& bench = editor.measure_bench();
-                                 const bool draws = !bench.look.draws_part;
-                                 bench.stop_drawing();
-                                 bench.look.picks_blood = false;
-                                 bench.look.draws_part = draws;
-                                 bench.look.left_out = true;
-                                 bench.show();
+                                 take_tool(editor, app::MeasureTool::draw_part);
+                                 editor.measure_bench().look.left_out = true;
                              },
                          .enabled =
                              [&editor] {
                                  return editor.reference().video() != nullptr &&
                                         editor.document.scene().reference.measure.parts.size() < most_left_out_parts;
                              },
-                         .checked = [&editor] { return editor.measure_bench().look.draws_part; },
+                         .checked = [&editor] { return holds(editor, app::MeasureTool::draw_part); },
                          .tip = "Click the corners of a part of the picture that is not measured, such as a logo",
                          .missing = "there is no reference, or it has as many parts as it can have"});
+    add_strokes(editor);
     editor.commands.add(
         {.id = "measure.take_marks",
          .title = "Take proposed marks",

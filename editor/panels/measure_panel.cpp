@@ -13,6 +13,7 @@
 #include "app/reference/reference.h"
 #include "panels/measure_results.h"
 #include "panels/measure_shapes.h"
+#include "panels/painted_strokes.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "panels/table_rows.h"
@@ -113,14 +114,27 @@ void given_up(ui::Ui& ui, app::MeasureBench& bench) {
     ui.build_again();
 }
 
+std::string_view tool_hint(app::MeasureTool tool) {
+    switch (tool) {
+        case app::MeasureTool::none:
+            return {};
+        case app::MeasureTool::pick_blood:
+            return "Click blood in the picture. Esc leaves.";
+        case app::MeasureTool::draw_part:
+            return "Click the corners of the part; a double click or Enter closes it, Esc leaves.";
+        case app::MeasureTool::paint_blood:
+            return "Paint over blood; with Shift over what is no blood. Ctrl+Z takes a stroke back, Esc leaves.";
+        case app::MeasureTool::paint_other:
+            return "Paint over what is no blood; with Shift over blood. Ctrl+Z takes a stroke back, Esc leaves.";
+    }
+    return {};
+}
+
 /// One line above it: what to do, or what was found.
 void caption(ui::Ui& ui, const MeasureParts& on) {
     app::MeasureBench& bench = on.bench;
-    if (bench.look.picks_blood)
-        return ui::label(ui, "Click blood in the picture. Esc leaves.", {.tone = ui::Tone::warning});
-    if (bench.look.draws_part)
-        return ui::label(ui, "Click the corners of the part; a double click or Enter closes it, Esc leaves.",
-                         {.tone = ui::Tone::warning});
+    if (const std::string_view hint = tool_hint(bench.look.tool); !hint.empty())
+        return ui::label(ui, hint, {.tone = ui::Tone::warning, .width = ui::grow()});
     if (bench.given_up()) return given_up(ui, bench);
     if (!bench.ready())
         return ui::label(ui, bench.faults().empty() ? "Measuring the frame..." : "This frame cannot be measured",
@@ -142,7 +156,7 @@ void caption(ui::Ui& ui, const MeasureParts& on) {
 void measured_picture(ui::Ui& ui, const MeasureParts& on) {
     app::MeasureBench& bench = on.bench;
     app::MeasureLook& look = bench.look;
-    const bool picks = look.picks_blood;
+    const bool picks = look.tool == app::MeasureTool::pick_blood;
     caption(ui, on);
     if (!bench.faults().empty()) {
         for (const Fault& fault : bench.faults())
@@ -153,13 +167,17 @@ void measured_picture(ui::Ui& ui, const MeasureParts& on) {
     // Until the first frame is measured, it is shown as it is.
     const ui::Picture picture = bench.ready() ? bench.picture() : on.reference.shown().whole();
     MeasureShapes shapes{bench, on.edited};
+    MeasureParts painted = on;
+    const bool paints = look.paints();
     const ui::ImageViewResult result =
         ui::image_view(ui, "Measured", picture, look.state,
                        {.magnifier = picks,
                         .eyedropper = picks,
                         .sample_box = picks ? app::picked_side : 1,
-                        .over = picks ? nullptr : MeasureShapes::build,
-                        .over_with = &shapes,
+                        .over = picks    ? nullptr
+                                : paints ? paint_strokes
+                                         : MeasureShapes::build,
+                        .over_with = paints ? static_cast<void*>(&painted) : &shapes,
                         .tip = "Yellow: blood. Blue: smoke. Hatched: not measured. Wheel: zoom"});
     if (result.picked) {
         bench.pick_blood(result.pick);
@@ -181,7 +199,8 @@ class Settings {
 
     void build() {
         if (const ui::Section section(ui_, "Baseline", {.unfold = wants({"baseline"})}); section) baseline();
-        if (const ui::Section section(ui_, "Blood", {.unfold = wants_any("blood")}); section) blood();
+        const bool wants_blood = wants_any("blood") || wants({"without_blood"});
+        if (const ui::Section section(ui_, "Blood", {.unfold = wants_blood}); section) blood();
         if (const ui::Section section(ui_, "Left out", {.tip = app::measure_table().find("parts")->help}); section)
             parts();
         const bool wanted = wants({"from", "to"}) || wants_any("region");
@@ -238,8 +257,19 @@ class Settings {
         static const OwnerOf owner = [](Content& c) -> void* { return &c.scene.reference.measure.blood; };
         {
             const ui::Row buttons(ui_, {.width = ui::grow()});
-            ui::command_button(ui_, on_.commands, "measure.pick_blood");
+            for (const char* const command : {"measure.pick_blood", "measure.paint_blood", "measure.paint_other"})
+                ui::command_button(ui_, on_.commands, command);
         }
+        painted_strokes(ui_, on_);
+        if (!measure().strokes.empty()) {
+            row("without_blood");
+            const ui::Row buttons(ui_, {.width = ui::grow()});
+            for (const char* const command : {"measure.without_blood", "measure.export_strokes"})
+                ui::command_button(ui_, on_.commands, command);
+        }
+        if (on_.bench.by_strokes())
+            return ui::label(ui_, "Blood is what looks as the strokes say: redness, rise and brightness do not count.",
+                             {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
         const Table& table = *app::measure_table().find("blood");
         for (const Parameter& each : table.rows)
             row(table, each.key, owner, {.prefix = "Blood", .standard = &standard().blood});
@@ -305,6 +335,11 @@ void no_video(ui::Ui& ui, const MeasureParts& on) {
     if (ui::button(ui, "Sample reference", {.tip = "A video that comes with lapfx"})) on.reference.choose_sample();
 }
 
+/// The picture must not move below a brush, so that the curves wait, as the measuring of all frames does.
+bool shows_plot(const MeasureParts& on) {
+    return !on.measuring.frames().empty() && !on.bench.look.paints();
+}
+
 /// One scrolls from the picture to all else in a small panel.
 void small(ui::Ui& ui, const MeasureParts& on, const ui::Rect& room) {
     const ui::ScrollArea area(ui, "Measured all", {.gap = 0.3F});
@@ -313,16 +348,14 @@ void small(ui::Ui& ui, const MeasureParts& on, const ui::Rect& room) {
         const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(height), .gap = 0.2F});
         measured_picture(ui, on);
     }
-    if (!on.measuring.frames().empty()) amounts_plot(ui, on, ui::px(ui.em(least_plot)));
+    if (shows_plot(on)) amounts_plot(ui, on, ui::px(ui.em(least_plot)));
     settings(ui, on);
 }
 
 /// Esc, and a part that nobody can see, end what was begun on the picture.
 void follow_escape(ui::Ui& ui, app::MeasureBench& bench) {
-    if (!bench.look.left_out && bench.look.draws_part) bench.stop_drawing();
-    if (!ui.key_down(ui::Key::escape)) return;
-    bench.look.picks_blood = false;
-    bench.stop_drawing();
+    if (!bench.look.left_out && bench.look.tool == app::MeasureTool::draw_part) bench.lay_down();
+    if (ui.key_down(ui::Key::escape)) bench.lay_down();
 }
 
 }  // namespace
@@ -331,7 +364,7 @@ void measure_panel(ui::Ui& ui, const MeasureParts& on) {
     on.reference.follow();
     if (on.reference.video() == nullptr) return no_video(ui, on);
     on.bench.show();
-    on.measuring.want();
+    if (!on.bench.look.paints()) on.measuring.want();
     if (on.measuring.due() < ui::never) ui.wake_at(on.measuring.due(), "the reference is being measured");
     if (on.bench.stale()) ui.wake_at(ui.time(), "the measured frame follows");
     follow_escape(ui, on.bench);
@@ -343,8 +376,7 @@ void measure_panel(ui::Ui& ui, const MeasureParts& on) {
     {
         const ui::Column seen(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.2F});
         measured_picture(ui, on);
-        if (!on.measuring.frames().empty())
-            amounts_plot(ui, on, ui::px(std::max(std::floor(plot_share * room.h), ui.em(least_plot))));
+        if (shows_plot(on)) amounts_plot(ui, on, ui::px(std::max(std::floor(plot_share * room.h), ui.em(least_plot))));
     }
     const ui::ScrollArea area(ui, "Measure settings", {.width = ui::px(ui.em(settings_width)), .gap = 0.3F});
     settings(ui, on);

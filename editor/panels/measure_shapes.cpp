@@ -55,15 +55,16 @@ class Shapes {
     }
 
     void build() {
-        ui::Node& below = ui_.leaf(ui::Role::none, "##parts",
-                                   bench_.look.draws_part ? ui::Sense::hover | ui::Sense::press | ui::Sense::focus |
-                                                                ui::Sense::activate | ui::Sense::erase
-                                                          : ui::Sense::none);
+        ui::Node& below = ui_.leaf(
+            ui::Role::none, "##parts",
+            bench_.look.tool == app::MeasureTool::draw_part
+                ? ui::Sense::hover | ui::Sense::press | ui::Sense::focus | ui::Sense::activate | ui::Sense::erase
+                : ui::Sense::none);
         below.size[0] = ui::fraction(1), below.size[1] = ui::fraction(1);
         below.placed = true;
         below.placement = ui_.arena().make(ui::Placement{});
         glm::vec2 pointer{0};
-        const bool drawing = bench_.look.draws_part;
+        const bool drawing = bench_.look.tool == app::MeasureTool::draw_part;
         if (drawing) pointer = draw_part(below);
         ui_.draw_with<draw_shapes>(below, look(drawing, pointer));
         if (drawing) return;

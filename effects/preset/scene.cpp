@@ -286,7 +286,7 @@ constexpr Parameter blood_rows[] = {
 };
 
 constexpr Range part_of_picture{0, 1, 0.005, "of the picture"};
-constexpr Range stroke_radius{0.001, most_stroke_radius, 0.001, "of the width"};
+constexpr Range stroke_radius{0, most_stroke_radius, 0.001, "of the width"};
 using MR = MeasuredRegion;
 constexpr Parameter region_rows[] = {
     number<&MR::x>("x", "X", {0, 0.95, 0.005, "of the picture"}, "The region's left edge."),
@@ -311,7 +311,8 @@ constexpr Parameter stroke_rows[] = {
                       "Time in the reference of the frame that is painted over."),
     choice<&BS::marks>("marks", "Marks", stroke_marks,
                        "blood: what is below the stroke is blood; other: it is tissue or anything else."),
-    number<&BS::radius>("radius", "Radius", stroke_radius, "Radius of the brush."),
+    number<&BS::radius>("radius", "Radius", stroke_radius,
+                        "Radius of the brush; the thinnest has the pixel below each point."),
 };
 constexpr Table stroke_tables[] = {
     list<&BS::points, most_stroke_points>("points", "Points", "Where the brush went: a line from point to point.",

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "app/base/layouts.h"
+#include "app/measure/blood_strokes.h"
 #include "app/measure/measure_bench.h"
 #include "app/measure/measuring.h"
 #include "app/reference/reference.h"
@@ -59,6 +60,7 @@ class MeasurePanel : public SampleTest {
     }
     app::Measuring& measuring() { return editor().measuring(); }
     app::MeasureBench& bench() { return editor().measure_bench(); }
+    bool holds(app::MeasureTool tool) { return bench().look.tool == tool; }
     const ReferenceMeasure& measure() { return editor().document.scene().reference.measure; }
     std::size_t steps() { return editor().document.done(); }
     std::string last_step() { return editor().document.steps()[editor().document.done() - 1].name; }
@@ -318,13 +320,13 @@ TEST_F(MeasurePanel, ABaselineOutsideTheVideoIsToldInPlace) {
 
 TEST_F(MeasurePanelOfKnown, TheEyedropperTakesTheColourOfBlood) {
     ui().key('K', Mods::command | Mods::shift).frame();
-    ASSERT_TRUE(bench().look.picks_blood);
+    ASSERT_TRUE(holds(app::MeasureTool::pick_blood));
     EXPECT_TRUE(says("Click blood in the picture"));
     ui().key(Key::escape).frame();
-    EXPECT_FALSE(bench().look.picks_blood);
+    EXPECT_TRUE(holds(app::MeasureTool::none));
     ui().click(rows + "Blood/Pick blood").frame();
     ui().click(picture_path, {.at = {0.5F, 0.55F}}).frame().frame();
-    EXPECT_FALSE(bench().look.picks_blood) << "it takes one";
+    EXPECT_TRUE(holds(app::MeasureTool::none)) << "it takes one";
     ASSERT_EQ(steps(), 1U);
     EXPECT_EQ(last_step(), "Pick blood");
     const BloodQualifier picked = measure().blood;
@@ -334,10 +336,116 @@ TEST_F(MeasurePanelOfKnown, TheEyedropperTakesTheColourOfBlood) {
     EXPECT_EQ(measure().blood.redness, BloodQualifier{}.redness);
 }
 
+TEST_F(MeasurePanelOfKnown, BloodIsPaintedOverThePicture) {
+    const double fresh = bench().amounts().blood.value;
+    const std::string strokes = picture_path + "/strokes";
+    ui().key('B', Mods::command | Mods::shift).frame();
+    ASSERT_TRUE(holds(app::MeasureTool::paint_blood));
+    EXPECT_TRUE(says("Paint over blood"));
+    ui().press(strokes, {0.5F, 0.55F}).drag_by({30, 0});
+    EXPECT_EQ(steps(), 0U) << "it is still being painted";
+    ui().release().frame().frame();
+    ASSERT_EQ(measure().strokes.size(), 1U);
+    EXPECT_EQ(last_step(), "Paint blood");
+    const BloodStroke first = measure().strokes[0];
+    EXPECT_EQ(first.marks, StrokeMark::blood);
+    EXPECT_EQ(editor().reference().video()->frame_at(first.time), bench().frame());
+    EXPECT_GE(first.points.size(), 2U);
+    EXPECT_NEAR(first.points.front().x, 0.5, 0.01);
+    EXPECT_GT(first.points.back().x, first.points.front().x + 0.02);
+    EXPECT_TRUE(editor().reference().held()) << "the frame does not run away from the brush";
+    EXPECT_FALSE(ui().exists(panel + "Amounts")) << "nor the picture, when the curves come and go";
+    const ui::Rect place = ui().rect(picture_path);
+
+    ui().press(strokes, {0.2F, 0.3F}, Mods::shift).drag_by({60, 20}, Mods::shift).release(Mods::shift).frame().frame();
+    ASSERT_EQ(measure().strokes.size(), 2U);
+    EXPECT_EQ(measure().strokes[1].marks, StrokeMark::other);
+    EXPECT_EQ(last_step(), "Paint what is no blood");
+    EXPECT_TRUE(bench().by_strokes()) << ui().dump();
+    EXPECT_GT(bench().amounts().blood.value, 0.5 * fresh);
+    EXPECT_GT(yellow_pixels(), 500U);
+    EXPECT_EQ(ui().rect(picture_path), place);
+    EXPECT_TRUE(says("1 blood, 1 other"));
+    EXPECT_FALSE(ui().exists(rows + "Blood/Redness")) << "the strokes say it";
+
+    ui().key(Key::escape).frame();
+    EXPECT_TRUE(holds(app::MeasureTool::none));
+    EXPECT_FALSE(ui().exists(strokes));
+    ui().click(rows + "Blood/Remove strokes of this frame").frame().frame();
+    EXPECT_TRUE(measure().strokes.empty());
+    EXPECT_FALSE(bench().by_strokes());
+    EXPECT_EQ(bench().amounts().blood.value, fresh);
+    undo();
+    ui().frame();
+    EXPECT_EQ(measure().strokes.size(), 2U);
+    EXPECT_TRUE(bench().by_strokes());
+}
+
+TEST_F(MeasurePanelOfKnown, StrokesAreNothingWhileTheyDoNotSayWhatIsNoBlood) {
+    editor().document.change("Blood", [&](document::Content& c) {
+        c.scene.reference.measure.strokes = {{.time = bloody_time, .points = {{0.5, 0.55}}}};
+        c.scene.reference.measure.baseline = bloody_time;
+    });
+    go(bloody_time);
+    EXPECT_TRUE(bench().ready()) << "the picture stays, to paint on";
+    EXPECT_FALSE(bench().by_strokes());
+    EXPECT_TRUE(says("Nothing is learned from the strokes yet: no stroke marks what is no blood")) << ui().dump();
+}
+
+TEST_F(MeasurePanelOfKnown, EscDropsAStrokeAndBracketsSizeTheBrush) {
+    ui().click(rows + "Blood/Paint other").frame();
+    const double brush = bench().look.brush;
+    ui().key(']').frame().key(']').frame();
+    EXPECT_NEAR(bench().look.brush, brush * 1.25 * 1.25, 1e-9);
+    ui().key('[').frame();
+    EXPECT_NEAR(bench().look.brush, brush * 1.25, 1e-9);
+    for (int i = 0; i < 30; ++i) ui().key(']');
+    EXPECT_EQ(bench().look.brush, app::MeasureLook::most_brush);
+    ui().press(picture_path + "/strokes", {0.3F, 0.3F}).drag_by({40, 0});
+    EXPECT_TRUE(bench().look.stroke);
+    ui().key(Key::escape).frame();
+    EXPECT_FALSE(bench().look.stroke);
+    ui().release().frame();
+    EXPECT_TRUE(measure().strokes.empty());
+    EXPECT_EQ(steps(), 0U);
+}
+
+TEST_F(MeasurePanelOfKnown, StrokesAreExportedAndOpenedAgain) {
+    std::vector<BloodStroke> strokes{{.time = bloody_time, .radius = 0.02, .points = {{0.5, 0.55}, {0.55, 0.55}}},
+                                     {.time = bloody_time, .marks = StrokeMark::other, .points = {{0.2, 0.3}}}};
+    editor().document.change("Paint", [&](document::Content& c) { c.scene.reference.measure.strokes = strokes; });
+    ui().frame().frame();
+    ui().click(rows + "Blood/No blood in this frame").frame().frame();
+    const double without = measure().without_blood;
+    EXPECT_EQ(editor().reference().video()->frame_at(without), bench().frame());
+    const auto choose = [&](const std::string& file) {
+        ui().type("\b").key('A', Mods::command).type((folder() / file).string()).key(Key::enter);
+        ui().frame().frame();
+    };
+    ui().click(rows + "Blood/Export strokes...").frame().frame();
+    choose("strokes.json");
+    ASSERT_TRUE(says("Exported strokes.json")) << ui().dump();
+    editor().commands.run("measure.remove_strokes");
+    ui().frame().frame();
+    EXPECT_TRUE(measure().strokes.empty());
+    EXPECT_EQ(measure().without_blood, -1.0);
+    app::open_strokes(editor().document, editor().reference(), folder() / "strokes.json", editor().toasts);
+    ASSERT_EQ(measure().strokes.size(), 2U);
+    EXPECT_EQ(measure().strokes[0].points, strokes[0].points);
+    EXPECT_EQ(measure().strokes[1].marks, StrokeMark::other);
+    EXPECT_EQ(measure().without_blood, without);
+    EXPECT_EQ(last_step(), "Open strokes");
+    std::ofstream(folder() / "broken.json") << "{";
+    app::open_strokes(editor().document, editor().reference(), folder() / "broken.json", editor().toasts);
+    ui().frame();
+    EXPECT_EQ(measure().strokes.size(), 2U);
+    EXPECT_TRUE(says("broken.json: line 1: is no JSON")) << ui().dump();
+}
+
 TEST_F(MeasurePanelOfKnown, APartIsDrawnMovedAndTakenOut) {
     const double valid = bench().amounts().valid;
     ui().click(rows + "Left out/Draw part").frame();
-    EXPECT_TRUE(bench().look.draws_part);
+    EXPECT_TRUE(holds(app::MeasureTool::draw_part));
     for (const glm::vec2 at : {glm::vec2(0.4F, 0.4F), {0.6F, 0.4F}, {0.6F, 0.6F}, {0.4F, 0.6F}})
         ui().click(picture_path + "/parts", {.at = at}).frame();
     EXPECT_EQ(bench().look.drawn.size(), 4U);
@@ -345,7 +453,7 @@ TEST_F(MeasurePanelOfKnown, APartIsDrawnMovedAndTakenOut) {
     EXPECT_EQ(bench().look.drawn.size(), 3U);
     EXPECT_EQ(steps(), 0U) << "it is not closed yet";
     ui().key(Key::enter).frame().frame();
-    EXPECT_FALSE(bench().look.draws_part);
+    EXPECT_TRUE(holds(app::MeasureTool::none));
     ASSERT_EQ(measure().parts.size(), 1U);
     ASSERT_EQ(measure().parts[0].corners.size(), 3U);
     EXPECT_EQ(last_step(), "Add part");
@@ -376,13 +484,13 @@ TEST_F(MeasurePanelOfKnown, DrawingEndsWithEscAndWithAnotherPanel) {
     ui().click(rows + "Left out/Draw part").frame();
     ui().click(picture_path + "/parts", {.at = {0.4F, 0.4F}}).frame();
     ui().key(Key::escape).frame();
-    EXPECT_FALSE(bench().look.draws_part);
+    EXPECT_TRUE(holds(app::MeasureTool::none));
     EXPECT_TRUE(bench().look.drawn.empty());
     ui().click(rows + "Left out/Draw part").frame();
-    EXPECT_TRUE(bench().look.draws_part);
+    EXPECT_TRUE(holds(app::MeasureTool::draw_part));
     editor().layouts().bring_to_front("Reference");
     ui().frame().frame();
-    EXPECT_FALSE(bench().look.draws_part);
+    EXPECT_TRUE(holds(app::MeasureTool::none));
     EXPECT_EQ(steps(), 0U);
 }
 

@@ -30,10 +30,11 @@ bool measure_both(Compared& compared, const BothWanted& wanted, const Progress& 
     };
     const bool known = wanted.found != nullptr;
     try {
-        compared.of_reference =
-            known
-                ? wanted.found->frames
-                : match::measure_video(wanted.video, {.options = wanted.options}, part(0, reference_part)).found.frames;
+        const match::Measurement found =
+            known ? *wanted.found
+                  : match::measure_video(wanted.video, {.options = wanted.options}, part(0, reference_part)).found;
+        compared.of_reference = found.frames;
+        wanted.curve.count_plate_by(match::painted_blood(found));
     } catch (const Error& error) {
         if (stopped) return false;
         compared.words = not_measured("The reference", error);

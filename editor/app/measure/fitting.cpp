@@ -217,6 +217,7 @@ bool Fitting::prepare(double now) {
     steps_ = std::make_unique<RenderSteps>([this] { parts_.jobs.wake(); });
     curve_ = drawn_curve(organ, parts_.preview, parts_.options.clip_folders, parts_.options.exact ? nullptr : &steps_,
                          {.size = size, .estimator = match::measure_options(scene.reference.measure).estimator});
+    curve_->count_plate_by(match::painted_blood(*parts_.measuring.found()));
     began_ = now, of_version_ = parts_.document.version();
     run_ =
         std::make_unique<FittingRun>(FitWanted{.fit = fit_now(organ, size), .of = of_now(), .proposal_alone = *asked_},

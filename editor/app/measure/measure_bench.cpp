@@ -65,6 +65,8 @@ struct MeasureBench::Result {
     match::FrameAmounts amounts;
     cv::Mat veil, light;  ///< CV_32F and CV_32FC3, at the estimator's size
     double baseline = 0;
+    bool by_strokes = false;
+    std::vector<Fault> stroke_faults;
 };
 
 /// The frame's own pixels, sampled as if it were of the size that is shown.
@@ -120,7 +122,9 @@ class MeasureWork {
                 .amounts = amounts_,
                 .veil = estimator_->veil().clone(),
                 .light = estimator_->light().clone(),
-                .baseline = baseline_};
+                .baseline = baseline_,
+                .by_strokes = painted_ != nullptr,
+                .stroke_faults = stroke_faults_};
     }
 
     int decoded() const { return decoded_; }  ///< frames of baselines
@@ -161,10 +165,24 @@ class MeasureWork {
         const bool learnt =
             learnt_ && learnt_->baseline == baseline_ && learnt_->from == measure.from && learnt_->to == measure.to;
         options.survey = request.survey || !learnt ? request.survey : learnt_->survey;
+        learn_blood(measure, options);
+        options.painted_blood = painted_;
         estimator_.emplace(clear, options);
         if (options.survey) return;
         match::survey(*reader_, *estimator_, measure.from, end_of(measure), progress_of(job));
         learnt_ = {baseline_, measure.from, measure.to, estimator_->surveyed()};
+    }
+    /// One who paints sees the picture all the while, also before the first strokes are enough to learn from.
+    void learn_blood(const ReferenceMeasure& measure, const match::EstimatorOptions& options) {
+        painted_.reset();
+        stroke_faults_.clear();
+        const std::optional<match::BloodStrokes> strokes = match::learned_strokes(measure);
+        if (!strokes) return;
+        try {
+            painted_ = match::learn_blood(*reader_, *strokes, baseline_, options).blood;
+        } catch (const Error& error) {
+            stroke_faults_ = error.faults();
+        }
     }
     double end_of(const ReferenceMeasure& measure) const {
         return measure.to > 0 ? measure.to : reader_->info().duration;
@@ -218,6 +236,8 @@ class MeasureWork {
     std::optional<Request> done_;  ///< what amounts_ is of
     match::FrameAmounts amounts_;
     double baseline_ = 0;
+    std::shared_ptr<const match::PaintedBlood> painted_;  ///< of the scene's strokes
+    std::vector<Fault> stroke_faults_;
 };
 
 MeasureBench::MeasureBench(document::Document& document, const Reference& reference, const Measuring& measuring,
@@ -250,7 +270,7 @@ const MeasureBench::Request& MeasureBench::request() const {
     wanted.opened = reference_.opened();
     wanted.time = video->time_of(std::min(wanted.frame, video->info().frames - 1));
     wanted.measure = document_.scene().reference.measure;
-    const bool over = !look.picks_blood;  // a colour is chosen from the picture as it is
+    const bool over = look.tool != MeasureTool::pick_blood;  // a colour is chosen from the picture as it is
     wanted.blood = look.blood && over, wanted.smoke = look.smoke && over, wanted.left_out = look.left_out && over;
     const match::Measurement* const found = measuring_.stale() ? nullptr : measuring_.found();
     wanted.survey.reset(), wanted.suggested.reset();
@@ -271,7 +291,7 @@ void MeasureBench::update() {
         ready_ = false;  // the picture is of the frame before
     }
     shown_ = std::exchange(wanted_, false);
-    if (!shown_) look.picks_blood = false, stop_drawing();
+    if (!shown_) lay_down();
     if (job_) return;
     if (!shown_) return let_go();
     const Request& wanted = request();
@@ -292,8 +312,8 @@ void MeasureBench::let_go() {
     if (!asked_) return;
     asked_.reset();
     work_ = std::make_shared<MeasureWork>();
-    ready_ = given_up_ = false;
-    faults_.clear();
+    ready_ = given_up_ = by_strokes_ = false;
+    faults_.clear(), stroke_faults_.clear();
     if (image_ != 0) images_.remove(std::exchange(image_, 0));
     *pixels_ = {};
 }
@@ -340,6 +360,8 @@ void MeasureBench::take(Result& result) {
     faults_.clear();
     amounts_ = result.amounts;
     baseline_ = result.baseline;
+    by_strokes_ = result.by_strokes;
+    stroke_faults_ = std::move(result.stroke_faults);
     frame_ = asked_->frame;
     pixels_->frame = std::move(result.frame);
     pixels_->light = std::move(result.light);
@@ -364,7 +386,7 @@ ui::Picture MeasureBench::picture() const {
 // --- tuning ----------------------------------------------------------------------------------------------------------
 
 void MeasureBench::pick_blood(glm::ivec2 at) {
-    look.picks_blood = false;
+    lay_down();
     if (!ready_) return;
     const ui::Color picked = color_around(*pixels_, pixels_->size, at);
     const glm::dvec3 color = pixels_->unveiled(glm::dvec3(picked.r, picked.g, picked.b) / 255.0, at);
@@ -384,14 +406,34 @@ void MeasureBench::pick_blood(glm::ivec2 at) {
                       .text = "The picked colour is hardly red: much else may count as blood, too"});
 }
 
-void MeasureBench::stop_drawing() {
-    look.draws_part = false;
+void MeasureBench::lay_down() {
+    look.tool = MeasureTool::none;
     look.drawn.clear();
+    look.stroke.reset();
+}
+
+void MeasureBench::take_tool(MeasureTool tool) {
+    const bool held = look.tool == tool;
+    lay_down();
+    if (!held) look.tool = tool;
+}
+
+void MeasureBench::add_stroke() {
+    std::optional<BloodStroke> stroke = std::exchange(look.stroke, {});
+    if (!stroke) return;
+    std::size_t points = stroke->points.size();
+    const std::vector<BloodStroke>& all = document_.scene().reference.measure.strokes;
+    for (const BloodStroke& each : all) points += each.points.size();
+    if (all.size() >= most_blood_strokes || points > match::most_points)
+        return notices_.add(
+            {.kind = ui::ToastKind::warning, .text = "No more strokes: there are as many as a scene can have"});
+    document_.change(stroke->marks == StrokeMark::blood ? "Paint blood" : "Paint what is no blood",
+                     [&](document::Content& c) { c.scene.reference.measure.strokes.push_back(std::move(*stroke)); });
 }
 
 void MeasureBench::close_part() {
     std::vector<PicturePlace> corners = std::move(look.drawn);
-    stop_drawing();
+    lay_down();
     if (corners.size() < 3 || document_.scene().reference.measure.parts.size() >= most_left_out_parts) return;
     document_.change("Add part", [&](document::Content& c) {
         c.scene.reference.measure.parts.push_back({.corners = std::move(corners)});

@@ -24,13 +24,25 @@ class MeasureWork;
 /// Colours of what is drawn over the picture; plots of the amounts have them, too (numbers of the theme's series).
 inline constexpr int blood_series = 4, smoke_series = 0;
 
+/// What the pointer does on the picture.
+enum class MeasureTool : std::uint8_t {
+    none,
+    pick_blood,   ///< the next click says what blood is
+    draw_part,    ///< clicks are corners of a part
+    paint_blood,  ///< drags are strokes over what is blood
+    paint_other   ///< and over what is not
+};
+
 /// How one looks at it; no part of the document.
 struct MeasureLook {
     bool blood = true, smoke = true, left_out = true;  ///< drawn over the picture
-    bool picks_blood = false;                          ///< the next click on the picture says what blood is
-    bool draws_part = false;                           ///< clicks on the picture are corners of a part
-    std::vector<PicturePlace> drawn;                   ///< the corners so far
+    MeasureTool tool = MeasureTool::none;
+    std::vector<PicturePlace> drawn;    ///< the corners of a part so far
+    std::optional<BloodStroke> stroke;  ///< the one that is being painted
+    double brush = 0.012;               ///< its radius, share of the picture's width
+    static constexpr double least_brush = 0.002, most_brush = 0.1;
     ui::ViewState state;
+    bool paints() const { return tool == MeasureTool::paint_blood || tool == MeasureTool::paint_other; }
 };
 
 class MeasureBench {
@@ -62,6 +74,9 @@ class MeasureBench {
     int frame() const { return frame_; }           ///< of the reference
     double baseline() const { return baseline_; }  ///< s: of the frame that it is compared with
     const std::vector<Fault>& faults() const { return faults_; }
+    /// Of the scene's strokes: why nothing is learned from them. Empty: it is, or there are none.
+    const std::vector<Fault>& stroke_faults() const { return stroke_faults_; }
+    bool by_strokes() const { return by_strokes_; }  ///< blood is what looks as the strokes say
     int baselines_decoded() const;  ///< how many frames were decoded to be compared with, since it is looked at
 
     // --- tuning: undo steps ------------------------------------------------------------------------------------------
@@ -69,7 +84,11 @@ class MeasureBench {
     void pick_blood(glm::ivec2 at);
     /// The corners of look.drawn become a part that is left out; with fewer than three nothing is added. Ends drawing.
     void close_part();
-    void stop_drawing();
+    /// look.stroke becomes one of the scene's; where that has as many as it can have, a notice says so.
+    void add_stroke();
+    /// Takes a tool in hand, or lays it down where it is already. What was begun with another is dropped.
+    void take_tool(MeasureTool tool);
+    void lay_down();
 
   private:
     friend class MeasureWork;
@@ -98,7 +117,8 @@ class MeasureBench {
     match::FrameAmounts amounts_;
     int frame_ = -1;
     double baseline_ = 0;
-    std::vector<Fault> faults_;
+    std::vector<Fault> faults_, stroke_faults_;
+    bool by_strokes_ = false;
 };
 
 }  // namespace lapfx::app

@@ -7,6 +7,7 @@
 #include "app/base/jobs.h"
 #include "app/base/not_opened.h"
 #include "app/base/notices.h"
+#include "app/measure/blood_strokes.h"
 #include "app/measure/measuring_run.h"
 #include "app/reference/reference.h"
 #include "lapfx/authoring/compare.h"
@@ -255,10 +256,8 @@ void Measuring::write(MeasureFile kind, const fs::path& path) {
 
 void Measuring::use_frame() {
     if (reference_.video() == nullptr) return;
-    // A little after the frame's start, so that rounding does not lead to the frame before; 0 would be "suggested".
-    const double time = reference_.video()->time_of(reference_.frame()) + 1e-3;
-    document_.change("Baseline",
-                     [&](document::Content& c) { c.scene.reference.measure.baseline = std::round(1e3 * time) / 1e3; });
+    const double time = time_within(*reference_.video(), reference_.frame());  // never 0, which is "suggested"
+    document_.change("Baseline", [&](document::Content& c) { c.scene.reference.measure.baseline = time; });
 }
 
 void Measuring::suggest() {

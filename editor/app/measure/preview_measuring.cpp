@@ -41,7 +41,8 @@ struct Fewer {
 /// Nothing is copied.
 bool same_pictures(const document::Content& a, const document::Content& b) {
     static const Fewer preset(preset_table(), {"name"}), scene(scene_table(), {"name", "preset", "reference"}),
-        measure(*scene_table().find("reference")->find("measure"), {"baseline", "from", "to"});
+        measure(*scene_table().find("reference")->find("measure"),
+                {"baseline", "from", "to", "without_blood", "strokes"});
     const SceneReference &left = a.scene.reference, &right = b.scene.reference;
     return equal(preset.table, &a.preset, &b.preset) && equal(scene.table, &a.scene, &b.scene) &&
            equal(measure.table, &left.measure, &right.measure) && (!a.scene.plate.use || left.file == right.file) &&
@@ -71,6 +72,7 @@ class PreviewMeasuring::Run {
         const EstimatorOptions options = match::measure_options(of->content.scene.reference.measure).estimator;
         if (of->truth) part_ = match::wanted_part({of->size.x, of->size.y}, options.region, options.masks);
         curve_.set_options({.size = of->size, .estimator = options});
+        curve_.count_plate_by(of->plate_blood);
         work_.start([this](Job& job) { return measure(job); },
                     {.ended = [&jobs] { jobs.wake(); }, .given_up = [&steps] { steps.stop(); }}, beside);
     }
@@ -137,11 +139,12 @@ class PreviewMeasuring::Run {
 };
 
 PreviewMeasuring::PreviewMeasuring(const document::Document& document, const PreviewHost& preview,
-                                   const Reference& reference, const ScenePace& pace, Jobs& jobs,
-                                   const EditorOptions& options)
+                                   const Reference& reference, const Measuring& measuring, const ScenePace& pace,
+                                   Jobs& jobs, const EditorOptions& options)
     : document_(document),
       host_(preview),
       reference_(reference),
+      measuring_(measuring),
       pace_(pace),
       jobs_(jobs),
       clip_folders_(options.clip_folders),
@@ -199,14 +202,23 @@ glm::ivec2 PreviewMeasuring::size() const {
 
 /// What is wanted now.
 std::shared_ptr<const PreviewMeasuring::Subject> PreviewMeasuring::subject() const {
-    return std::make_shared<const Subject>(
-        Subject{.content = document_.content(), .size = size(), .organ = host_.organ_version(), .truth = truth});
+    return std::make_shared<const Subject>(Subject{.content = document_.content(),
+                                                   .size = size(),
+                                                   .organ = host_.organ_version(),
+                                                   .truth = truth,
+                                                   .plate_blood = plate_blood()});
+}
+
+/// What is known of an earlier state of the strokes serves until they are measured anew.
+std::shared_ptr<const match::PaintedBlood> PreviewMeasuring::plate_blood() const {
+    const match::Measurement* const found = measuring_.found();
+    return document_.scene().plate.use && found != nullptr ? match::painted_blood(*found) : nullptr;
 }
 
 /// Whether what was measured of it holds for what is wanted now.
 bool PreviewMeasuring::holds(const std::shared_ptr<const Subject>& of) const {
     return of && of->size == size() && (of->truth || !truth) && of->organ == host_.organ_version() &&
-           same_pictures(of->content, document_.content());
+           of->plate_blood == plate_blood() && same_pictures(of->content, document_.content());
 }
 
 void PreviewMeasuring::update(double now) {
@@ -224,10 +236,11 @@ void PreviewMeasuring::update(double now) {
 
 void PreviewMeasuring::follow(double now) {
     const std::uint64_t organ = host_.organ_version();
-    const bool same_shape = organ_ == organ && truth_ == truth && of_opened_.lock() == reference_.opened();
+    const bool same_shape =
+        organ_ == organ && truth_ == truth && plate_blood_ == plate_blood() && of_opened_.lock() == reference_.opened();
     if (followed_ != document_.version() || !same_shape) {
         const bool differs = !same_shape || document_.changes_since(followed_) != 0;
-        followed_ = document_.version(), of_opened_ = reference_.opened(), organ_ = organ;
+        followed_ = document_.version(), of_opened_ = reference_.opened(), organ_ = organ, plate_blood_ = plate_blood();
         const bool other_truth = std::exchange(truth_, truth) != truth;
         if (differs) take_change(now, other_truth);
     }

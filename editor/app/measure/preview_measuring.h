@@ -34,6 +34,7 @@ class PreviewCurve;
 namespace lapfx::app {
 
 class Jobs;
+class Measuring;
 class PreviewHost;
 class Reference;
 class RenderSteps;
@@ -53,7 +54,7 @@ class PreviewMeasuring {
     /// While a person works, a program without a GPU draws no pictures for this. It does not begin where
     /// EditorOptions::measures_preview says so. All must outlive it.
     PreviewMeasuring(const document::Document& document, const PreviewHost& preview, const Reference& reference,
-                     const ScenePace& pace, Jobs& jobs, const EditorOptions& options);
+                     const Measuring& measuring, const ScenePace& pace, Jobs& jobs, const EditorOptions& options);
     ~PreviewMeasuring();
     PreviewMeasuring(const PreviewMeasuring&) = delete;
     PreviewMeasuring& operator=(const PreviewMeasuring&) = delete;
@@ -97,7 +98,9 @@ class PreviewMeasuring {
         glm::ivec2 size{0};
         std::uint64_t organ = 0;  ///< version of the host's
         bool truth = false;
+        std::shared_ptr<const match::PaintedBlood> plate_blood;  ///< by which a plate's own counts; null: it does not
     };
+    std::shared_ptr<const match::PaintedBlood> plate_blood() const;
     void follow(double now);
     void take_change(double now, bool other_truth);
     glm::ivec2 size() const;
@@ -113,17 +116,19 @@ class PreviewMeasuring {
     const document::Document& document_;
     const PreviewHost& host_;
     const Reference& reference_;
+    const Measuring& measuring_;
     const ScenePace& pace_;
     Jobs& jobs_;
     std::vector<std::filesystem::path> clip_folders_;
     bool exact_, software_, begins_;
     int measured_side_;
     bool wanted_ = false, stopped_ = false;
-    std::uint64_t followed_ = 0, organ_ = 0;      ///< versions of the document and of the host's organ
-    std::weak_ptr<const VideoReader> of_opened_;  ///< of the reference
-    bool truth_ = false;                          ///< the true amounts were wanted then
-    bool known_ = false;                          ///< nothing is to be measured:
-    std::shared_ptr<const Subject> known_of_;     ///< that is known, or was stopped, or cannot be measured
+    std::uint64_t followed_ = 0, organ_ = 0;                  ///< versions of the document and of the host's organ
+    std::weak_ptr<const VideoReader> of_opened_;              ///< of the reference
+    bool truth_ = false;                                      ///< the true amounts were wanted then
+    std::shared_ptr<const match::PaintedBlood> plate_blood_;  ///< and this was known of the plate
+    bool known_ = false;                                      ///< nothing is to be measured:
+    std::shared_ptr<const Subject> known_of_;                 ///< that is known, or was stopped, or cannot be measured
     Settling settling_{0.4};
     double due_ = Settling::never;
     std::unique_ptr<RenderSteps> steps_;          ///< of one run

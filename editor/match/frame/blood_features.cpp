@@ -56,14 +56,18 @@ double unit_of(cv::Size size) {
     return std::max(size.width, size.height) / side;
 }
 
-cv::Mat mean_near(const cv::Mat& of, const cv::Mat& view, double px) {
-    cv::Mat weight, sum, inside = cv::Mat::zeros(of.size(), CV_32F);
-    of.copyTo(inside, view);
-    view.convertTo(weight, CV_32F, 1.0 / 255.0);
-    cv::GaussianBlur(inside, sum, {}, px, px, cv::BORDER_CONSTANT);
-    cv::GaussianBlur(weight, weight, {}, px, px, cv::BORDER_CONSTANT);
-    cv::Mat mean = sum / cv::max(weight, least_weight);
-    mean.setTo(0.0F, view == 0);
+Neighbourhood::Neighbourhood(const cv::Mat& view, double px) : view_(view), outside_(view == 0), px_(px) {
+    view.convertTo(weight_, CV_32F, 1.0 / 255.0);
+    cv::GaussianBlur(weight_, weight_, {}, px, px, cv::BORDER_CONSTANT);
+    weight_ = cv::max(weight_, least_weight);
+}
+
+cv::Mat Neighbourhood::mean(const cv::Mat& of) const {
+    cv::Mat sum, inside = cv::Mat::zeros(of.size(), CV_32F);
+    of.copyTo(inside, view_);
+    cv::GaussianBlur(inside, sum, {}, px_, px_, cv::BORDER_CONSTANT);
+    cv::Mat mean = sum / weight_;
+    mean.setTo(0.0F, outside_);
     return mean;
 }
 
@@ -76,27 +80,29 @@ cv::Mat haze_of(const cv::Mat& code, const cv::Mat& view) {
     const double unit = unit_of(code.size());
     const int window = 2 * std::max(1, static_cast<int>(std::lround(unit * haze_reach))) + 1;
     cv::erode(darkest, darkest, cv::getStructuringElement(cv::MORPH_RECT, {window, window}));
-    return mean_near(darkest, view, window / 4.0);
+    return Neighbourhood(view, window / 4.0).mean(darkest);
 }
 
 BloodFeatures blood_features(const cv::Mat& code, const cv::Mat& view, const cv::Mat& clear_haze) {
     const double unit = unit_of(code.size());
     const std::array<cv::Mat, 3> colors = log_colors(code, view, clear_haze);
+    const std::array<Neighbourhood, 2> inner{{{view, close * unit}, {view, near * unit}}};
+    const Neighbourhood outer(view, wide * unit);
+    std::array<std::array<cv::Mat, inner.size()>, colors.size()> means;
     BloodFeatures made;
     std::size_t count = 0;
-    for (const cv::Mat& color : colors) {
-        cv::Mat own = color.clone();
+    for (std::size_t of = 0; of < colors.size(); ++of) {
+        for (std::size_t i = 0; i < inner.size(); ++i) means[of][i] = inner[i].mean(colors[of]);
+        cv::Mat own = colors[of].clone();
         own.setTo(0.0F, view == 0);
-        const cv::Mat mean = mean_near(color, view, close * unit);
         made[count++] = own;
-        made[count++] = mean;
-        made[count++] = mean_near(color, view, near * unit);
-        made[count++] = mean - mean_near(color, view, wide * unit);
+        for (const cv::Mat& mean : means[of]) made[count++] = mean;
+        made[count++] = means[of][0] - outer.mean(colors[of]);
     }
     for (const std::size_t of : {std::size_t{0}, colors.size() - 1})
-        for (const double reach : {close, near}) {
-            const cv::Mat mean = mean_near(colors[of], view, reach * unit);
-            cv::Mat deviation = mean_near(colors[of].mul(colors[of]), view, reach * unit) - mean.mul(mean);
+        for (std::size_t i = 0; i < inner.size(); ++i) {
+            const cv::Mat& mean = means[of][i];
+            cv::Mat deviation = inner[i].mean(colors[of].mul(colors[of])) - mean.mul(mean);
             cv::sqrt(cv::max(deviation, 0.0F), deviation);
             cv::log(deviation + least_deviation, deviation);
             deviation.setTo(0.0F, view == 0);

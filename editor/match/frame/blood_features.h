@@ -20,8 +20,16 @@ using BloodFeatures = std::array<cv::Mat, blood_feature_count>;  ///< CV_32F eac
 /// px of the picture for each px of one of 256.
 double unit_of(cv::Size size);
 
-/// The mean of `of` (CV_32F) near each pixel, by a Gaussian of so many px of the picture, over `view` alone.
-cv::Mat mean_near(const cv::Mat& of, const cv::Mat& view, double px);
+/// Means near each pixel, by a Gaussian of so many px of the picture, over `view` alone (CV_8U, 255 inside).
+class Neighbourhood {
+  public:
+    Neighbourhood(const cv::Mat& view, double px);
+    cv::Mat mean(const cv::Mat& of) const;  ///< CV_32F, as `of`; 0 outside of the view
+
+  private:
+    cv::Mat view_, outside_, weight_;
+    double px_;
+};
 
 /// The light that smoke may have added, linear, CV_32F: what the darkest of blue and green within 15 px still has.
 /// `code`: CV_8UC3, BGR; `view`: CV_8U, 255 inside.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "lapfx/error.h"
 
@@ -211,6 +212,26 @@ BloodStrokes read_blood_strokes(std::string_view json, const std::string& name, 
     return StrokesReader(name, size).read(json);
 }
 
+std::string write_blood_strokes(const BloodStrokes& strokes) {
+    using nlohmann::ordered_json;
+    std::string text =
+        "{\"format\": " + ordered_json(format).dump() + ", \"version\": " + std::to_string(version) + ",\n";
+    if (strokes.without_blood) text += " \"without_blood\": " + ordered_json(*strokes.without_blood).dump() + ",\n";
+    text += " \"strokes\": [";
+    bool first = true;
+    for (const BloodStroke& stroke : strokes.strokes) {
+        if (stroke.points.empty()) continue;
+        ordered_json points = ordered_json::array();
+        for (const PicturePlace& at : stroke.points) points.push_back({at.x, at.y});
+        const ordered_json made{{"time", stroke.time},
+                                {"marks", stroke.marks == StrokeMark::blood ? "blood" : "other"},
+                                {"radius", stroke.radius},
+                                {"points", points}};
+        text += (std::exchange(first, false) ? "\n  " : ",\n  ") + made.dump();
+    }
+    return text + "\n]}\n";
+}
+
 cv::Mat marks_of(const BloodStrokes& strokes, std::span<const std::size_t> which, const cv::Mat& view) {
     cv::Mat marks = cv::Mat::zeros(view.size(), CV_8U);
     const glm::dvec2 size(view.cols, view.rows);
@@ -221,7 +242,7 @@ cv::Mat marks_of(const BloodStrokes& strokes, std::span<const std::size_t> which
         for (std::size_t i = 0; i < stroke.points.size(); ++i)
             any |= paint(marks, view, at(stroke.points[i > 0 ? i - 1 : 0]), at(stroke.points[i]),
                          size.x * stroke.radius, stroke.marks);
-        if (!any)
+        if (!any && !stroke.points.empty())
             throw Error(Failure::bad_input, Fault{.file = strokes.file,
                                                   .place = strokes.place + "/strokes/" + std::to_string(number),
                                                   .reason = "lies outside of the view that is measured"});

@@ -26,19 +26,23 @@
 
 namespace lapfx::match {
 
-inline constexpr std::size_t most_points = 20'000;  // of all strokes together
+inline constexpr std::size_t most_points = 20'000;          // of all strokes together
+inline constexpr std::uintmax_t longest_strokes = 4 << 20;  // bytes of a file
 
 struct BloodStrokes {
     std::string file;                          ///< stands in messages and results; empty: a scene's own
     std::string place = {};                    ///< of what holds them there, in messages: a JSON pointer
     std::optional<double> without_blood = {};  ///< s of the video: a frame that has no blood, as a person says
-    std::vector<BloodStroke> strokes;          ///< as ReferenceMeasure::strokes; each has a point
+    std::vector<BloodStroke> strokes;          ///< as ReferenceMeasure::strokes
 };
 
 /// `name`: BloodStrokes::file. `size`: of the video's pictures. Throws Error (bad_input) that names the place, the
 /// value and what is allowed, for what is not such a file, a key or value that is not known or not allowed, a point
 /// outside the picture, more than most_points together, or strokes of which none marks blood.
 BloodStrokes read_blood_strokes(std::string_view json, const std::string& name, glm::ivec2 size);
+
+/// Such a file, which gives the same strokes back; `strokes` are as they are read.
+std::string write_blood_strokes(const BloodStrokes& strokes);
 
 /// What a mark is in marks_of(), where 0 is what nothing was painted over.
 inline constexpr std::uint8_t value_of(StrokeMark mark) {

@@ -117,7 +117,7 @@ struct Estimator::State {
 
     VeilSolver veil, free_veil;
     BloodFinder blood;
-    cv::Mat clear_haze, painted;  // of a person's strokes: haze of the baseline, blood in the frame
+    cv::Mat clear_haze, held, all_blood;  // by a person's strokes: haze and blood of the baseline, blood of the frame
     AppearanceFinder appearance;
     VeilFigures figures;
     cv::Mat frame_code, frame_linear, frame_redness, texture, last_texture, counts, rest, valid, foreign, white_part,
@@ -139,7 +139,8 @@ struct Estimator::State {
     void count();
     void find_foreign();
     void find_blood(const cv::Mat& within);
-    const cv::Mat& counted_blood() const { return options.painted_blood ? painted : blood.blood(); }
+    const cv::Mat& counted_blood() const { return all_blood.empty() ? blood.blood() : all_blood; }
+    void find_all_blood();
     void explain();
     FrameAmounts amounts_of(double time, bool moved);
     bool pale(double least) const;
@@ -182,6 +183,7 @@ Estimator::State::State(const Image& baseline, const EstimatorOptions& given)
     lay_over();
     see_light(known.light);
     if (options.painted_blood) clear_haze = options.painted_blood->haze_of(code);
+    if (options.held_blood) options.held_blood->find(code, options.held_blood->haze_of(code), held);
 }
 
 void Estimator::State::see_light(const HazeLight& found) {
@@ -434,6 +436,13 @@ void Estimator::State::see_veil() {
                                        {light[0], light[1], light[2]});
 }
 
+void Estimator::State::find_all_blood() {
+    if (options.painted_blood)
+        options.painted_blood->find(frame_code, clear_haze, all_blood);
+    else if (!held.empty())
+        cv::bitwise_or(blood.blood(), held, all_blood);
+}
+
 FrameAmounts Estimator::State::amounts_of(double time, bool moved) {
     FrameAmounts amounts;
     amounts.time = time;
@@ -512,7 +521,7 @@ FrameAmounts Estimator::measure(const Image& frame, double time) {
     s.lay_over();
     s.see_likeness();
     s.explain();
-    if (s.options.painted_blood) s.options.painted_blood->find(s.frame_code, s.clear_haze, s.painted);
+    s.find_all_blood();
     const FrameAmounts amounts = s.amounts_of(time, moved);
     s.texture.copyTo(s.last_texture);
     s.has_last = true;

@@ -52,6 +52,9 @@ struct EstimatorOptions {
     std::shared_ptr<const VeilModel> veil_model = {};  ///< of the mean veil; none: the shipped one
     /// What a person's strokes say of this video's blood; none: what is new since the baseline is looked for.
     std::shared_ptr<const PaintedBlood> painted_blood = {};
+    /// By what the baseline's own blood is told, which then counts in each frame beside what is new: a preview over a
+    /// plate that bleeds already is measured as the video is by strokes. None: the baseline has none.
+    std::shared_ptr<const PaintedBlood> held_blood = {};
 };
 
 class Estimator {

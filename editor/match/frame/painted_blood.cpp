@@ -174,7 +174,7 @@ cv::Mat PaintedBlood::chance_in(const cv::Mat& code, const cv::Mat& view, const 
     for (int y = 0; y < chance.rows; ++y)
         for (float* p = chance.ptr<float>(y); p != chance.ptr<float>(y) + chance.cols; ++p)
             *p = static_cast<float>(Logistic::chance(*p));
-    return mean_near(chance, view, blur * unit_of(code.size()));
+    return Neighbourhood(view, blur * unit_of(code.size())).mean(chance);
 }
 
 /// The lowest at which hardly anything of a frame is taken for blood; the highest where there is none. Gives the share

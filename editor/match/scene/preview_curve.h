@@ -59,6 +59,9 @@ class PreviewCurve {
     std::optional<Image> picture(const Scene& scene, const Preset& preset, double time, glm::ivec2 size);
     /// From the next curve on.
     void set_options(Options options) { options_ = std::move(options); }
+    /// From the next curve on: blood that a plate shows by itself counts as in its video, where that is measured by
+    /// strokes (EstimatorOptions::held_blood). Null: it does not.
+    void count_plate_by(std::shared_ptr<const PaintedBlood> blood) { options_.estimator.held_blood = std::move(blood); }
     const std::shared_ptr<const PreparedOrgan>& organ() const { return organ_; }
     int curves() const { return curves_; }
     std::size_t memory() const;  ///< bytes of what draws the pictures; render thread, or while none are drawn

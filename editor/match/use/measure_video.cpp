@@ -11,13 +11,18 @@ constexpr std::size_t least_corners = 3;  // of a polygon
 
 }  // namespace
 
-std::optional<BloodStrokes> strokes_of(const ReferenceMeasure& measure) {
+BloodStrokes painted_strokes(const ReferenceMeasure& measure) {
     BloodStrokes made{.file = "", .place = "/reference/measure", .without_blood = {}, .strokes = measure.strokes};
-    std::erase_if(made.strokes, [](const BloodStroke& stroke) { return stroke.points.empty(); });
-    if (std::ranges::none_of(made.strokes, [](const BloodStroke& s) { return s.marks == StrokeMark::blood; }))
-        return {};
     if (measure.without_blood >= 0.0) made.without_blood = measure.without_blood;
     return made;
+}
+
+std::optional<BloodStrokes> learned_strokes(const ReferenceMeasure& measure) {
+    const auto marks_blood = [](const BloodStroke& stroke) {
+        return stroke.marks == StrokeMark::blood && !stroke.points.empty();
+    };
+    if (std::ranges::none_of(measure.strokes, marks_blood)) return {};
+    return painted_strokes(measure);
 }
 
 MeasureOptions measure_options(const ReferenceMeasure& measure) {
@@ -34,7 +39,7 @@ MeasureOptions measure_options(const ReferenceMeasure& measure) {
     if (measure.baseline > 0) options.baseline = measure.baseline;
     options.from = measure.from;
     if (measure.to > 0) options.to = measure.to;
-    options.strokes = strokes_of(measure);
+    options.strokes = learned_strokes(measure);
     return options;
 }
 

@@ -20,8 +20,10 @@
 
 namespace lapfx::match {
 
-/// The strokes of a scene, by which blood is looked for; nothing where none of them marks blood.
-std::optional<BloodStrokes> strokes_of(const ReferenceMeasure& measure);
+/// The strokes of a scene.
+BloodStrokes painted_strokes(const ReferenceMeasure& measure);
+/// Those by which blood is looked for; nothing where none of them marks blood.
+std::optional<BloodStrokes> learned_strokes(const ReferenceMeasure& measure);
 /// How a scene says that its reference is measured.
 MeasureOptions measure_options(const ReferenceMeasure& measure);
 

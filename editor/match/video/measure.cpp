@@ -357,6 +357,10 @@ double suggest_baseline(VideoReader& video, double from, double to, const Progre
     throw refused("", "has no frame that is measurable: " + std::string(row_of(shot.why).help));
 }
 
+std::shared_ptr<const PaintedBlood> painted_blood(const Measurement& measurement) {
+    return measurement.painted ? measurement.painted->blood : nullptr;
+}
+
 std::string without_episode(const Measurement& measurement, Curve curve) {
     const std::ptrdiff_t count = count_of(measurement, curve);
     if (count == 0 || !measurement.veil.peak) return "not measurable";  // of the veil, a note says why

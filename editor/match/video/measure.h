@@ -52,6 +52,9 @@ struct Measurement {
     std::vector<std::string> notes;  ///< what a reader of the figures should know, one line each
 };
 
+/// By which blood is all that is in view; null: it is what is new.
+std::shared_ptr<const PaintedBlood> painted_blood(const Measurement& measurement);
+
 /// The time of the baseline of the longest shot; where each of its frames is hazy, of its earliest that is nearly as
 /// clear as the clearest all the same.
 /// Throws Error: bad_input where no tissue is in view, runtime when `progress` stopped it.

@@ -56,7 +56,8 @@ TEST(Scene, TheReferenceIsMeasuredAsItSays) {
     EXPECT_EQ(plain.reference.measure.baseline, 0.0) << "looked for";
     const Scene scene = parse_scene(scene_text(organ + R"(, "reference": {"file": "v.mp4", "measure": {
         "baseline": 2.5, "from": 1, "to": 9, "blood": {"redness": 3}, "region": {"x": 0.5, "width": 0.25},
-        "parts": [{"corners": [{"x": 0, "y": 0}, {"x": 0.5, "y": 0}, {"x": 0, "y": 1}]}]}})"),
+        "parts": [{"corners": [{"x": 0, "y": 0}, {"x": 0.5, "y": 0}, {"x": 0, "y": 1}]}],
+        "without_blood": 0.5, "strokes": [{"time": 2, "marks": "other", "points": [{"x": 0.25, "y": 1}]}, {}]}})"),
                                     "s.json");
     const ReferenceMeasure& measure = scene.reference.measure;
     EXPECT_EQ(measure.baseline, 2.5);
@@ -68,6 +69,13 @@ TEST(Scene, TheReferenceIsMeasuredAsItSays) {
     ASSERT_EQ(measure.parts.size(), 1U);
     ASSERT_EQ(measure.parts[0].corners.size(), 3U);
     EXPECT_EQ(measure.parts[0].corners[1].x, 0.5);
+    EXPECT_EQ(measure.without_blood, 0.5);
+    ASSERT_EQ(measure.strokes.size(), 2U);
+    EXPECT_EQ(measure.strokes[0].time, 2.0);
+    EXPECT_EQ(measure.strokes[0].marks, StrokeMark::other);
+    EXPECT_EQ(measure.strokes[0].points, (std::vector<PicturePlace>{{0.25, 1.0}}));
+    EXPECT_EQ(measure.strokes[1].marks, StrokeMark::blood);
+    EXPECT_EQ(write_scene(parse_scene(write_scene(scene), "s.json")), write_scene(scene));
 }
 
 TEST(Scene, NamesFaults) {
@@ -108,6 +116,13 @@ TEST(Scene, NamesFaults) {
          "/reference/measure/to: 3 s is neither 0 nor after from, 4 s"},
         {R"(, "reference": {"measure": {"blood": {"redness": 0}}})",
          "/reference/measure/blood/redness: 0 is below the minimum 1 (allowed: 1 to 20)"},
+        {R"(, "reference": {"measure": {"without_blood": -0.5}})",
+         "/reference/measure/without_blood: -0.5 s is neither -1 nor from 0 on"},
+        {R"(, "reference": {"measure": {"strokes": [{"marks": "bleeding"}]}})",
+         "/reference/measure/strokes/0/marks: \"bleeding\" is not one of \"blood\", \"other\"; nearest is \"blood\""},
+        {R"(, "reference": {"measure": {"strokes": [{"radius": 0.5}]}})",
+         "/reference/measure/strokes/0/radius: 0.5 is above the maximum 0.25 of the width (allowed: 0 to 0.25 of the "
+         "width)"},
         {R"(, "reference": {"measure": {"parts": [{"corners": [{"x": 0, "y": 2}]}]}})",
          "/reference/measure/parts/0/corners/0/y: 2 is above the maximum 1 of the picture (allowed: 0 to 1 of the "
          "picture)"},

@@ -50,6 +50,26 @@ TEST(BloodStrokes, AFileIsInPixelsOrInFractions) {
     EXPECT_FALSE(fractions.without_blood);
 }
 
+TEST(BloodStrokes, AreWrittenAsTheyAreRead) {
+    BloodStrokes given{.file = "s.json",
+                       .without_blood = 0.4,
+                       .strokes = {{.time = 1.521, .radius = 0.0125, .points = {{0.1, 0.25}, {0.5, 1.0}}},
+                                   {.time = 0.1, .marks = StrokeMark::other, .points = {}},
+                                   {.time = 2.0, .marks = StrokeMark::other, .radius = 0.2, .points = {{0.0, 0.0}}}}};
+    const BloodStrokes read = read_blood_strokes(write_blood_strokes(given), "t.json", size);
+    EXPECT_EQ(read.without_blood, 0.4);
+    given.strokes.erase(given.strokes.begin() + 1);  // without points it is nothing
+    ASSERT_EQ(read.strokes.size(), given.strokes.size());
+    for (std::size_t i = 0; i < read.strokes.size(); ++i) {
+        EXPECT_EQ(read.strokes[i].time, given.strokes[i].time);
+        EXPECT_EQ(read.strokes[i].marks, given.strokes[i].marks);
+        EXPECT_EQ(read.strokes[i].radius, given.strokes[i].radius);
+        EXPECT_EQ(read.strokes[i].points, given.strokes[i].points);
+    }
+    given.without_blood.reset();
+    EXPECT_FALSE(read_blood_strokes(write_blood_strokes(given), "t.json", size).without_blood);
+}
+
 TEST(BloodStrokes, WhatIsWrongIsToldWithItsPlaceAndWhatIsAllowed) {
     const auto stroke = [](const std::string& from, const std::string& to) {
         std::string changed = blood;

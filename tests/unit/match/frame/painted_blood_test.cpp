@@ -71,6 +71,24 @@ TEST(PaintedBlood, IsFoundWhereverItIsInAnyFrame) {
     for (const int seed : {1, 2, 3}) EXPECT_LE(test::share(found_in(learned.blood, test::tissue(seed))), 0.005) << seed;
 }
 
+/// A plate that bleeds already, and what is drawn over it.
+TEST(PaintedBlood, OfABaselineCountsBesideWhatIsNew) {
+    const Learned learned(strokes(), test::tissue(), WithoutBlood::yes);
+    cv::Mat drawn = bloody(1, {150, 130});
+    test::bleed(drawn, {230, 90}, 20);
+    const auto measured = [&](std::shared_ptr<const PaintedBlood> held) {
+        Estimator estimator(test::image_of(bloody(1, {150, 130})), {.held_blood = std::move(held)});
+        const double before = estimator.measure(test::image_of(bloody(1, {150, 130})), 0.0).blood.value;
+        return std::pair(before, estimator.measure(test::image_of(drawn), 0.04).blood.value);
+    };
+    const auto [none, fresh] = measured(nullptr);
+    EXPECT_LT(none, 0.001) << "what is new alone";
+    EXPECT_NEAR(fresh, disc / 4, 0.2 * disc / 4);
+    const auto [held, all] = measured(std::make_shared<const PaintedBlood>(learned.blood));
+    EXPECT_NEAR(held, disc, 0.12 * disc);
+    EXPECT_NEAR(all - held, fresh, 0.1 * fresh) << "no pixel counts twice";
+}
+
 TEST(PaintedBlood, SaysHowMuchOfTheStrokesItFindsAgain) {
     EXPECT_EQ(Learned(strokes(), test::tissue(), WithoutBlood::yes).blood.found_again(), 1.0);
     BloodStrokes half = strokes();  // as much tissue again is marked as blood

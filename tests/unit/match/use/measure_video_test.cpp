@@ -91,6 +91,23 @@ TEST(MeasureOptionsOfAScene, FollowItsRow) {
     EXPECT_EQ(options.baseline, 2.5);
     EXPECT_EQ(options.from, 1.0);
     EXPECT_FALSE(options.to);
+    EXPECT_FALSE(options.strokes);
+}
+
+TEST(MeasureOptionsOfAScene, HaveItsStrokesOnceOneMarksBlood) {
+    ReferenceMeasure measure;
+    measure.without_blood = 0.4;
+    measure.strokes = {{.time = 1.0, .marks = StrokeMark::other, .points = {{0.1, 0.1}}}, {.time = 2.0}};
+    EXPECT_FALSE(measure_options(measure).strokes) << "the stroke of blood has no points";
+    measure.strokes[1].points = {{0.5, 0.5}};
+    const MeasureOptions options = measure_options(measure);
+    ASSERT_TRUE(options.strokes);
+    ASSERT_EQ(options.strokes->strokes.size(), 2U);
+    EXPECT_EQ(options.strokes->strokes[1].time, 2.0);
+    EXPECT_EQ(options.strokes->without_blood, 0.4);
+    EXPECT_EQ(options.strokes->place, "/reference/measure");
+    measure.without_blood = -1.0;
+    EXPECT_FALSE(measure_options(measure).strokes->without_blood);
 }
 
 }  // namespace
