@@ -205,7 +205,7 @@ void measure(const Job& job, const fs::path& folder, BatchResult& result) {
     VideoReader video = opened_video(file);
     const Window window = window_of(job.options.match.window, video.info().duration, "video");
     Progress progress("measuring", steps);
-    match::MeasureOptions options = measure_options(job.options.match, {}, video.info().size);
+    match::MeasureOptions options = measure_options(job.options.match, {}, video.info().size, "");
     options.from = window.from, options.to = window.to;
     const match::Measurement found = measured_video(video, file, {.options = options}, [&](double share) {
                                          progress.to(share);

@@ -23,7 +23,7 @@ std::unique_ptr<output::FramePage> beside_page(const ShownScene& shown, const st
                            .preview = name.empty() ? fs::path(scene).filename().string() : name,
                            .video = fs::path(file).filename().string(),
                            .reference = reference_of(options, shown.scene)};
-    const match::MeasureOptions measured = measure_options(options, compared.reference, video->info().size);
+    const match::MeasureOptions measured = measure_options(options, compared.reference, video->info().size, scene);
     match::PreviewCurve curve = preview_curve(shown, std::move(organ), measured.estimator,
                                               match::preview_size(video->info().size, compared.reference.aspect));
     constexpr int progress_steps = 100;

@@ -97,7 +97,7 @@ ComparedFiles compare_scene(const Options& o) {
     const double offset = reference.offset;
     const Window common = common_time(o.match.reference, video, o.shown, window, offset);
     Progress progress("comparing", progress_steps);
-    const match::MeasureOptions options = measure_options(o.match, reference, video.info().size);
+    const match::MeasureOptions options = measure_options(o.match, reference, video.info().size, o.shown);
     const match::MeasuredVideo of_reference = measured(
         video, o.match.reference, options, {common.from + offset, common.to + offset}, [&progress](double share) {
             progress.to(reference_part * share);
@@ -130,7 +130,7 @@ ComparedFiles compare_video(const Options& o) {
     const double offset = o.match.offset.value_or(0.0);
     const Window common = common_time(o.match.reference, reference, o.shown, window, offset);
     Progress progress("comparing", progress_steps);
-    const match::MeasureOptions options = measure_options(o.match, {}, reference.info().size);
+    const match::MeasureOptions options = measure_options(o.match, {}, reference.info().size, "");
     const bool same = is_same_file(o.shown, o.match.reference);  // then the baseline is of both
     const match::MeasuredVideo of_reference = measured(
         reference, o.match.reference, options, {common.from + offset, common.to + offset}, [&progress](double share) {

@@ -159,7 +159,7 @@ FitRun run_fit(const FitOptions& given) {
     if (shown.scene.events.empty() && files.fitted_scene.empty())
         say(o.files.scene + ": /events is empty, so nothing smokes or bleeds; with --fitted-scene tools are added");
     Steps steps(o.budget);
-    const match::MeasureOptions options = measure_options(o.match, reference, video.info().size);
+    const match::MeasureOptions options = measure_options(o.match, reference, video.info().size, files.scene);
     match::MeasuredVideo of_reference =
         measured(o, video, options, {window.from + reference.offset, window.to + reference.offset}, steps);
     FitRun run;

@@ -54,8 +54,10 @@ SceneReference reference_of(const MatchOptions& options, const Scene& scene) {
     return reference;
 }
 
-match::MeasureOptions measure_options(const MatchOptions& options, const SceneReference& reference, glm::ivec2 size) {
+match::MeasureOptions measure_options(const MatchOptions& options, const SceneReference& reference, glm::ivec2 size,
+                                      const std::string& scene) {
     match::MeasureOptions made = match::measure_options(reference.measure);
+    if (made.strokes) made.strokes->file = scene;
     if (options.baseline) made.baseline = options.baseline;  // also 0, which a scene has for none
     if (!options.view.empty()) made.estimator.round_view = round_view_of(options.view, size);
     return made;

@@ -37,8 +37,10 @@ Window window_of(const std::string& text, double duration, const std::string& wh
 
 /// What the scene says of its own reference holds for that video only; the options come first.
 SceneReference reference_of(const MatchOptions& options, const Scene& scene);
-/// How that reference is measured; `size`: of its pictures. Throws Error (bad_input).
-match::MeasureOptions measure_options(const MatchOptions& options, const SceneReference& reference, glm::ivec2 size);
+/// How that reference is measured; `size`: of its pictures; `scene`: the file that says so, for messages. Throws Error
+/// (bad_input).
+match::MeasureOptions measure_options(const MatchOptions& options, const SceneReference& reference, glm::ivec2 size,
+                                      const std::string& scene);
 
 /// Opens it and prints what is unusual about it. Throws Error (bad_input) that names it.
 VideoReader opened_video(const std::string& file);

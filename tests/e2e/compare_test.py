@@ -169,6 +169,8 @@ def check_refused(lapfx, scene, video, other, folder):
     black = write_black(folder, 12)
     hidden = changed_scene(scene, folder, "away.scene.json", away)
     unlit = changed_scene(scene, folder, "dark.scene.json", dark)
+    late = changed_scene(scene, folder, "late.scene.json", lambda values: values.update(reference={
+        "file": video, "measure": {"strokes": [{"time": 99, "points": [{"x": 0.5, "y": 0.5}]}]}}))
     own = changed_scene(scene, folder, "own.scene.json", lambda values: values.update(preset="own.json"))
     shutil.copy(os.path.join(home, "..", "presets", "gastric_banding.json"), os.path.join(folder, "own.json"))
     named_json = os.path.join(folder, "video.json")
@@ -211,6 +213,8 @@ def check_refused(lapfx, scene, video, other, folder):
         (["compare", black, video], "has no frame that shows anything"),
         (["compare", hidden, video, "--window", "0,1"], "away.scene.json: the organ is not in view"),
         (["compare", unlit, video, "--window", "0,1"], "dark.scene.json: "),
+        (["compare", late, video, "--window", "0,1"],
+         "late.scene.json: /reference/measure/strokes/0/time: 99.00 s is outside the video (allowed: 0 to "),
         (["compare", scene], "REFERENCE is required"),
     ]
     for arguments, expected in cases:
