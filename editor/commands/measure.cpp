@@ -264,6 +264,12 @@ Verb measure_verb() {
         "smoke takes: 1 - transmission, mean over the view. Both are 0 to 1, with an interval that holds the true one\n"
         "in about nine of ten pictures whose amounts are known (lapfx bench measure); real videos can be farther off.\n"
         "The black surround, instruments and burnt-in text are left out.\n\n"
+        "Light is what smoke adds, mean over the view, in linear light before the camera's gain: a share of white. "
+        "Bright\n"
+        "smoke near the lens adds much of it and hides little. Gain is the factor of the camera against the baseline, "
+        "1\n"
+        "as there: cameras darken while bright smoke is in view. A veil that lies evenly over the view and throws no\n"
+        "light back counts as gain, whose interval is wide for that reason.\n\n"
         "Peak, mean, area under the curve, onset (10 % of the way to the peak), rise (10 % to 90 %) and decay (until\n"
         "half is gone) are those of the curve smoothed over 0.2 s. Where fewer than half of the frames have an amount\n"
         "it has none of them, and where it changes by no more than the error of measuring it has no times.\n\n"
@@ -282,8 +288,9 @@ Verb measure_verb() {
         "The\n"
         "editor's Measure panel paints strokes over the reference and writes such a file; fit, compare and report use\n"
         "those of their scene.\n\n"
-        "The columns of the CSV are time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags. What is not\n"
-        "measurable is empty, and the flags say why, words with one space between them:\n  " +
+        "The columns of the CSV are time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags,light,light_low,\n"
+        "light_high,gain,gain_low,gain_high. What is not measurable is empty, and the flags say why, words with one\n"
+        "space between them:\n  " +
         flag_words() +
         "\n\n"
         "Each shot is measured against a clear frame of its own; a bag or the inside of a trocar that fills the view\n"

@@ -11,7 +11,8 @@ import tempfile
 import time
 
 SPOT = [0.35 * red + 0.65 * yellow for red, yellow in zip((0x78, 6, 8), (240, 228, 66))]  # blood as it is drawn
-COLUMNS = "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags".split(",")
+COLUMNS = ("time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags,"
+           "light,light_low,light_high,gain,gain_low,gain_high").split(",")
 
 
 def run(lapfx, *arguments):
@@ -34,6 +35,8 @@ def check_output(lapfx, reference, folder):
         for amount in ("blood", "veil"):
             low, value, high = (float(row[amount + end]) for end in ("_low", "", "_high"))
             assert 0 <= low <= value <= high <= 1, row
+        assert 0 <= float(row["light_low"]) <= float(row["light"]) <= float(row["light_high"]) <= 1, row
+        assert 0 < float(row["gain_low"]) <= 1 <= float(row["gain_high"]), row  # its camera does not change
     assert open(plot, "rb").read(8) == b"\x89PNG\r\n\x1a\n"
     halves = ["--mask", "0,0,320,0,320,512,0,512", "--mask", "0.5,0,1,0,1,0.5,0.5,0.5"]
     masked = os.path.join(folder, "m.json")
@@ -293,7 +296,7 @@ def check_nothing_measurable(lapfx, reference, folder):
     assert code == 0, told
     rows = list(csv.DictReader(open(out)))
     assert rows[0]["veil"] and not rows[0]["flags"], rows[0]
-    assert [rows[-1][column] for column in COLUMNS[1:-1]] == [""] * 6, rows[-1]
+    assert [rows[-1][column] for column in COLUMNS[1:] if column != "flags"] == [""] * 12, rows[-1]
     assert "bag" in rows[-1]["flags"].split(" "), rows[-1]
 
 

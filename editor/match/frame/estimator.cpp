@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lapfx/error.h"
+#include "match/frame/added_light.h"
 #include "match/frame/blood.h"
 #include "match/frame/interval.h"
 #include "match/frame/painted_blood.h"
@@ -112,13 +113,15 @@ struct Estimator::State {
 
     // the baseline as it is, and as it lies over the frame
     cv::Mat code, wanted, whole, view, reach, instruments, counted;  // whole: the view, with what is not wanted of it
-    cv::Mat laid_code, placed_code, placed_linear, placed_redness, placed_counted;
+    cv::Mat laid_code, laid_linear, placed_code, placed_linear, placed_redness, placed_counted;
     cv::Vec3f gains{1.0F, 1.0F, 1.0F};  // of the camera, by which placed_* are multiplied and laid_code is not
 
     VeilSolver veil, free_veil;
     BloodFinder blood;
     cv::Mat clear_haze, held, all_blood;  // by a person's strokes: haze and blood of the baseline, blood of the frame
     AppearanceFinder appearance;
+    AddedLightFinder added_light;
+    AddedLight added;
     VeilFigures figures;
     cv::Mat frame_code, frame_linear, frame_redness, texture, last_texture, counts, rest, valid, foreign, white_part,
         aside, brighter, readable;
@@ -151,6 +154,7 @@ struct Estimator::State {
     std::optional<cv::Vec3f> gains_that_explain() const;
     void find_amounts();
     void see_veil();
+    void see_added_light();
     double rest_share() const;
     double tint() const;
     void judge(FrameAmounts& amounts, bool moved) const;
@@ -443,6 +447,13 @@ void Estimator::State::find_all_blood() {
         cv::bitwise_or(blood.blood(), held, all_blood);
 }
 
+/// Bright smoke is as foreign to the model of the veil as an instrument.
+void Estimator::State::see_added_light() {
+    aside = placed_counted & ~blood.blood();
+    to_linear(laid_code, laid_linear);
+    added = added_light.find(laid_linear, frame_linear, light_map, aside);
+}
+
 FrameAmounts Estimator::State::amounts_of(double time, bool moved) {
     FrameAmounts amounts;
     amounts.time = time;
@@ -457,6 +468,7 @@ FrameAmounts Estimator::State::amounts_of(double time, bool moved) {
     }
     judge(amounts, moved);
     set_intervals(amounts);
+    set_camera_intervals(amounts, added);
     if (options.painted_blood && amounts.measurable()) set_painted_interval(amounts.blood);
     return amounts;
 }
@@ -521,6 +533,7 @@ FrameAmounts Estimator::measure(const Image& frame, double time) {
     s.lay_over();
     s.see_likeness();
     s.explain();
+    s.see_added_light();
     s.find_all_blood();
     const FrameAmounts amounts = s.amounts_of(time, moved);
     s.texture.copyTo(s.last_texture);

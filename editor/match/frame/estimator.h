@@ -10,7 +10,8 @@
 // (painted_blood.h), it is all that looks like it, and the veil stays as it is.
 // What the camera changed, exposure and white balance, is no amount: where that explains the frame better than smoke,
 // both are looked for over the baseline as it would be now (camera_gains.h). Veil: 1 - transmission of the smoke, mean
-// over the valid view. The model is that of scattering: a frame is baseline * (1 - veil) + light * veil, where `light`
+// over the valid view. Beside both, the light that smoke adds and the camera's gain are told (added_light.h).
+// The model is that of scattering: a frame is baseline * (1 - veil) + light * veil, where `light`
 // is the colour of dense smoke at each place (haze_light.h). The mean is told by a model that was learned
 // (veil_model.h), which also knows frames over which the baseline does not lie exactly; the map has its mean. The valid
 // view has no black surround, no instruments, no masked parts and no burnt-in text. One thread at a time, any thread;

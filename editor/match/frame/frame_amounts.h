@@ -1,4 +1,5 @@
-// What is told about one frame: its amounts of blood and veil with their intervals, and flags.
+// What is told about one frame: its amounts of blood and veil, the light that smoke adds and the camera's gain with
+// their intervals, and flags.
 //
 //     if (match::measurable(frame, match::Curve::blood)) add(frame.time, frame.blood.value);
 //
@@ -11,12 +12,15 @@
 
 namespace lapfx::match {
 
-/// A measured share, 0..1, and its interval: it holds the true one in about nine of ten pictures whose amounts are
-/// known, renders and known smoke and blood over real frames, to which it was fitted (interval.cpp). How often it does
-/// for smoke and blood of real videos, which nobody knows, is not known.
+/// A measured share, 0..1 (a gain: least_gain..most_gain), and its interval: it holds the true one in about nine of ten
+/// pictures whose amounts are known, renders and known smoke and blood over real frames, to which it was fitted
+/// (interval.cpp). How often it does for smoke and blood of real videos, which nobody knows, is not known.
 struct Amount {
     double value = 0.0, low = 0.0, high = 0.0;
 };
+
+/// A camera's gain is told between these.
+inline constexpr double least_gain = 0.25, most_gain = 4.0;
 
 /// What is told about a frame besides its amounts: bits of FrameAmounts::flags.
 namespace told {
@@ -74,9 +78,15 @@ inline constexpr ToldRow told_rows[] = {
 };
 
 struct FrameAmounts {
-    double time = 0.0;      ///< s of the video
-    Amount blood = {};      ///< area fraction of the valid view
-    Amount veil = {};       ///< mean over the valid view of 1 - transmission of the smoke
+    double time = 0.0;  ///< s of the video
+    Amount blood = {};  ///< area fraction of the valid view
+    Amount veil = {};   ///< mean over the valid view of 1 - transmission of the smoke
+    Amount light = {};  ///< mean over the valid view of the light that smoke adds, as a share of white: luminance in
+                        ///< linear light before the camera's gain
+    /// Factor of the camera against the baseline; 1: as the baseline. A veil that lies evenly over the view and throws
+    /// no light back cannot be told from it: unless bright smoke explains why the camera darkened, the interval of a
+    /// gain below 1 reaches up to 1.
+    Amount gain = {1.0, 1.0, 1.0};
     double valid = 0.0;     ///< share of the picture that is the valid view, 0..1
     double likeness = 0.0;  ///< how much of the baseline's texture is there, also where it moved; 0 none .. 1 all
     double rest = 0.0;      ///< share of the frame's light that neither tissue, smoke nor blood explain

@@ -29,6 +29,16 @@ struct Wider {
 constexpr Wider wider[] = {
     {told::tinted, 1.3}, {told::bleached, 1.25}, {told::motion, 1.25}, {told::unregistered, 1.1}};
 
+// Half of a gain's interval grows with how far apart the places are that tell it, half of added light's with the light
+// and with the light that so much of a gain would be; both grow the less of the baseline's tissue is in its place.
+// Of made-up puffs and gains over 270 frames of nine clips (Cholec80, video01_010, 024, 064, 192, 194, 196, 198, 200
+// and 203) they hold nine of ten.
+constexpr double gain_least = 0.02, gain_of_spread = 0.5, gain_of_unlike = 0.5;
+constexpr double light_least = 0.008, light_of_light = 0.25, light_of_doubt = 0.5, light_of_unlike = 0.1;
+// How a camera answers to added light, after 13 puffs of one system: 1 / gain = 1 + 0.7 * light / tissue, where both
+// are means; how far a gain is off it.
+constexpr double dip = 0.7, dip_error = 0.14;
+
 void set(Amount& amount, double below, double above) {
     amount.low = std::max(amount.value - below, 0.0);
     amount.high = std::min(amount.value + above, 1.0);
@@ -54,6 +64,28 @@ void set_intervals(FrameAmounts& a) {
     // Smoke and the dark hide blood, and make none.
     const double missed = factor * (blood_of_veil * a.veil.value + blood_of_hidden * a.hidden);
     set(a.blood, std::max(known, doubt * a.blood.value), std::max(known + missed, doubt * a.blood.value));
+}
+
+void set_camera_intervals(FrameAmounts& a, const AddedLight& found) {
+    if (!a.measurable() || !found.known) {  // nothing is known
+        a.light = {0.0, 0.0, 1.0};
+        a.gain = {1.0, least_gain, most_gain};
+        return;
+    }
+    double factor = 1.0;
+    for (const Wider& row : wider)
+        if ((a.flags & row.bit) != 0) factor *= row.factor;
+    const double unlike = std::max(usual_likeness - a.likeness, 0.0);
+    const double doubt = factor * (gain_least * found.gain + gain_of_spread * found.spread + gain_of_unlike * unlike);
+    a.gain.value = found.gain;
+    a.gain.low = std::max(found.of_bright_smoke - doubt, least_gain);
+    a.gain.high = std::min(found.of_dim_smoke + doubt, most_gain);
+    const double answer = 1.0 / (1.0 + dip * found.light / std::max(found.tissue, 1e-3));
+    a.gain.high = std::max(a.gain.high, std::min(answer + dip_error, 1.0));
+    const double half = factor * (light_least + light_of_light * found.light + light_of_unlike * unlike) +
+                        light_of_doubt * doubt * found.tissue;
+    a.light.value = std::min(found.light, 1.0);
+    set(a.light, half, half);
 }
 
 void set_painted_interval(Amount& blood) {

@@ -12,8 +12,11 @@ namespace lapfx::match {
 
 namespace {
 
-constexpr std::string_view columns = "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags";
-constexpr std::size_t numbers = 7;  // columns before the last
+// Files of programs that tell less end there.
+constexpr std::string_view first_columns = "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags";
+constexpr std::string_view columns =
+    "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags,light,light_low,light_high,gain,gain_low,gain_high";
+constexpr std::size_t flags_column = 7, light_column = 8, gain_column = 11;
 
 std::string flags_text(unsigned flags) {
     std::string text;
@@ -51,14 +54,17 @@ std::string quoted(std::string_view text) {
 /// One line of numbers and flags.
 class Row {
   public:
-    Row(const std::string& name, std::size_t line, std::string_view text)
-        : name_(name), line_(line), cells_(split(text, ',')) {
-        if (cells_.size() != numbers + 1)
+    /// `header`: the columns of the file.
+    Row(const std::string& name, std::size_t line, std::string_view header, std::string_view text)
+        : name_(name), line_(line), titles_(split(header, ',')), cells_(split(text, ',')) {
+        if (cells_.size() != titles_.size())
             throw refused(name, line,
-                          "has " + std::to_string(cells_.size()) + " values instead of " + std::to_string(numbers + 1) +
-                              " (" + std::string(columns) + ")");
+                          "has " + std::to_string(cells_.size()) + " values instead of " +
+                              std::to_string(titles_.size()) + " (" + std::string(header) + ")");
     }
-    double number(std::size_t column, double most) const {
+    bool has(std::size_t column) const { return column < cells_.size(); }
+    /// `most_text`: the limit, for people.
+    double number(std::size_t column, double most, const char* most_text = "1") const {
         const std::string_view cell = cells_[column];
         double value = 0.0;
         const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
@@ -66,29 +72,29 @@ class Row {
             throw refused(name_, line_, title(column) + ": " + quoted(cell) + " is not a number");
         if (value < 0.0 || value > most)
             throw refused(name_, line_,
-                          title(column) + ": " + std::string(cell) + " is outside the allowed 0 to " +
-                              (most == 1.0 ? "1" : "86400 s"));
+                          title(column) + ": " + std::string(cell) + " is outside the allowed 0 to " + most_text);
         return value;
     }
     /// Empty where the flags say that it is not measurable.
-    Amount amount(std::size_t column, bool measurable) const {
+    Amount amount(std::size_t column, bool measurable, double most = 1.0, const char* most_text = "1") const {
         if (cells_[column].empty() && cells_[column + 1].empty() && cells_[column + 2].empty()) {
             if (!measurable) return {};
             throw refused(name_, line_, title(column) + ": is empty, and no flag says why");
         }
-        const Amount a{number(column, 1.0), number(column + 1, 1.0), number(column + 2, 1.0)};
+        const Amount a{number(column, most, most_text), number(column + 1, most, most_text),
+                       number(column + 2, most, most_text)};
         if (a.low <= a.value && a.value <= a.high) return a;
         throw refused(name_, line_, title(column) + ": its interval does not hold it");
     }
     unsigned flags() const {
         unsigned all = 0;
-        if (cells_.back().empty()) return all;
-        for (const std::string_view word : split(cells_.back(), ' ')) all |= bit_of(word);
+        if (cells_[flags_column].empty()) return all;
+        for (const std::string_view word : split(cells_[flags_column], ' ')) all |= bit_of(word);
         return all;
     }
 
   private:
-    static std::string title(std::size_t column) { return std::string(split(columns, ',')[column]); }
+    std::string title(std::size_t column) const { return std::string(titles_[column]); }
     unsigned bit_of(std::string_view word) const {
         std::string known;
         for (const ToldRow& row : told_rows) {
@@ -100,7 +106,7 @@ class Row {
 
     const std::string& name_;
     std::size_t line_;
-    std::vector<std::string_view> cells_;
+    std::vector<std::string_view> titles_, cells_;
 };
 
 nlohmann::json json_of(const Episode& episode) {
@@ -144,7 +150,7 @@ std::string csv_of(const Measurement& measurement) {
         char time[32];
         std::snprintf(time, sizeof time, "%.4f", f.time);
         text += time + cells_of(f.blood, f.blood_measurable()) + cells_of(f.veil, f.measurable()) + "," +
-                flags_text(f.flags) + "\n";
+                flags_text(f.flags) + cells_of(f.light, f.measurable()) + cells_of(f.gain, f.measurable()) + "\n";
     }
     return text;
 }
@@ -155,6 +161,8 @@ std::string json_of(const Measurement& measurement) {
         frames.push_back({{"time", f.time},
                           {"blood", json_of(f.blood, f.blood_measurable())},
                           {"veil", json_of(f.veil, f.measurable())},
+                          {"light", json_of(f.light, f.measurable())},
+                          {"gain", json_of(f.gain, f.measurable())},
                           {"valid", figure_of(f, f.valid)},
                           {"likeness", figure_of(f, f.likeness)},
                           {"course", f.course ? nlohmann::json(f.course->value) : nlohmann::json(nullptr)},
@@ -186,22 +194,27 @@ std::string json_of(const Measurement& measurement) {
 std::vector<FrameAmounts> read_amounts(std::string_view csv, const std::string& name) {
     std::vector<FrameAmounts> frames;
     std::size_t line = 0;
+    std::string_view header;
     for (std::string_view text : split(csv, '\n')) {
         ++line;
         if (text.ends_with('\r')) text.remove_suffix(1);
         if (line == 1) {
-            if (text != columns)
-                throw refused(name, line, "the columns are " + quoted(text) + " instead of " + std::string(columns));
+            header = text;
+            if (header != columns && header != first_columns)
+                throw refused(name, line,
+                              "the columns are " + quoted(text) + " instead of " + std::string(first_columns));
             continue;
         }
         if (text.empty()) continue;
-        const Row row(name, line, text);
+        const Row row(name, line, header, text);
         constexpr double day = 86'400.0;
         FrameAmounts f;
-        f.time = row.number(0, day);
+        f.time = row.number(0, day, "86400 s");
         f.flags = row.flags();
         f.blood = row.amount(1, f.blood_measurable());
         f.veil = row.amount(4, f.measurable());
+        if (row.has(light_column)) f.light = row.amount(light_column, f.measurable());
+        if (row.has(gain_column) && f.measurable()) f.gain = row.amount(gain_column, true, most_gain, "4");
         if (!frames.empty() && f.time <= frames.back().time)
             throw refused(name, line, "time: " + seconds_text(f.time) + " is not after that of the line before");
         frames.push_back(f);

@@ -75,16 +75,17 @@ Measurement measure(VideoReader& video, const MeasureOptions& options, const Pro
 /// Why an amount has no peak and mean: "not measurable", or in how few frames it is.
 std::string without_episode(const Measurement& measurement, Curve curve);
 
-/// One row a frame: "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags". What is not measurable is empty,
-/// and the flags, words with one space between them, say why.
+/// One row a frame: "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags,light,light_low,light_high,gain,
+/// gain_low,gain_high". What is not measurable is empty, and the flags, words with one space between them, say why.
 std::string csv_of(const Measurement& measurement);
 /// The same with shots and their baselines, light, episodes, notes, and of each frame how well it is seen and its
 /// course; where a person's strokes told the blood, also "blood_by_strokes": of which file, and that it is absolute.
 std::string json_of(const Measurement& measurement);
 /// Blood and veil over time with their intervals and episodes, 1280x720. A course is drawn without a scale.
 Image plot_of(const Measurement& measurement);
-/// Reads what csv_of wrote. `name` stands in messages. Amounts that are not measurable are 0. Throws Error (bad_input)
-/// for missing or foreign columns and values, naming the line.
+/// Reads what csv_of wrote, also without the columns after the flags: light is 0 and gain 1 then. `name` stands in
+/// messages. Amounts that are not measurable are 0, their gains 1. Throws Error (bad_input) for missing or foreign
+/// columns and values, naming the line.
 std::vector<FrameAmounts> read_amounts(std::string_view csv, const std::string& name);
 
 }  // namespace lapfx::match

@@ -297,6 +297,84 @@ TEST(Estimator, FindsSmokeThoughTheCameraChanged) {
     }
 }
 
+/// A puff near the lens: brightest and densest in its middle, at the lower left.
+struct Puff {
+    double veil, light;  ///< in its middle: 1 - transmission, and luminance before the gain
+    cv::Mat over(const cv::Mat& tissue, double gain) const {
+        cv::Mat made = tissue.clone();
+        for (int y = 0; y < test::height; ++y)
+            for (int x = 0; x < test::width; ++x) {
+                const auto here = static_cast<float>(shape(x, y));
+                cv::Vec3f& p = made.at<cv::Vec3f>(y, x);
+                p = (p * (1.0F - static_cast<float>(veil) * here) + tint() * (static_cast<float>(light) * here)) *
+                    static_cast<float>(gain);
+            }
+        return made;
+    }
+    static double shape(int x, int y) { return std::max(1.0 - std::pow(std::hypot(x - 80, y - 200) / 100.0, 2), 0.0); }
+    static double mean_shape() {
+        double sum = 0.0;
+        for (int y = 0; y < test::height; ++y)
+            for (int x = 0; x < test::width; ++x) sum += shape(x, y);
+        return sum / (test::height * test::width);
+    }
+    /// Of luminance 1, blue, green and red; no tint that is assumed.
+    static cv::Vec3f tint() {
+        return cv::Vec3f(1.0F, 0.82F, 0.9F) / (0.0722F * 1.0F + 0.7152F * 0.82F + 0.2126F * 0.9F);
+    }
+};
+
+bool holds(const Amount& amount, double truth) {
+    return amount.low <= truth && truth <= amount.high;
+}
+
+TEST(Estimator, TellsTheGainOfTheCameraFromTheLightOfAPuff) {
+    for (const int seed : {1, 3}) {
+        const cv::Mat clear = test::tissue(seed);
+        Estimator estimator(test::image_of(clear), {.survey = std::make_shared<const Survey>()});
+        for (const Puff puff : {Puff{0.0, 0.0}, Puff{0.1, 0.15}, Puff{0.25, 0.45}})
+            for (const double gain : {0.6, 0.8, 1.0, 1.25}) {
+                const FrameAmounts a = estimator.measure(test::image_of(puff.over(clear, gain)), 0);
+                const double light = puff.light * Puff::mean_shape();
+                EXPECT_NEAR(a.gain.value, gain, 0.05) << seed << " " << puff.light;
+                EXPECT_NEAR(a.light.value, light, 0.02) << seed << " " << gain;
+                EXPECT_TRUE(holds(a.gain, gain)) << a.gain.low << " " << gain << " " << a.gain.high;
+                EXPECT_TRUE(holds(a.light, light)) << a.light.low << " " << light << " " << a.light.high;
+            }
+    }
+}
+
+TEST(Estimator, TellsOfAStillFrameNeitherGainNorLight) {
+    const Image clear = test::image_of(test::tissue());
+    Estimator estimator(clear, {});
+    const FrameAmounts a = estimator.measure(clear, 0);
+    EXPECT_NEAR(a.gain.value, 1.0, 1e-3);
+    EXPECT_NEAR(a.light.value, 0.0, 1e-3);
+    EXPECT_LT(a.light.high, 0.02);
+    EXPECT_GT(a.gain.low, 0.95);
+    EXPECT_LT(a.gain.high, 1.05);
+}
+
+/// Only bright smoke says that a darker picture is the camera's doing.
+TEST(Estimator, DoesNotTellAGainFromAVeilWithoutLight) {
+    const cv::Mat clear = test::tissue();
+    Estimator estimator(test::image_of(clear), {.survey = std::make_shared<const Survey>()});
+    const FrameAmounts dark = estimator.measure(test::image_of(gained(clear, {0.6, 0.6, 0.6})), 0);
+    EXPECT_TRUE(holds(dark.gain, 0.6) && holds(dark.gain, 1.0)) << dark.gain.low << " " << dark.gain.high;
+    const FrameAmounts lit = estimator.measure(test::image_of(Puff{0.25, 0.8}.over(clear, 0.6)), 1);
+    EXPECT_TRUE(holds(lit.gain, 0.6)) << lit.gain.low << " " << lit.gain.high;
+    EXPECT_LT(lit.gain.high, 0.9);
+}
+
+TEST(Estimator, TellsNoGainWhereNothingIsMeasurable) {
+    Estimator estimator(test::image_of(test::tissue()), {});
+    const FrameAmounts a = estimator.measure(test::image_of(evenly({0, 0, 0})), 0);
+    EXPECT_EQ(a.gain.value, 1.0);
+    EXPECT_EQ(a.gain.low, least_gain);
+    EXPECT_EQ(a.gain.high, most_gain);
+    EXPECT_EQ(a.light.high, 1.0);
+}
+
 TEST(Estimator, RefusesABaselineThatShowsNothing) {
     const Image black = test::image_of(cv::Mat(test::height, test::width, CV_32FC3, cv::Scalar::all(0)));
     EXPECT_EQ(lapfx::test::faults_of([&] { Estimator(black, {}); }),

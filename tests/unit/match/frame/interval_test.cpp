@@ -85,5 +85,51 @@ TEST(Interval, OfBloodHoldsNoneWhereTheTissueIsHardlyThere) {
     }
 }
 
+AddedLight added(double gain, double light) {
+    return {.light = light, .gain = gain, .of_bright_smoke = gain, .of_dim_smoke = gain, .tissue = 0.15, .known = true};
+}
+
+FrameAmounts with(const AddedLight& found, unsigned flags = 0) {
+    FrameAmounts a = amounts_of(0, 0, flags);
+    set_camera_intervals(a, found);
+    return a;
+}
+
+TEST(Interval, OfAGainIsNarrowWhereLightExplainsIt) {
+    EXPECT_NEAR(width(with(added(1.0, 0.0)).gain), 2 * 0.02, 1e-9);
+    const double answer = 1.0 / (1.0 + 0.7 * 0.15 / 0.15);
+    EXPECT_NEAR(with(added(0.6, 0.15)).gain.high, answer + 0.14, 1e-9);
+    EXPECT_NEAR(with(added(0.6, 0.15)).gain.low, 0.6 - 0.02 * 0.6, 1e-9);
+    EXPECT_EQ(with(added(0.6, 0.0)).gain.high, 1.0) << "a veil without light of its own is as dark";
+    EXPECT_NEAR(with(added(1.5, 0.0)).gain.high, 1.53, 1e-9) << "no veil makes a picture brighter";
+}
+
+TEST(Interval, OfAGainHoldsWhatTheSmokeBeforeTheLeastLitPlacesMayBe) {
+    AddedLight found = added(1.0, 0.05);
+    found.of_bright_smoke = 0.8, found.of_dim_smoke = 1.3;
+    EXPECT_NEAR(with(found).gain.low, 0.78, 1e-9);
+    EXPECT_NEAR(with(found).gain.high, 1.32, 1e-9);
+}
+
+TEST(Interval, OfAddedLightGrowsWithItAndWithTheDoubtAboutTheGain) {
+    const double none = width(with(added(1.0, 0.2)).light) - width(with(added(1.0, 0.1)).light);
+    EXPECT_NEAR(none, 2 * 0.25 * 0.1, 1e-9);
+    AddedLight apart = added(1.0, 0.2);
+    apart.spread = 0.2;
+    EXPECT_NEAR(width(with(apart).light) - width(with(added(1.0, 0.2)).light), 2 * 0.5 * 0.5 * 0.2 * 0.15, 1e-9);
+    EXPECT_GT(width(with(apart, told::motion).light), 1.2 * width(with(apart).light));
+}
+
+TEST(Interval, OfWhatIsNotKnownHoldsEverything) {
+    for (const FrameAmounts& a : {with(added(0.7, 0.1), told::bag), with(AddedLight{})}) {
+        EXPECT_EQ(a.gain.value, 1.0);
+        EXPECT_EQ(a.gain.low, least_gain);
+        EXPECT_EQ(a.gain.high, most_gain);
+        EXPECT_EQ(a.light.value, 0.0);
+        EXPECT_EQ(a.light.low, 0.0);
+        EXPECT_EQ(a.light.high, 1.0);
+    }
+}
+
 }  // namespace
 }  // namespace lapfx::match

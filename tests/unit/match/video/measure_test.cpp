@@ -123,7 +123,8 @@ TEST_F(MeasureTest, AFrameThatTheFileCannotGiveHasNoAmounts) {
     }
     EXPECT_EQ(found.notes.front(), "3 of 30 frames: not measurable, because the file cannot give them");
     const std::string csv = csv_of(found);
-    EXPECT_NE(csv.find("\n0.5600,,,,,,,missing\n0.6000,,,,,,,missing\n0.6400,0."), std::string::npos) << csv;
+    EXPECT_NE(csv.find("\n0.5600,,,,,,,missing,,,,,,\n0.6000,,,,,,,missing,,,,,,\n0.6400,0."), std::string::npos)
+        << csv;
     EXPECT_FALSE(read_amounts(csv, "a.csv")[14].measurable());
     const nlohmann::json json = nlohmann::json::parse(json_of(found))["frames"][14];
     for (const char* key : {"blood", "veil", "valid", "likeness"}) EXPECT_TRUE(json[key].is_null()) << key;
@@ -225,17 +226,22 @@ TEST(AmountsFile, CsvHasEmptyCellsWhereNothingIsMeasurable) {
     m.frames.resize(3);
     m.frames[0].blood = {0.1, 0.05, 0.2};
     m.frames[0].veil = {0.3, 0.2, 0.4};
+    m.frames[0].light = {0.04, 0.03, 0.05};
+    m.frames[0].gain = {0.75, 0.7, 1.0};
     m.frames[0].valid = 0.7;
     m.frames[1].time = 0.04;
     m.frames[1].veil = {0.9, 0.8, 1.0};
     m.frames[1].flags = told::cut | told::not_measurable;
     m.frames[2].time = 0.08;
     m.frames[2].flags = told::motion;
-    EXPECT_EQ(csv_of(m),
-              "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags\n"
-              "0.0000,0.10000,0.05000,0.20000,0.30000,0.20000,0.40000,\n"
-              "0.0400,,,,,,,cut not_measurable\n"
-              "0.0800,0.00000,0.00000,0.00000,0.00000,0.00000,0.00000,motion\n");
+    EXPECT_EQ(
+        csv_of(m),
+        "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags,"
+        "light,light_low,light_high,gain,gain_low,gain_high\n"
+        "0.0000,0.10000,0.05000,0.20000,0.30000,0.20000,0.40000,,0.04000,0.03000,0.05000,0.75000,0.70000,1.00000\n"
+        "0.0400,,,,,,,cut not_measurable,,,,,,\n"
+        "0.0800,0.00000,0.00000,0.00000,0.00000,0.00000,0.00000,motion,0.00000,0.00000,0.00000,"
+        "1.00000,1.00000,1.00000\n");
 }
 
 TEST(AmountsFile, BehindADenseVeilOnlyTheBloodIsEmpty) {
@@ -245,7 +251,8 @@ TEST(AmountsFile, BehindADenseVeilOnlyTheBloodIsEmpty) {
     m.frames[0].veil = {0.5, 0.4, 0.6};
     m.frames[0].flags = told::dense;
     const std::string csv = csv_of(m);
-    EXPECT_EQ(csv.substr(csv.find('\n') + 1), "0.0000,,,,0.50000,0.40000,0.60000,dense\n");
+    EXPECT_EQ(csv.substr(csv.find('\n') + 1),
+              "0.0000,,,,0.50000,0.40000,0.60000,dense,0.00000,0.00000,0.00000,1.00000,1.00000,1.00000\n");
     const std::vector<FrameAmounts> read = read_amounts(csv, "a.csv");
     EXPECT_FALSE(read.at(0).blood_measurable());
     EXPECT_DOUBLE_EQ(read[0].veil.high, 0.6);
@@ -259,6 +266,8 @@ TEST(AmountsFile, CsvIsReadAsItWasWritten) {
     m.frames.resize(2);
     m.frames[0].blood = {0.1, 0.05, 0.2};
     m.frames[0].veil = {0.3, 0.2, 0.4};
+    m.frames[0].light = {0.04, 0.03, 0.05};
+    m.frames[0].gain = {1.25, 1.2, 1.5};
     m.frames[1].time = 0.04;
     m.frames[1].flags = told::cut | told::not_measurable;
     const std::vector<FrameAmounts> read = read_amounts(csv_of(m), "a.csv");
@@ -268,20 +277,42 @@ TEST(AmountsFile, CsvIsReadAsItWasWritten) {
     EXPECT_DOUBLE_EQ(read[1].time, 0.04);
     EXPECT_EQ(read[1].flags, told::cut | told::not_measurable);
     EXPECT_EQ(read[1].veil.high, 0.0);
+    EXPECT_DOUBLE_EQ(read[0].light.low, 0.03);
+    EXPECT_DOUBLE_EQ(read[0].gain.value, 1.25);
+    EXPECT_DOUBLE_EQ(read[0].gain.high, 1.5);
+    EXPECT_EQ(read[1].gain.value, 1.0);
+}
+
+TEST(AmountsFile, IsReadWithoutLightAndGain) {
+    const std::vector<FrameAmounts> read = read_amounts(
+        "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags\n"
+        "0.5,0.1,0,0.2,0.3,0.2,0.4,motion\n",
+        "a.csv");
+    ASSERT_EQ(read.size(), 1U);
+    EXPECT_DOUBLE_EQ(read[0].veil.high, 0.4);
+    EXPECT_EQ(read[0].flags, told::motion);
+    EXPECT_EQ(read[0].light.high, 0.0);
+    EXPECT_EQ(read[0].gain.value, 1.0);
 }
 
 TEST(AmountsFile, JsonHasTheSameWords) {
     Measurement m;
     m.frames.resize(2);
     m.frames[0].veil = {0.25, 0.125, 0.5};
+    m.frames[0].light = {0.125, 0.0625, 0.25};
+    m.frames[0].gain = {0.75, 0.5, 1.0};
     m.frames[0].likeness = 0.75;
     m.frames[1].flags = told::cut | told::not_measurable;
     const nlohmann::json read = nlohmann::json::parse(json_of(m));
     EXPECT_EQ(read["frames"][0]["veil"], (nlohmann::json{{"value", 0.25}, {"low", 0.125}, {"high", 0.5}}));
+    EXPECT_EQ(read["frames"][0]["light"], (nlohmann::json{{"value", 0.125}, {"low", 0.0625}, {"high", 0.25}}));
+    EXPECT_EQ(read["frames"][0]["gain"], (nlohmann::json{{"value", 0.75}, {"low", 0.5}, {"high", 1.0}}));
     EXPECT_EQ(read["frames"][0]["likeness"], 0.75);
     EXPECT_EQ(read["frames"][0]["flags"], "");
     EXPECT_TRUE(read["frames"][1]["blood"].is_null());
     EXPECT_TRUE(read["frames"][1]["veil"].is_null());
+    EXPECT_TRUE(read["frames"][1]["light"].is_null());
+    EXPECT_TRUE(read["frames"][1]["gain"].is_null());
     EXPECT_EQ(read["frames"][1]["flags"], "cut not_measurable");
     EXPECT_TRUE(read["veil"]["peak"].is_null());
 }
@@ -307,6 +338,14 @@ TEST(AmountsFile, FaultsNameLineValueAndWhatIsAllowed) {
     EXPECT_EQ(fault(head + "1,0,0,0,0,0,0,\n1,0,0,0,0,0,0,\n"),
               "a.csv: line 3: time: 1.00 s is not after that of the line before");
     EXPECT_EQ(fault(head), "a.csv: line 2: has no amounts");
+    const std::string whole = head.substr(0, head.size() - 1) + ",light,light_low,light_high,gain,gain_low,gain_high\n";
+    EXPECT_EQ(fault(whole + "0,0,0,0,0,0,0,\n"),
+              "a.csv: line 2: has 8 values instead of 14 (" + whole.substr(0, whole.size() - 1) + ")");
+    EXPECT_EQ(fault(whole + "0,0,0,0,0,0,0,,1.5,0,0,1,1,1\n"),
+              "a.csv: line 2: light: 1.5 is outside the allowed 0 to 1");
+    EXPECT_EQ(fault(whole + "0,0,0,0,0,0,0,,0,0,0,1,1,4.5\n"),
+              "a.csv: line 2: gain_high: 4.5 is outside the allowed 0 to 4");
+    EXPECT_EQ(fault(whole + "0,0,0,0,0,0,0,,0,0,0,,,\n"), "a.csv: line 2: gain: is empty, and no flag says why");
 }
 
 }  // namespace
