@@ -69,6 +69,12 @@ Verb bench_verb(RunBench run) {
                    "Measure real frames whose blood a person labelled, too: frame_S_0.png before the bleeding of "
                    "sequence S, its baseline; frame_S_N.png later, with its blood white in blood_S_N.png",
                    &measure_options->labelled);
+    measure.option(
+        "--puffs", "FILE",
+        "Measure videos with a puff of smoke, too, whose times a person told by eye: how far onset, peak and "
+        "end of the measured veil are from those. CSV with the columns video,onset,peak,end: the path from "
+        "its folder, and s, empty where unknown; the end is when half of the peak is gone",
+        &measure_options->puffs);
     measure.flag("--quick",
                  "Measure the main classes in two or three minutes: a tenth of the renders, half as "
                  "many pictures over each file, and not how fast that is",
@@ -77,11 +83,11 @@ Verb bench_verb(RunBench run) {
                    "Rank real recordings instead: pictures and videos with smoke in the first folder, the same with "
                    "less of it in the second, paired in the order of their names",
                    &measure_options->pairs,
-                   {.count = 2, .excludes = {"--seed", "--over", "--labelled", "--quick", "--frames"}});
+                   {.count = 2, .excludes = {"--seed", "--over", "--labelled", "--puffs", "--quick", "--frames"}});
     measure.option("--learn", "FILE",
                    "Learn the model of the mean veil from the renders of this seed instead (with --over, over those "
                    "files), and write it; the shipped one is editor/match/veil_model.json",
-                   &measure_options->learn, {.excludes = {"--frames", "--pairs", "--labelled", "--quick"}});
+                   &measure_options->learn, {.excludes = {"--frames", "--pairs", "--labelled", "--puffs", "--quick"}});
     measure.option("--model", "FILE", "Measure with this model of the mean veil", &measure_options->model,
                    {.excludes = {"--learn", "--pairs"}});
     add(std::move(measure));

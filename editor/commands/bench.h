@@ -21,6 +21,7 @@ struct BenchOptions {
     std::vector<std::string> pairs;   ///< two folders of recordings, ranked instead of renders; none: renders
     std::vector<std::string> over;    ///< videos and pictures of clear tissue that known amounts are laid over
     std::string labelled;             ///< folder of real frames whose blood a person labelled; none: no such frames
+    std::string puffs;                ///< CSV of videos whose smoke a person timed by eye; none: no such videos
     std::string learn;                ///< file that a model of the veil is written to, learned instead; none: not
     std::string model;                ///< file of the model of the veil that is measured with; none: the shipped one
     std::string frames;               ///< CSV that each frame's figures are written to, unless empty

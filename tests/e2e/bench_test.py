@@ -101,7 +101,7 @@ def check_measure(lapfx, work, first):
     renders = [[row for row in rows if row.get("pictures") == "renders"]
                for rows in (first, json.load(open(path))["results"])]
     assert renders[0] and renders[0] == renders[1], "the same seed gives other figures"
-    for options in (["--over", "none.mp4"], ["--labelled", "none"]):
+    for options in (["--over", "none.mp4"], ["--labelled", "none"], ["--puffs", "none.csv"]):
         missing = subprocess.run([lapfx, "bench", "measure", "--short", *options], capture_output=True, text=True,
                                  timeout=100)
         assert missing.returncode == 2 and options[1] in missing.stderr and missing.stderr.count("\n") == 1, missing

@@ -5,6 +5,7 @@
 // (camera.cpp). --quick draws a tenth of them. With --over known veils and blood are laid over real clear frames as
 // well (over.cpp), and with --labelled real frames are measured in which a person said where the blood is
 // (labelled.cpp), also with their blood told by ten draws of strokes over one and over two of them (by_strokes.cpp).
+// With --puffs real videos are measured whose onset, peak and end of smoke a person told by eye (puffs.cpp).
 // The true amounts of renders come from their layers (Preview::layers), before noise and compression: blood is each
 // pixel whose light blood changes by more than a tenth, veil the mean of 1 - transmission, both over the view without
 // the instrument. Each picture is measured by the estimator with a clear picture of the same view as baseline, as
@@ -18,6 +19,7 @@
 #include "bench/measure/each.h"
 #include "bench/measure/labelled.h"
 #include "bench/measure/over.h"
+#include "bench/measure/puffs.h"
 #include "bench/measure/renders.h"
 #include "bench/measure/speed.h"
 #include "commands/options.h"
@@ -145,6 +147,16 @@ void measure_by_strokes(const KnownView& view, int index, const BenchOptions& op
         }
 }
 
+void measure_puffs(std::span<const KnownPuff> puffs, BenchReport& report) {
+    commands::Progress progress("measuring puffs", static_cast<int>(puffs.size()));
+    std::vector<MeasuredPuff> measured;
+    for (const KnownPuff& puff : puffs) {
+        measured.push_back(measured_puff(puff));
+        progress.step();
+    }
+    add_puffs(report, measured);
+}
+
 /// Share of the bounds that are kept.
 double met_of_all(const BenchReport& report) {
     double met = 0.0, all = 0.0;
@@ -167,6 +179,8 @@ BenchReport bench_measure(const BenchOptions& options) {
         const VideoReader opened(file);  // those that cannot be read are told at once
     const std::vector<KnownView> labelled =
         options.labelled.empty() ? std::vector<KnownView>{} : known_labelled(options.labelled);
+    const std::vector<KnownPuff> puffs = options.puffs.empty() ? std::vector<KnownPuff>{} : known_puffs(options.puffs);
+    for (const KnownPuff& puff : puffs) const VideoReader opened(puff.video);
     const Context context = Context::create(Backend::automatic);
     std::vector<MeasuredPicture> pictures;
     KnownRenders renders(static_cast<std::uint32_t>(options.seed));
@@ -195,6 +209,7 @@ BenchReport bench_measure(const BenchOptions& options) {
         report.table += left_out;
         add_classes(report, over, true);
     }
+    if (!puffs.empty()) measure_puffs(puffs, report);
     report.ratios["classes_within_bounds"] = met_of_all(report);
     if (!options.quick) report.ratios["measure_over_playback_720x480"] = measure_over_playback(extent.timed_frames);
     return report;
