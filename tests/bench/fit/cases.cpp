@@ -22,10 +22,7 @@ constexpr int most_tries = 50;
 CaseScene draw_scene(Random& random, PreparedViews& prepared) {
     for (int tried = 0; tried < most_tries; ++tried) {
         DrawnView view = draw_view(random);
-        CaseScene scene{.tuned = {view.scene, view.preset},
-                        .prepared = view.prepared,
-                        .label = view.labels["organ"],
-                        .organ = prepared.of(view)};
+        CaseScene scene{.tuned = {view.scene, view.preset}, .label = view.labels["organ"], .organ = prepared.of(view)};
         const std::vector<match::SeenPlace> places =
             match::seen_places(scene.organ->organ(), view.scene.camera, case_aspect, apart, {}, 4);
         if (places.size() < 2) continue;

@@ -20,8 +20,7 @@ inline constexpr std::size_t case_burn = 0, case_cut = 1;  ///< numbers of the e
 /// A scene and its organ.
 struct CaseScene {
     document::Content tuned;
-    std::string prepared;  ///< as DrawnView::prepared
-    std::string label;     ///< its organ
+    std::string label;  ///< its organ
     std::shared_ptr<const PreparedOrgan> organ;
 };
 
@@ -39,7 +38,7 @@ struct ShownPeaks {
 /// onset come back from a veil measured within 0.03), and blood is measured within 0.015 of the view.
 inline constexpr double least_peak_depth = 0.25, most_peak_depth = 1.2, least_peak_blood = 0.03;
 
-/// `prepared`: organs that were prepared before. `peaks_of` draws a scene.
+/// `prepared`: organs that were prepared before. `peaks_of` draws a scene; that which is drawn last is the hidden one.
 FitCase draw_fit_case(std::uint32_t seed, int number, PreparedViews& prepared,
                       const std::function<ShownPeaks(const CaseScene&)>& peaks_of);
 

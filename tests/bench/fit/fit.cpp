@@ -495,10 +495,12 @@ BenchReport bench_fit(const BenchOptions& options) {
     std::optional<CaseScene> any;  // that bleeds
     commands::Progress progress("fitting", extent.fits());
     for (int i = extent.first; i < extent.end; ++i) {
-        FitCase drawn = draw_fit_case(seed, i, prepared,
-                                      [&](const CaseScene& scene) { return peaks_of(truth_of(scene, drawing)); });
+        std::vector<ShownAmounts> truth;  // of the scene that is drawn last, which is the hidden one
+        FitCase drawn = draw_fit_case(seed, i, prepared, [&](const CaseScene& scene) {
+            truth = truth_of(scene, drawing);
+            return peaks_of(truth);
+        });
         const Filmed reference = film(drawn.hidden, Random(seed, film_part, static_cast<std::uint32_t>(i)), drawing);
-        const std::vector<ShownAmounts> truth = truth_of(drawn.hidden, drawing);
         for (const bool same_view : {false, true}) {
             if (!extent.fits(i, same_view)) continue;
             CaseScene scene = same_view ? drawn.hidden : drawn.fitted;

@@ -49,7 +49,6 @@ void draw_preset(Random& random, DrawnView& view) {
     constexpr const char* presets[] = {"gastric_banding", "brisk_bleed", "slow_ooze", "heavy_haze"};
     const std::string name = one_of(random, presets);
     view.preset = load_preset(commands::data_folder() / "presets" / (name + ".json"));
-    view.prepared = view.scene.organ.file + " " + name;
     BleedingParameters& blood = view.preset.bleeding;
     blood.speed = random.log_in(1.0, 12.0);
     blood.max_extent = random.log_in(4.0, 45.0);
@@ -128,9 +127,11 @@ std::vector<ToolContact> draw_touches(Random& random, const Preview& preview, co
 }
 
 std::shared_ptr<const PreparedOrgan> PreparedViews::of(const DrawnView& view) {
-    std::shared_ptr<const PreparedOrgan>& organ = prepared_[view.prepared];
-    if (!organ) organ = prepare_organ(view.scene, view.preset.vessels);
-    return organ;
+    const std::string& file = view.scene.organ.file;
+    const VesselParameters& vessels = view.preset.vessels;
+    for (const Prepared& prepared : prepared_)
+        if (prepared.file == file && prepared.vessels == vessels) return prepared.organ;
+    return prepared_.emplace_back(Prepared{file, vessels, prepare_organ(view.scene, vessels)}).organ;
 }
 
 }  // namespace lapfx::bench

@@ -22,7 +22,6 @@ struct DrawnView {
     Preset preset;
     Happening happens;
     std::map<std::string, std::string> labels;  ///< organ, light, camera
-    std::string prepared;                       ///< the same for views that can share a prepared organ
 };
 
 DrawnView draw_view(Random& random);
@@ -32,13 +31,18 @@ DrawnView draw_view(Random& random);
 std::vector<ToolContact> draw_touches(Random& random, const Preview& preview, const Happening& happens, glm::ivec2 size,
                                       bool clip);
 
-/// Organs that were prepared once.
+/// Organs that were prepared once: views of the same file whose presets look for the same vessels share one.
 class PreparedViews {
   public:
     std::shared_ptr<const PreparedOrgan> of(const DrawnView& view);
 
   private:
-    std::map<std::string, std::shared_ptr<const PreparedOrgan>> prepared_;
+    struct Prepared {
+        std::string file;
+        VesselParameters vessels;
+        std::shared_ptr<const PreparedOrgan> organ;
+    };
+    std::vector<Prepared> prepared_;
 };
 
 }  // namespace lapfx::bench
