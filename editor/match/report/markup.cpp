@@ -111,8 +111,4 @@ std::string decimals(double value, int count) {
     return printed("%.*f", count, value);
 }
 
-std::string percent(double share) {
-    return decimals(100.0 * share, 1) + " %";
-}
-
 }  // namespace lapfx::match

@@ -24,7 +24,5 @@ std::string bytes_of_base64(std::string_view text);
 std::string digits(double value);
 /// With so many decimals.
 std::string decimals(double value, int count);
-/// A share 0..1 in percent, for people: "3.1 %".
-std::string percent(double share);
 
 }  // namespace lapfx::match

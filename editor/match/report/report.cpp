@@ -8,6 +8,7 @@
 #include "match/report/markup.h"
 #include "match/report/page.h"
 #include "match/report/report_plot.h"
+#include "match/video/shots.h"
 
 namespace lapfx::match {
 
@@ -115,7 +116,9 @@ std::string parameters(const FitResult& result) {
 }
 
 std::string amounts_at(const std::optional<Amount>& blood, const std::optional<Amount>& veil) {
-    const auto said = [](const std::optional<Amount>& amount) { return amount ? percent(amount->value) : "unknown"; };
+    const auto said = [](const std::optional<Amount>& amount) {
+        return amount ? percent_text(amount->value) : "unknown";
+    };
     return "<br/><span>blood " + said(blood) + ",</span> <span>veil " + said(veil) + "</span>";
 }
 

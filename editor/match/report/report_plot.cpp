@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "match/report/markup.h"
+#include "match/video/shots.h"
 
 namespace lapfx::match {
 
@@ -220,7 +221,7 @@ std::string peak_words(const char* name, const std::vector<Run>& runs) {
         for (const Sample& s : run)
             if (peak == nullptr || s.value > peak->value) peak = &s;
     if (peak == nullptr) return std::string(name) + ": not measurable. ";
-    return std::string(name) + ": at most " + percent(peak->value) + ", at " + digits(peak->time) + " s. ";
+    return std::string(name) + ": at most " + percent_text(peak->value) + ", at " + digits(peak->time) + " s. ";
 }
 
 std::string description(const Curves& curves, const Axes& axes, const PlotPlace& place) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <span>
 #include <utility>
 
@@ -63,12 +62,6 @@ void tell_flags(Measurement& found) {
         found.notes.push_back(std::to_string(count) + " of " + std::to_string(found.frames.size()) +
                               " frames: " + std::string(row.help));
     }
-}
-
-std::string percent_text(double share) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f %%", 100.0 * share);
-    return text;
 }
 
 void tell_overlay(Measurement& found) {

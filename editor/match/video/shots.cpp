@@ -408,4 +408,10 @@ std::string seconds_text(double time) {
     return text;
 }
 
+std::string percent_text(double share) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f %%", 100.0 * share);
+    return text;
+}
+
 }  // namespace lapfx::match

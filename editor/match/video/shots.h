@@ -64,8 +64,10 @@ struct Shot {
 std::vector<Shot> find_shots(VideoReader& video, double from, double to, std::optional<double> baseline,
                              const Progress& progress = {});
 
-/// "12.50 s".
+/// For people: "12.50 s".
 std::string seconds_text(double time);
+/// A share 0..1: "3.1 %".
+std::string percent_text(double share);
 
 /// The longest of those that have a baseline; else of all. Never null for what find_shots() gave.
 const Shot* main_shot(const std::vector<Shot>& shots);

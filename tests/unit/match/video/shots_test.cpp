@@ -14,6 +14,11 @@ namespace {
 
 constexpr double frame = 0.04;  // s
 
+TEST(Shots, TimesAndSharesAreWrittenForPeople) {
+    EXPECT_EQ(seconds_text(12.5), "12.50 s");
+    EXPECT_EQ(percent_text(0.1234), "12.3 %");
+}
+
 std::vector<Shot> shots_in(const test::Clip& clip, std::optional<double> baseline = {}) {
     VideoReader video(clip.video());
     return find_shots(video, 0.0, video.info().duration, baseline);
