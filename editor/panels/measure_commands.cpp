@@ -7,6 +7,7 @@
 #include "app/measure/measuring.h"
 #include "app/measure/proposed_marks.h"
 #include "app/reference/reference.h"
+#include "match/use/measure_video.h"
 #include "panels/panels.h"
 
 namespace lapfx::panels {
@@ -85,6 +86,7 @@ void add_strokes(app::Editor& editor) {
         return editor.reference().video() != nullptr && measure_of(editor).strokes.size() < most_blood_strokes;
     };
     const auto painted = [&editor] { return !measure_of(editor).strokes.empty(); };
+    const auto blood = [&editor] { return match::paints_blood(measure_of(editor)); };
     const auto paints = [&editor] { return editor.measure_bench().look.paints(); };
     const char* const missing = "there is no reference that can be shown";
     const char* const full = "there is no reference, or it has as many strokes as it can have";
@@ -113,6 +115,7 @@ void add_strokes(app::Editor& editor) {
                          .chord = {key_of('['), Mods::none},
                          .run = [&editor] { change_brush(editor, 1 / brush_step); },
                          .enabled = paints,
+                         .tip = "Strokes of blood are painted with a thinner brush",
                          .missing = "no brush is in hand"});
     editor.commands.add({.id = "measure.larger_brush",
                          .title = "Larger brush",
@@ -120,6 +123,7 @@ void add_strokes(app::Editor& editor) {
                          .chord = {key_of(']'), Mods::none},
                          .run = [&editor] { change_brush(editor, brush_step); },
                          .enabled = paints,
+                         .tip = "Strokes of blood are painted with a thicker brush",
                          .missing = "no brush is in hand"});
     editor.commands.add({.id = "measure.without_blood",
                          .title = "No blood in this frame",
@@ -139,9 +143,9 @@ void add_strokes(app::Editor& editor) {
                          .title = "Export strokes...",
                          .group = "Reference",
                          .run = [&editor] { ask_where_strokes(editor); },
-                         .enabled = painted,
+                         .enabled = blood,
                          .tip = "Writes the strokes to a file for lapfx measure --blood",
-                         .missing = none});
+                         .missing = "no stroke marks blood"});
     editor.commands.add({.id = "measure.remove_strokes",
                          .title = "Remove strokes",
                          .group = "Reference",
@@ -205,10 +209,10 @@ void add_measure_commands(app::Editor& editor) {
                          .chord = {key_of('K'), Mods::command | Mods::shift},
                          .icon = ui::Icon::eyedropper,
                          .run = [&editor] { take_tool(editor, app::MeasureTool::pick_blood); },
-                         .enabled = shown,
+                         .enabled = [&editor, shown] { return shown() && !editor.measure_bench().by_strokes(); },
                          .checked = [&editor] { return holds(editor, app::MeasureTool::pick_blood); },
                          .tip = "Takes the colour of blood from the picture: sets redness and brightness",
-                         .missing = missing});
+                         .missing = "there is no reference that can be shown, or strokes say what blood is"});
     editor.commands.add({.id = "measure.draw_part",
                          .title = "Draw part",
                          .group = "Reference",

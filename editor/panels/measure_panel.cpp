@@ -261,7 +261,7 @@ class Settings {
                 ui::command_button(ui_, on_.commands, command);
         }
         painted_strokes(ui_, on_);
-        if (!measure().strokes.empty()) {
+        if (!measure().strokes.empty() || measure().without_blood >= 0.0) {
             row("without_blood");
             const ui::Row buttons(ui_, {.width = ui::grow()});
             for (const char* const command : {"measure.without_blood", "measure.export_strokes"})

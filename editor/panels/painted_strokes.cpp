@@ -182,9 +182,11 @@ void frame_line(ui::Ui& ui, const MeasureParts& on, const PaintedFrame& painted)
     ui::label(ui, ui.copy(text), {.width = ui::grow()});
     if (ui::icon_button(ui, ui::Icon::cross, "Remove strokes of this frame", {.quiet = true}))
         on.edited.document.change("Remove strokes", [&](document::Content& c) {
-            std::erase_if(c.scene.reference.measure.strokes, [&](const BloodStroke& stroke) {
+            ReferenceMeasure& measure = c.scene.reference.measure;
+            std::erase_if(measure.strokes, [&](const BloodStroke& stroke) {
                 return on.reference.video()->frame_at(stroke.time) == painted.frame;
             });
+            if (measure.strokes.empty()) measure.without_blood = -1.0;
         });
     ui.pop_seed();
 }
@@ -196,6 +198,7 @@ void paint_strokes(ui::Ui& ui, const ui::View& view, void* with) {
 }
 
 void painted_strokes(ui::Ui& ui, const MeasureParts& on) {
+    const ReferenceMeasure& measure = on.edited.document.scene().reference.measure;
     app::MeasureLook& look = on.bench.look;
     if (look.paints())
         ui::param(ui, "Brush", look.brush,
@@ -207,7 +210,8 @@ void painted_strokes(ui::Ui& ui, const MeasureParts& on) {
                                .tip = "Radius of the brush, of the picture's width. [ makes it smaller, ] larger"}));
     for (const PaintedFrame& painted : painted_frames(ui, on)) frame_line(ui, on, painted);
     for (const Fault& fault : on.bench.stroke_faults())
-        ui::label(ui, ui.join({"Nothing is learned from the strokes yet: ", ui.copy(fault.reason), "."}),
+        ui::label(ui,
+                  ui.join({"Nothing is learned from the strokes yet: ", ui.copy(app::text_of(fault, measure)), "."}),
                   {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
 }
 

@@ -225,6 +225,26 @@ def check_refused(lapfx, scene, video, other, folder):
     assert code == 1 and "none" in told, (code, told)
 
 
+def check_bleeding_plate(lapfx, scene, video, folder):
+    """A plate that bleeds by itself: by the scene's strokes its blood counts in the preview as it does in the video."""
+    def stroke(marks, *points):
+        return {"time": 5.21, "marks": marks, "radius": 0.03, "points": [{"x": x, "y": y} for x, y in points]}
+
+    def plated(strokes):
+        return changed_scene(scene, folder, "plate.scene.json", lambda values: values.update(
+            events=[], plate={"use": True, "frame": "chosen", "time": 5.21},
+            reference={"file": video, "measure": {"baseline": 0.1, "strokes": strokes}}))
+    strokes = [stroke("blood", (0.5, 0.55), (0.55, 0.55)), stroke("other", (0.2, 0.3), (0.3, 0.25)),
+               stroke("other", (0.7, 0.7), (0.75, 0.4))]
+    ratios = []
+    for painted in ([], strokes):
+        code, said, told = run(lapfx, "compare", plated(painted), video, "--offset", "0", "--window", "4.8,5.6")
+        assert code == 0, told
+        ratios.append(float(printed(said)[1]["blood_peak_ratio"]))
+    assert ratios[0] < 0.2 and 0.6 < ratios[1] < 1.1, ratios
+    assert "the strokes of " + os.path.join(folder, "plate.scene.json") in told, told
+
+
 def check_beside(lapfx, scene, video, folder):
     """`lapfx render --beside`: the page of both pictures says what `lapfx compare` says."""
     scene = changed_scene(scene, folder, "short.scene.json", lambda values: values.update(duration=2))
@@ -265,6 +285,7 @@ def main(lapfx, scene):
         check_videos(lapfx, video, other, folder)
         check_alike(lapfx, scene, video, folder)
         check_farther(lapfx, scene, other, folder)
+        check_bleeding_plate(lapfx, scene, video, folder)
         check_beside(lapfx, scene, video, folder)
 
 

@@ -56,6 +56,10 @@ class CommandsTest : public EditorTest {
             c.scene.reference.loop = {.from = 1, .to = 2};
             c.scene.reference.measure.baseline = 1;
         });
+        if (variant == 1)
+            e.document.change("Paint blood", [](document::Content& c) {
+                c.scene.reference.measure.strokes = {{.time = 1, .points = {{0.5, 0.5}}}};
+            });
         for (const double speed : {5.0, 6.0, 7.0})
             e.document.change("Speed", [&](document::Content& c) { c.preset.bleeding.speed = speed; });
         e.document.undo();
@@ -129,9 +133,10 @@ TEST_F(CommandsTest, EachDoesSomethingWhereItIsOn) {
     }
     EXPECT_THAT(idle, IsEmpty());
     EXPECT_THAT(off, UnorderedElementsAre("clip.copy", "fit.leave", "fit.report", "fit.take", "measure.export_csv",
-                                          "measure.export_json", "measure.export_png", "measure.take_marks",
-                                          "reference.leave_look", "reference.take_look"))
-        << "copy_clips_test has clips that lie elsewhere, measure_panel_test measures, fit_panel_test fits, "
+                                          "measure.export_json", "measure.export_png", "measure.larger_brush",
+                                          "measure.smaller_brush", "measure.take_marks", "reference.leave_look",
+                                          "reference.take_look"))
+        << "copy_clips_test has clips that lie elsewhere, measure_panel_test measures and paints, fit_panel_test fits, "
            "regions_test takes and leaves a look, which goes with the scene that it was made for";
 }
 

@@ -3,18 +3,11 @@
 #include <cctype>
 #include <fstream>
 
-#include "app/base/layouts.h"
-#include "app/measure/blood_strokes.h"
-#include "app/measure/measure_bench.h"
-#include "app/measure/measuring.h"
-#include "app/reference/reference.h"
-#include "editor/support/editor_test.h"
-#include "editor/support/few_frames.h"
 #include "editor/support/held_jobs.h"
+#include "editor/support/measure_panel.h"
 #include "match/video/measure.h"
 #include "output/files.h"
 #include "support/clips.h"
-#include "support/wait_until.h"
 #include "unit/match/pictures.h"
 
 namespace lapfx::test {
@@ -23,74 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using ui::Key;
 using ui::Mods;
-
-constexpr double clear_time = 0.0, bloody_time = 5.5;  // s of the scene, in the sample reference
-
-class MeasurePanel : public SampleTest {
-  protected:
-    MeasurePanel() { begins.layout = "Compare"; }
-    void SetUp() override {
-        SampleTest::SetUp();
-        if (!IsSkipped()) show();
-    }
-    void show() {
-        take_few_frames(editor());
-        ui().frame().frame();
-        if (known) {
-            measuring().start();
-            ui().frame().frame();
-        }
-        editor().layouts().bring_to_front("Measure");
-        go(bloody_time);
-    }
-    void go(double time) {
-        editor().timeline.seek(time);
-        ui().frame().frame().frame();
-    }
-    /// Frames until it is so: videos and jobs have threads of their own.
-    void wait_for(const std::function<bool()>& so) {
-        ASSERT_TRUE(wait_until(so, [&] { ui().frame().frame(); }));
-    }
-    void show_with_threads() {
-        start({1440, 900}, false);
-        open_sample();
-        layout("Compare");
-        show();
-        wait_for([&] { return bench().ready(); });
-    }
-    app::Measuring& measuring() { return editor().measuring(); }
-    app::MeasureBench& bench() { return editor().measure_bench(); }
-    bool holds(app::MeasureTool tool) { return bench().look.tool == tool; }
-    const ReferenceMeasure& measure() { return editor().document.scene().reference.measure; }
-    std::size_t steps() { return editor().document.done(); }
-    std::string last_step() { return editor().document.steps()[editor().document.done() - 1].name; }
-    bool says(const std::string& text) { return ui().dump().find(text) != std::string::npos; }
-    void undo() {
-        editor().document.undo();
-        ui().frame().frame();
-    }
-    void measure_all() {
-        ui().click(panel + "Measure").frame().frame();
-        ASSERT_NE(measuring().found(), nullptr);
-    }
-    /// How many pixels of the picture are marked as blood.
-    std::size_t yellow_pixels() {
-        const ui::StoredImage* shown = editor().images.find(bench().picture().image);
-        if (shown == nullptr) return 0;
-        std::size_t count = 0;
-        for (std::size_t i = 0; i + 3 < shown->pixels.size(); i += 4)
-            count += shown->pixels[i + 1] > 140 && shown->pixels[i + 2] < 110 ? 1 : 0;
-        return count;
-    }
-    const std::string panel = "Workspace/Measure/", rows = panel + "Measure settings/",
-                      picture_path = panel + "Measured";
-    bool known = false;  ///< the reference has been measured before, so that its frames are soon told
-};
-
-class MeasurePanelOfKnown : public MeasurePanel {
-  protected:
-    MeasurePanelOfKnown() { known = true; }
-};
 
 TEST_F(MeasurePanelOfKnown, TheFrameThatIsShownIsMeasured) {
     ASSERT_TRUE(bench().ready()) << ui().dump();
@@ -334,112 +259,6 @@ TEST_F(MeasurePanelOfKnown, TheEyedropperTakesTheColourOfBlood) {
     EXPECT_NE(picked.brightness, BloodQualifier{}.brightness);
     undo();
     EXPECT_EQ(measure().blood.redness, BloodQualifier{}.redness);
-}
-
-TEST_F(MeasurePanelOfKnown, BloodIsPaintedOverThePicture) {
-    const double fresh = bench().amounts().blood.value;
-    const std::string strokes = picture_path + "/strokes";
-    ui().key('B', Mods::command | Mods::shift).frame();
-    ASSERT_TRUE(holds(app::MeasureTool::paint_blood));
-    EXPECT_TRUE(says("Paint over blood"));
-    ui().press(strokes, {0.5F, 0.55F}).drag_by({30, 0});
-    EXPECT_EQ(steps(), 0U) << "it is still being painted";
-    ui().release().frame().frame();
-    ASSERT_EQ(measure().strokes.size(), 1U);
-    EXPECT_EQ(last_step(), "Paint blood");
-    const BloodStroke first = measure().strokes[0];
-    EXPECT_EQ(first.marks, StrokeMark::blood);
-    EXPECT_EQ(editor().reference().video()->frame_at(first.time), bench().frame());
-    EXPECT_GE(first.points.size(), 2U);
-    EXPECT_NEAR(first.points.front().x, 0.5, 0.01);
-    EXPECT_GT(first.points.back().x, first.points.front().x + 0.02);
-    EXPECT_TRUE(editor().reference().held()) << "the frame does not run away from the brush";
-    EXPECT_FALSE(ui().exists(panel + "Amounts")) << "nor the picture, when the curves come and go";
-    const ui::Rect place = ui().rect(picture_path);
-
-    ui().press(strokes, {0.2F, 0.3F}, Mods::shift).drag_by({60, 20}, Mods::shift).release(Mods::shift).frame().frame();
-    ASSERT_EQ(measure().strokes.size(), 2U);
-    EXPECT_EQ(measure().strokes[1].marks, StrokeMark::other);
-    EXPECT_EQ(last_step(), "Paint what is no blood");
-    EXPECT_TRUE(bench().by_strokes()) << ui().dump();
-    EXPECT_GT(bench().amounts().blood.value, 0.5 * fresh);
-    EXPECT_GT(yellow_pixels(), 500U);
-    EXPECT_EQ(ui().rect(picture_path), place);
-    EXPECT_TRUE(says("1 blood, 1 other"));
-    EXPECT_FALSE(ui().exists(rows + "Blood/Redness")) << "the strokes say it";
-
-    ui().key(Key::escape).frame();
-    EXPECT_TRUE(holds(app::MeasureTool::none));
-    EXPECT_FALSE(ui().exists(strokes));
-    ui().click(rows + "Blood/Remove strokes of this frame").frame().frame();
-    EXPECT_TRUE(measure().strokes.empty());
-    EXPECT_FALSE(bench().by_strokes());
-    EXPECT_EQ(bench().amounts().blood.value, fresh);
-    undo();
-    ui().frame();
-    EXPECT_EQ(measure().strokes.size(), 2U);
-    EXPECT_TRUE(bench().by_strokes());
-}
-
-TEST_F(MeasurePanelOfKnown, StrokesAreNothingWhileTheyDoNotSayWhatIsNoBlood) {
-    editor().document.change("Blood", [&](document::Content& c) {
-        c.scene.reference.measure.strokes = {{.time = bloody_time, .points = {{0.5, 0.55}}}};
-        c.scene.reference.measure.baseline = bloody_time;
-    });
-    go(bloody_time);
-    EXPECT_TRUE(bench().ready()) << "the picture stays, to paint on";
-    EXPECT_FALSE(bench().by_strokes());
-    EXPECT_TRUE(says("Nothing is learned from the strokes yet: no stroke marks what is no blood")) << ui().dump();
-}
-
-TEST_F(MeasurePanelOfKnown, EscDropsAStrokeAndBracketsSizeTheBrush) {
-    ui().click(rows + "Blood/Paint other").frame();
-    const double brush = bench().look.brush;
-    ui().key(']').frame().key(']').frame();
-    EXPECT_NEAR(bench().look.brush, brush * 1.25 * 1.25, 1e-9);
-    ui().key('[').frame();
-    EXPECT_NEAR(bench().look.brush, brush * 1.25, 1e-9);
-    for (int i = 0; i < 30; ++i) ui().key(']');
-    EXPECT_EQ(bench().look.brush, app::MeasureLook::most_brush);
-    ui().press(picture_path + "/strokes", {0.3F, 0.3F}).drag_by({40, 0});
-    EXPECT_TRUE(bench().look.stroke);
-    ui().key(Key::escape).frame();
-    EXPECT_FALSE(bench().look.stroke);
-    ui().release().frame();
-    EXPECT_TRUE(measure().strokes.empty());
-    EXPECT_EQ(steps(), 0U);
-}
-
-TEST_F(MeasurePanelOfKnown, StrokesAreExportedAndOpenedAgain) {
-    std::vector<BloodStroke> strokes{{.time = bloody_time, .radius = 0.02, .points = {{0.5, 0.55}, {0.55, 0.55}}},
-                                     {.time = bloody_time, .marks = StrokeMark::other, .points = {{0.2, 0.3}}}};
-    editor().document.change("Paint", [&](document::Content& c) { c.scene.reference.measure.strokes = strokes; });
-    ui().frame().frame();
-    ui().click(rows + "Blood/No blood in this frame").frame().frame();
-    const double without = measure().without_blood;
-    EXPECT_EQ(editor().reference().video()->frame_at(without), bench().frame());
-    const auto choose = [&](const std::string& file) {
-        ui().type("\b").key('A', Mods::command).type((folder() / file).string()).key(Key::enter);
-        ui().frame().frame();
-    };
-    ui().click(rows + "Blood/Export strokes...").frame().frame();
-    choose("strokes.json");
-    ASSERT_TRUE(says("Exported strokes.json")) << ui().dump();
-    editor().commands.run("measure.remove_strokes");
-    ui().frame().frame();
-    EXPECT_TRUE(measure().strokes.empty());
-    EXPECT_EQ(measure().without_blood, -1.0);
-    app::open_strokes(editor().document, editor().reference(), folder() / "strokes.json", editor().toasts);
-    ASSERT_EQ(measure().strokes.size(), 2U);
-    EXPECT_EQ(measure().strokes[0].points, strokes[0].points);
-    EXPECT_EQ(measure().strokes[1].marks, StrokeMark::other);
-    EXPECT_EQ(measure().without_blood, without);
-    EXPECT_EQ(last_step(), "Open strokes");
-    std::ofstream(folder() / "broken.json") << "{";
-    app::open_strokes(editor().document, editor().reference(), folder() / "broken.json", editor().toasts);
-    ui().frame();
-    EXPECT_EQ(measure().strokes.size(), 2U);
-    EXPECT_TRUE(says("broken.json: line 1: is no JSON")) << ui().dump();
 }
 
 TEST_F(MeasurePanelOfKnown, APartIsDrawnMovedAndTakenOut) {

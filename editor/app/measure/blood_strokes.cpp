@@ -1,7 +1,8 @@
 #include "app/measure/blood_strokes.h"
 
+#include <charconv>
 #include <cmath>
-#include <string>
+#include <string_view>
 #include <utility>
 
 #include "app/base/not_opened.h"
@@ -10,6 +11,8 @@
 #include "lapfx/error.h"
 #include "match/frame/blood_strokes.h"
 #include "match/use/measure_video.h"
+#include "match/video/painted_video.h"
+#include "match/video/shots.h"
 
 namespace lapfx::app {
 
@@ -20,11 +23,24 @@ double time_within(const VideoReader& video, int frame) {
     return std::round(1e3 * (video.time_of(frame) + after)) / 1e3;
 }
 
+std::string text_of(const Fault& fault, const ReferenceMeasure& measure) {
+    constexpr std::string_view before = "/strokes/";
+    const std::size_t found = fault.place.find(before);
+    std::size_t number = 0;
+    if (found == std::string::npos) return fault.reason;
+    const char* const end = fault.place.data() + fault.place.size();
+    const auto read = std::from_chars(fault.place.data() + found + before.size(), end, number);
+    if (read.ec != std::errc{} || number >= measure.strokes.size()) return fault.reason;
+    return "stroke " + std::to_string(number + 1) + " at " + match::seconds_text(measure.strokes[number].time) + ": " +
+           fault.reason;
+}
+
 void open_strokes(document::Document& document, const Reference& reference, const fs::path& path, Notices& notices) {
     if (reference.video() == nullptr) return;
     try {
         match::BloodStrokes read = match::read_blood_strokes(read_file(path, match::longest_strokes), path.string(),
                                                              reference.video()->info().size);
+        match::check_times(*reference.video(), read);
         document.change("Open strokes", [&](document::Content& c) {
             c.scene.reference.measure.strokes = std::move(read.strokes);
             c.scene.reference.measure.without_blood = read.without_blood.value_or(-1.0);

@@ -7,10 +7,12 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "app/base/notices.h"
 #include "document/document.h"
 #include "lapfx/authoring/video.h"
+#include "lapfx/error.h"
 
 namespace lapfx::app {
 
@@ -18,6 +20,9 @@ class Reference;
 
 /// A time that means this frame also when it was rounded: s, whole ms, a little after the frame begins.
 double time_within(const VideoReader& video, int frame);
+
+/// What is wrong with the scene's strokes, for people: "stroke 2 at 1.88 s: lies outside of the view".
+std::string text_of(const Fault& fault, const ReferenceMeasure& measure);
 
 /// In place of those that the scene has: an undo step. What cannot be read is told. Nothing without a reference that
 /// can be shown.

@@ -15,7 +15,9 @@ constexpr double reference_part = 0.5;  // the reference takes this share of the
 /// Why one of them has no curve, for people. What is no fault of theirs goes on.
 std::string not_measured(const char* which, const Error& error) {
     if (error.failure() != Failure::bad_input) throw error;
-    return std::string(which) + " is not measured: " + error.faults().front().reason;
+    Fault fault = error.faults().front();
+    fault.file.clear();
+    return std::string(which) + " is not measured: " + fault.text();
 }
 
 }  // namespace
@@ -30,9 +32,9 @@ bool measure_both(Compared& compared, const BothWanted& wanted, const Progress& 
     };
     const bool known = wanted.found != nullptr;
     try {
-        const match::Measurement found =
-            known ? *wanted.found
-                  : match::measure_video(wanted.video, {.options = wanted.options}, part(0, reference_part)).found;
+        match::MeasuredVideo measured;
+        if (!known) measured = match::measure_video(wanted.video, {.options = wanted.options}, part(0, reference_part));
+        const match::Measurement& found = known ? *wanted.found : measured.found;
         compared.of_reference = found.frames;
         wanted.curve.count_plate_by(match::painted_blood(found));
     } catch (const Error& error) {

@@ -290,6 +290,11 @@ void MeasureBench::update() {
         given_up_ = true;
         ready_ = false;  // the picture is of the frame before
     }
+    if (!same_opened(opened_, reference_.opened())) {  // a stroke would be over a frame of the video before
+        opened_ = reference_.opened();
+        lay_down();
+        ready_ = false;
+    }
     shown_ = std::exchange(wanted_, false);
     if (!shown_) lay_down();
     if (job_) return;

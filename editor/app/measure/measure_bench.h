@@ -117,6 +117,7 @@ class MeasureBench {
     match::FrameAmounts amounts_;
     int frame_ = -1;
     double baseline_ = 0;
+    std::weak_ptr<const VideoReader> opened_;  ///< what is shown is of this one
     std::vector<Fault> faults_, stroke_faults_;
     bool by_strokes_ = false;
 };

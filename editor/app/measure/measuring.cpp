@@ -23,6 +23,11 @@ namespace {
 
 constexpr double between_looks = 0.25;  // s between two states of a curve that grows
 
+/// Of what the scene says, not of the video.
+bool of_scene(const Fault& fault) {
+    return fault.place.starts_with("/");
+}
+
 bool same_object(const std::weak_ptr<const VideoReader>& a, const std::shared_ptr<const VideoReader>& b) {
     return !a.owner_before(b) && !b.owner_before(a);
 }
@@ -209,7 +214,7 @@ void Measuring::end(Measured& measured) {
     } else {
         faults_ = measured.run->faults();
         for (Fault& fault : faults_)
-            if (fault.file.empty()) fault.file = measured.of.file.filename().string();
+            if (fault.file.empty() && !of_scene(fault)) fault.file = measured.of.file.filename().string();
         stopped_ = measured.of;
     }
     measured.run.reset();

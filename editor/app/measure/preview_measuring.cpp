@@ -211,8 +211,10 @@ std::shared_ptr<const PreviewMeasuring::Subject> PreviewMeasuring::subject() con
 
 /// What is known of an earlier state of the strokes serves until they are measured anew.
 std::shared_ptr<const match::PaintedBlood> PreviewMeasuring::plate_blood() const {
+    const Scene& scene = document_.scene();
+    if (!scene.plate.use || !match::paints_blood(scene.reference.measure)) return nullptr;
     const match::Measurement* const found = measuring_.found();
-    return document_.scene().plate.use && found != nullptr ? match::painted_blood(*found) : nullptr;
+    return found != nullptr && measuring_.file() == reference_.file() ? match::painted_blood(*found) : nullptr;
 }
 
 /// Whether what was measured of it holds for what is wanted now.

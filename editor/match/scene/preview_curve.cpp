@@ -112,7 +112,7 @@ std::optional<std::vector<FrameAmounts>> PreviewCurve::measure(const Scene& scen
                                                                std::span<const double> times, const CurveCalls& calls) {
     EstimatorOptions of_estimator = options_.estimator;
     of_estimator.survey.reset();
-    if (!scene.plate.use) of_estimator.held_blood.reset();
+    if (scene.plate.use) of_estimator.held_blood = plate_blood_;
     const glm::dvec2 shape(options_.size);
     if (!scene.plate.use) of_estimator.round_view = round_view_of(scene.camera, shape.x / shape.y);  // else as it is
     Image baseline;

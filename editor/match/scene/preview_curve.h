@@ -61,7 +61,7 @@ class PreviewCurve {
     void set_options(Options options) { options_ = std::move(options); }
     /// From the next curve on: blood that a plate shows by itself counts as in its video, where that is measured by
     /// strokes (EstimatorOptions::held_blood). Null: it does not.
-    void count_plate_by(std::shared_ptr<const PaintedBlood> blood) { options_.estimator.held_blood = std::move(blood); }
+    void count_plate_by(std::shared_ptr<const PaintedBlood> blood) { plate_blood_ = std::move(blood); }
     const std::shared_ptr<const PreparedOrgan>& organ() const { return organ_; }
     int curves() const { return curves_; }
     std::size_t memory() const;  ///< bytes of what draws the pictures; render thread, or while none are drawn
@@ -76,6 +76,7 @@ class PreviewCurve {
     std::shared_ptr<const PreparedOrgan> organ_;
     PreviewOptions preview_options_;
     Options options_;
+    std::shared_ptr<const PaintedBlood> plate_blood_;
     RenderThread render_;
     std::unique_ptr<Preview> preview_;
     int curves_ = 0;

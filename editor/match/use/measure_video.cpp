@@ -17,12 +17,14 @@ BloodStrokes painted_strokes(const ReferenceMeasure& measure) {
     return made;
 }
 
-std::optional<BloodStrokes> learned_strokes(const ReferenceMeasure& measure) {
-    const auto marks_blood = [](const BloodStroke& stroke) {
+bool paints_blood(const ReferenceMeasure& measure) {
+    return std::ranges::any_of(measure.strokes, [](const BloodStroke& stroke) {
         return stroke.marks == StrokeMark::blood && !stroke.points.empty();
-    };
-    if (std::ranges::none_of(measure.strokes, marks_blood)) return {};
-    return painted_strokes(measure);
+    });
+}
+
+std::optional<BloodStrokes> learned_strokes(const ReferenceMeasure& measure) {
+    return paints_blood(measure) ? std::optional(painted_strokes(measure)) : std::nullopt;
 }
 
 MeasureOptions measure_options(const ReferenceMeasure& measure) {

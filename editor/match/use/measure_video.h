@@ -22,6 +22,8 @@ namespace lapfx::match {
 
 /// The strokes of a scene.
 BloodStrokes painted_strokes(const ReferenceMeasure& measure);
+/// Whether one of them marks blood: then it is looked for by them.
+bool paints_blood(const ReferenceMeasure& measure);
 /// Those by which blood is looked for; nothing where none of them marks blood.
 std::optional<BloodStrokes> learned_strokes(const ReferenceMeasure& measure);
 /// How a scene says that its reference is measured.
