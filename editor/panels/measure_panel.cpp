@@ -261,15 +261,15 @@ class Settings {
                 ui::command_button(ui_, on_.commands, command);
         }
         painted_strokes(ui_, on_);
-        if (!measure().strokes.empty() || measure().without_blood >= 0.0) {
-            row("without_blood");
+        row("without_blood");
+        if (!measure().strokes.empty()) {
             const ui::Row buttons(ui_, {.width = ui::grow()});
             for (const char* const command : {"measure.without_blood", "measure.export_strokes"})
                 ui::command_button(ui_, on_.commands, command);
         }
         if (on_.bench.by_strokes())
-            return ui::label(ui_, "Blood is what looks as the strokes say: redness, rise and brightness do not count.",
-                             {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
+            ui::label(ui_, "Blood is what looks as the strokes say: redness, rise and brightness do not count.",
+                      {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
         const Table& table = *app::measure_table().find("blood");
         for (const Parameter& each : table.rows)
             row(table, each.key, owner, {.prefix = "Blood", .standard = &standard().blood});

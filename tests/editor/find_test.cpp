@@ -76,8 +76,8 @@ TEST_F(FindTest, WhatThePaletteListsOfTheSceneHasItsRow) {
         measured += measure ? 1 : 0;
         EXPECT_EQ(panels::wanted_row(ui().ui()), nullptr) << title;
     }
-    EXPECT_EQ(measured, 10) << "times, blood and region, in the Measure panel";
-    EXPECT_EQ(found, 49) << "rows of the scene, but files that commands load, and what is no row: events and curves";
+    EXPECT_EQ(measured, 11) << "times, blood and region, in the Measure panel";
+    EXPECT_EQ(found, 50) << "rows of the scene, but files that commands load, and what is no row: events and curves";
 }
 
 TEST_F(FindTest, TheReferencesAspectIsARow) {
