@@ -131,6 +131,8 @@ def run(folder, build_seconds, again, options):
         junit = os.path.join(folder, "Testing", "again.xml")
         code = ctest(folder, junit, "--rerun-failed", "--parallel", "1")
         second = cases_in(junit, results, programs)
+        if not second:  # it was ended itself: then nothing has passed
+            second = cases
         unsteady = [name for name, case in cases.items()
                     if case.outcome == "failed" and (name not in second or second[name].outcome != "failed")]
         # A program that ended too early was one case; now it is all of its own.
