@@ -31,12 +31,22 @@ constexpr ExportRow export_rows[] = {
 
 void take_tool(app::Editor& editor, app::MeasureTool tool) {
     editor.layouts().bring_to_front("Measure");
-    editor.measure_bench().take_tool(tool);
-    editor.measure_bench().show();  // it may have come to the front only now
+    app::MeasureBench& bench = editor.measure_bench();
+    bench.take_tool(tool);
+    if (tool == app::MeasureTool::draw_part) bench.look.left_out = true;  // its parts are seen with what is left out
+    bench.show();                                                         // it may have come to the front only now
 }
 
 bool holds(app::Editor& editor, app::MeasureTool tool) {
     return editor.measure_bench().look.tool == tool;
+}
+
+/// A tool that is taken in hand, and laid down where it is already.
+void add_tool(app::Editor& editor, app::MeasureTool tool, ui::Command command) {
+    command.group = "Reference";
+    command.run = [&editor, tool] { take_tool(editor, tool); };
+    command.checked = [&editor, tool] { return holds(editor, tool); };
+    editor.commands.add(std::move(command));
 }
 
 void ask_where(app::Editor& editor, const ExportRow& row) {
@@ -51,7 +61,17 @@ void ask_where(app::Editor& editor, const ExportRow& row) {
 
 // --- strokes of blood ------------------------------------------------------------------------------------------------
 
+struct BrushRow {
+    const char *id, *title, *tip;
+    char key;
+    double factor;  ///< of the brush's radius
+};
 constexpr double brush_step = 1.25;
+constexpr BrushRow brush_rows[] = {
+    {"measure.smaller_brush", "Smaller brush", "Strokes of blood are painted with a thinner brush", '[',
+     1 / brush_step},
+    {"measure.larger_brush", "Larger brush", "Strokes of blood are painted with a thicker brush", ']', brush_step},
+};
 const ui::FileFilter strokes_filter{"Strokes", {".json"}};
 
 const ReferenceMeasure& measure_of(app::Editor& editor) {
@@ -87,44 +107,32 @@ void add_strokes(app::Editor& editor) {
     };
     const auto painted = [&editor] { return !measure_of(editor).strokes.empty(); };
     const auto blood = [&editor] { return match::paints_blood(measure_of(editor)); };
-    const auto paints = [&editor] { return editor.measure_bench().look.paints(); };
     const char* const missing = "there is no reference that can be shown";
     const char* const full = "there is no reference, or it has as many strokes as it can have";
     const char* const none = "nothing is painted over the reference";
-    editor.commands.add({.id = "measure.paint_blood",
-                         .title = "Paint blood",
-                         .group = "Reference",
-                         .chord = {key_of('B'), Mods::command | Mods::shift},
-                         .run = [&editor] { take_tool(editor, app::MeasureTool::paint_blood); },
-                         .enabled = room,
-                         .checked = [&editor] { return holds(editor, app::MeasureTool::paint_blood); },
-                         .tip = "Paint over what is blood in the picture: all that looks like it is measured then, not "
-                                "only what is new since the baseline",
-                         .missing = full});
-    editor.commands.add({.id = "measure.paint_other",
-                         .title = "Paint other",
-                         .group = "Reference",
-                         .run = [&editor] { take_tool(editor, app::MeasureTool::paint_other); },
-                         .enabled = room,
-                         .checked = [&editor] { return holds(editor, app::MeasureTool::paint_other); },
-                         .tip = "Paint over what is no blood: tissue that is as red, highlights, an instrument",
-                         .missing = full});
-    editor.commands.add({.id = "measure.smaller_brush",
-                         .title = "Smaller brush",
-                         .group = "Reference",
-                         .chord = {key_of('['), Mods::none},
-                         .run = [&editor] { change_brush(editor, 1 / brush_step); },
-                         .enabled = paints,
-                         .tip = "Strokes of blood are painted with a thinner brush",
-                         .missing = "no brush is in hand"});
-    editor.commands.add({.id = "measure.larger_brush",
-                         .title = "Larger brush",
-                         .group = "Reference",
-                         .chord = {key_of(']'), Mods::none},
-                         .run = [&editor] { change_brush(editor, brush_step); },
-                         .enabled = paints,
-                         .tip = "Strokes of blood are painted with a thicker brush",
-                         .missing = "no brush is in hand"});
+    add_tool(editor, app::MeasureTool::paint_blood,
+             {.id = "measure.paint_blood",
+              .title = "Paint blood",
+              .chord = {key_of('B'), Mods::command | Mods::shift},
+              .enabled = room,
+              .tip = "Paint over what is blood in the picture: all that looks like it is measured then, not only what "
+                     "is new since the baseline",
+              .missing = full});
+    add_tool(editor, app::MeasureTool::paint_other,
+             {.id = "measure.paint_other",
+              .title = "Paint other",
+              .enabled = room,
+              .tip = "Paint over what is no blood: tissue that is as red, highlights, an instrument",
+              .missing = full});
+    for (const BrushRow& row : brush_rows)
+        editor.commands.add({.id = row.id,
+                             .title = row.title,
+                             .group = "Reference",
+                             .chord = {key_of(row.key), Mods::none},
+                             .run = [&editor, &row] { change_brush(editor, row.factor); },
+                             .enabled = [&editor] { return editor.measure_bench().look.paints(); },
+                             .tip = row.tip,
+                             .missing = "no brush is in hand"});
     editor.commands.add({.id = "measure.without_blood",
                          .title = "No blood in this frame",
                          .group = "Reference",
@@ -203,32 +211,24 @@ void add_measure_commands(app::Editor& editor) {
                              },
                          .tip = "Looks for the earliest clear frame of the reference and takes it as the baseline",
                          .missing = "the baseline is suggested already"});
-    editor.commands.add({.id = "measure.pick_blood",
-                         .title = "Pick blood",
-                         .group = "Reference",
-                         .chord = {key_of('K'), Mods::command | Mods::shift},
-                         .icon = ui::Icon::eyedropper,
-                         .run = [&editor] { take_tool(editor, app::MeasureTool::pick_blood); },
-                         .enabled = [&editor, shown] { return shown() && !editor.measure_bench().by_strokes(); },
-                         .checked = [&editor] { return holds(editor, app::MeasureTool::pick_blood); },
-                         .tip = "Takes the colour of blood from the picture: sets redness and brightness",
-                         .missing = "there is no reference that can be shown, or strokes say what blood is"});
-    editor.commands.add({.id = "measure.draw_part",
-                         .title = "Draw part",
-                         .group = "Reference",
-                         .run =
-                             [&editor] {
-                                 take_tool(editor, app::MeasureTool::draw_part);
-                                 editor.measure_bench().look.left_out = true;
-                             },
-                         .enabled =
-                             [&editor] {
-                                 return editor.reference().video() != nullptr &&
-                                        editor.document.scene().reference.measure.parts.size() < most_left_out_parts;
-                             },
-                         .checked = [&editor] { return holds(editor, app::MeasureTool::draw_part); },
-                         .tip = "Click the corners of a part of the picture that is not measured, such as a logo",
-                         .missing = "there is no reference, or it has as many parts as it can have"});
+    add_tool(editor, app::MeasureTool::pick_blood,
+             {.id = "measure.pick_blood",
+              .title = "Pick blood",
+              .chord = {key_of('K'), Mods::command | Mods::shift},
+              .icon = ui::Icon::eyedropper,
+              .enabled = [&editor, shown] { return shown() && !editor.measure_bench().by_strokes(); },
+              .tip = "Takes the colour of blood from the picture: sets redness and brightness",
+              .missing = "there is no reference that can be shown, or strokes say what blood is"});
+    add_tool(editor, app::MeasureTool::draw_part,
+             {.id = "measure.draw_part",
+              .title = "Draw part",
+              .enabled =
+                  [&editor] {
+                      return editor.reference().video() != nullptr &&
+                             editor.document.scene().reference.measure.parts.size() < most_left_out_parts;
+                  },
+              .tip = "Click the corners of a part of the picture that is not measured, such as a logo",
+              .missing = "there is no reference, or it has as many parts as it can have"});
     add_strokes(editor);
     editor.commands.add(
         {.id = "measure.take_marks",
