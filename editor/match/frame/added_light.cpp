@@ -6,14 +6,14 @@
 #include <opencv2/imgproc.hpp>
 
 #include "match/frame/frame_amounts.h"
+#include "match/frame/smoke_tint.h"
 
 namespace lapfx::match {
 
 namespace {
 
 const cv::Vec3f luminance_weights(0.0722F, 0.7152F, 0.2126F);
-// Smoke before 13 puffs of two operations, by its luminance; blue, green, red.
-const cv::Vec3f tint = cv::Vec3f(1.0F, 0.76F, 0.80F) / cv::Vec3f(1.0F, 0.76F, 0.80F).dot(luminance_weights);
+const cv::Vec3f& tint = usual_smoke_tint;
 constexpr float tint_doubt = 0.15F;  // of the light: as much of it may have the tissue's colour, or lack it
 
 constexpr float white = 0.90F;            // linear: highlights tell nothing

@@ -12,6 +12,7 @@
 #include "match/frame/blood.h"
 #include "match/frame/interval.h"
 #include "match/frame/painted_blood.h"
+#include "match/frame/seen_through.h"
 #include "match/frame/veil.h"
 #include "match/frame/veil_model.h"
 #include "match/picture/camera_gains.h"
@@ -120,11 +121,12 @@ struct Estimator::State {
     BloodFinder blood;
     cv::Mat clear_haze, held, all_blood;  // by a person's strokes: haze and blood of the baseline, blood of the frame
     AppearanceFinder appearance;
+    SeenThrough through;
     AddedLightFinder added_light;
     AddedLight added;
     VeilFigures figures;
     cv::Mat frame_code, frame_linear, frame_redness, texture, last_texture, counts, rest, valid, foreign, white_part,
-        aside, brighter, readable;
+        aside, brighter, readable, bright_smoke, hazy;
     double likeness = 1.0;
     bool has_last = false, last_alike = false, laid = false;
     cv::Matx33d laid_at;
@@ -288,7 +290,8 @@ void Estimator::State::count() {
 }
 
 /// Instruments that came into view: what no veil before the baseline explains, and is not red. Dense smoke is not quite
-/// as bright and of the same tint as it is taken for, and is no instrument for that.
+/// as bright and of the same tint as it is taken for, and is no instrument for that; nor is what tissue is seen
+/// through.
 void Estimator::State::find_foreign() {
     veil.residual(placed_linear, frame_linear, light_map, smoke_light_error, rest);
     foreign.create(size, CV_8U);
@@ -297,6 +300,8 @@ void Estimator::State::find_foreign() {
             foreign.at<std::uint8_t>(y, x) =
                 rest.at<float>(y, x) > foreign_rest && blood.redness().at<float>(y, x) < metal_red ? 255 : 0;
     foreign &= placed_counted;
+    through.find(placed_linear, frame_linear, foreign);
+    foreign.setTo(0, through.smoke());
     const cv::Mat small = cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5});
     cv::morphologyEx(foreign, foreign, cv::MORPH_OPEN, small);
     cv::morphologyEx(foreign, foreign, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
@@ -329,7 +334,8 @@ std::optional<cv::Vec3f> Estimator::State::gains_that_explain() const {
 
 /// Veil and blood depend on each other: blood is no smoke, and its colour shows without the smoke. First what
 /// most of the picture says about the veil; then what is red behind that, unless a veil of its own explains it as well.
-/// The mean veil is the model's, before blood is looked for behind it.
+/// The mean veil is the model's, before blood is looked for behind it; but bright smoke that tissue is seen through is
+/// no haze, and tells its own.
 void Estimator::State::find_amounts() {
     count();
     figures = {};
@@ -345,10 +351,13 @@ void Estimator::State::find_amounts() {
     counts.setTo(0.0F, aside);
     veil.refine(placed_linear, frame_linear, counts, light_map);
     valid = placed_counted & ~foreign;
-    if (cv::countNonZero(valid) > 0) {
+    bright_smoke = through.smoke() & valid;
+    hazy = valid & ~bright_smoke;
+    if (cv::countNonZero(hazy) > 0) {
         see_veil();
         const VeilModel& model = options.veil_model ? *options.veil_model : VeilModel::shipped();
-        veil.scale_to(model.veil_of(figures), valid);
+        veil.scale_to(model.veil_of(figures), hazy);
+        veil.put(through.veil(), bright_smoke);
     }
     find_blood(valid);
 }
@@ -426,9 +435,9 @@ void Estimator::State::judge(FrameAmounts& amounts, bool moved) const {
     if (amounts.measurable() && amounts.veil.value > dense_veil) amounts.flags |= told::dense;
 }
 
-/// Over what is neither blood nor an instrument.
+/// Over what is neither blood nor an instrument, nor bright smoke.
 void Estimator::State::see_veil() {
-    aside = valid & ~blood.blood();
+    aside = hazy & ~blood.blood();
     const cv::Scalar light = cv::mean(light_map, aside);
     figures.map = cv::mean(veil.veil(), aside)[0];
     figures.likeness = placement.likeness();  // the map compares pixels as the camera's motion lays them

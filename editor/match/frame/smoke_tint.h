@@ -9,6 +9,9 @@
 
 namespace lapfx::match {
 
+/// Light of smoke over its luminance, before 13 puffs of two operations; blue, green, red.
+inline const cv::Vec3f usual_smoke_tint(1.2725366F, 0.96712784F, 1.0180293F);
+
 /// Of one frame, all at one size. Light is linear, CV_32FC3 (blue, green, red).
 struct SmokeLayers {
     cv::Mat seen, clear;  ///< the frame, and its baseline

@@ -34,6 +34,8 @@ class VeilSolver {
 
     /// Gives the map this mean (0..1) over `part` (CV_8U, 255): by a factor, and what that cannot do evenly.
     void scale_to(double mean, const cv::Mat& part);
+    /// Takes this map, CV_32F, 0..1, over `part` (CV_8U, 255).
+    void put(const cv::Mat& veil, const cv::Mat& part) { veil.copyTo(veil_, part); }
 
     const cv::Mat& veil() const { return veil_; }      ///< CV_32F, 0..1
     const cv::Mat& weight() const { return weight_; }  ///< CV_32F, how much each pixel counted at last
