@@ -24,8 +24,9 @@ std::unique_ptr<output::FramePage> beside_page(const ShownScene& shown, const st
                            .video = fs::path(file).filename().string(),
                            .reference = reference_of(options, shown.scene)};
     const match::MeasureOptions measured = measure_options(options, compared.reference, video->info().size, scene);
-    match::PreviewCurve curve = preview_curve(shown, std::move(organ), measured.estimator,
-                                              match::preview_size(video->info().size, compared.reference.aspect));
+    match::PreviewCurve curve = preview_curve(
+        shown, std::move(organ),
+        match::PreviewCurve::options_for(video->info().size, compared.reference.aspect, measured.estimator));
     constexpr int progress_steps = 100;
     Progress progress("comparing", progress_steps);
     const app::BothWanted wanted{

@@ -108,8 +108,8 @@ ComparedFiles compare_scene(const Options& o) {
     note_cover(o.match.reference, {times.front(), times.back()}, window, "compared");
     const Context context = Context::create(Backend::automatic);
     match::PreviewCurve curve =
-        preview_curve(shown, prepare_organ(shown.scene, shown.presets.front().vessels), options.estimator,
-                      match::preview_size(video.info().size, reference.aspect));
+        preview_curve(shown, prepare_organ(shown.scene, shown.presets.front().vessels),
+                      match::PreviewCurve::options_for(video.info().size, reference.aspect, options.estimator));
     curve.count_plate_by(match::painted_blood(of_reference.found));
     const match::ComparedScene drawn = draw(o,
                                             {.scene = shown.scene,

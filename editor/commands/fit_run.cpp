@@ -170,9 +170,10 @@ FitRun run_fit(const FitOptions& given) {
         note_cover(files.reference, {target.front().time, target.back().time}, window, "fitted");
     const Context context = Context::create(Backend::automatic);
     fit.organ = prepare_organ(shown.scene, fit.start.preset.vessels);
-    const glm::ivec2 size = match::preview_size(video.info().size, reference.aspect);
-    fit.aspect = static_cast<double>(size.x) / size.y;
-    match::PreviewCurve curve = preview_curve(shown, fit.organ, options.estimator, size);
+    const match::PreviewCurve::Options drawn =
+        match::PreviewCurve::options_for(video.info().size, reference.aspect, options.estimator);
+    fit.aspect = static_cast<double>(drawn.size.x) / drawn.size.y;
+    match::PreviewCurve curve = preview_curve(shown, fit.organ, drawn);
     curve.count_plate_by(match::painted_blood(run.measured));
     match::FittedScene found = fitted(o, fit, curve, steps);
     if (o.colors && files.fitted_scene.empty())

@@ -119,8 +119,8 @@ PreviewOptions preview_options(const ShownScene& shown) {
 }
 
 match::PreviewCurve preview_curve(const ShownScene& shown, std::shared_ptr<const PreparedOrgan> organ,
-                                  const match::EstimatorOptions& estimator, glm::ivec2 size) {
-    return {std::move(organ), preview_options(shown), {.size = size, .estimator = estimator}};
+                                  const match::PreviewCurve::Options& options) {
+    return {std::move(organ), preview_options(shown), options};
 }
 
 }  // namespace lapfx::commands

@@ -58,9 +58,8 @@ void note_cover(const std::string& file, const Window& covered, const Window& wi
 
 /// How a scene is drawn to be held against a video: with all of its smoke.
 PreviewOptions preview_options(const ShownScene& shown);
-/// Draws a scene in the shape of the reference, to be measured as that is (`size`: match::preview_size()). A context
-/// must be current, and stay so.
+/// Draws a scene to be measured as its reference is. A context must be current, and stay so.
 match::PreviewCurve preview_curve(const ShownScene& shown, std::shared_ptr<const PreparedOrgan> organ,
-                                  const match::EstimatorOptions& estimator, glm::ivec2 size);
+                                  const match::PreviewCurve::Options& options);
 
 }  // namespace lapfx::commands

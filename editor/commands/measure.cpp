@@ -293,6 +293,8 @@ Verb measure_verb() {
         "space between them:\n  " +
         flag_words() +
         "\n\n"
+        "The JSON also has the plume: how much of the veil stands out over an even one, the mean of what is above its\n"
+        "median. It is missing where the baseline does not lie well.\n\n"
         "Each shot is measured against a clear frame of its own; a bag or the inside of a trocar that fills the view\n"
         "ends a shot. Where every frame of a shot is hazy, its onset, rise, peak and decay are told and no level: the\n"
         "veil is empty (no_baseline), and the JSON has a course, 0 to 1 within the shot, of which only the order\n"

@@ -56,6 +56,15 @@ double mark_time(const Parameter& row, const SceneReference& reference) {
     return std::get<double>(row.get(&reference.marks));
 }
 
+/// A stroke that burns nothing and opens no wound, as a fit leaves those that the reference does not show.
+bool is_silenced(const app::Stroke& stroke, std::span<const ToolContact> events) {
+    return std::ranges::all_of(stroke.events, [&](std::size_t i) {
+        const ToolContact& event = events[i];
+        return (event.hot() || divides(event.action)) && (!event.hot() || event.power <= 0.0) &&
+               (!divides(event.action) || event.strength <= 0.0);
+    });
+}
+
 /// Those that are set, at their times in the scene; after them those that are proposed.
 void add_marks(TimelineMemory& memory, const SceneReference& reference) {
     memory.marks.clear();
@@ -114,7 +123,8 @@ void make_tracks(TimelineMemory& memory, const document::Document& document, con
             const app::Stroke& stroke = memory.strokes[i];
             if (stroke.action != row.action) continue;
             shown.push_back(i);
-            track.items.push_back({.name = track.name + ' ' + std::to_string(shown.size()),
+            const char* const silenced = is_silenced(stroke, document.scene().events) ? " (silenced)" : "";
+            track.items.push_back({.name = track.name + ' ' + std::to_string(shown.size()) + silenced,
                                    .start = stroke.start,
                                    .end = stroke.end,
                                    .color = row.color,

@@ -230,18 +230,18 @@ def check_bleeding_plate(lapfx, scene, video, folder):
     def stroke(marks, *points):
         return {"time": 5.21, "marks": marks, "radius": 0.03, "points": [{"x": x, "y": y} for x, y in points]}
 
-    def plated(strokes):
+    def plated(strokes, aspect):
         return changed_scene(scene, folder, "plate.scene.json", lambda values: values.update(
             events=[], plate={"use": True, "frame": "chosen", "time": 5.21},
-            reference={"file": video, "measure": {"baseline": 0.1, "strokes": strokes}}))
+            reference={"file": video, "aspect": aspect, "measure": {"baseline": 0.1, "strokes": strokes}}))
     strokes = [stroke("blood", (0.5, 0.55), (0.55, 0.55)), stroke("other", (0.2, 0.3), (0.3, 0.25)),
                stroke("other", (0.7, 0.7), (0.75, 0.4))]
     ratios = []
-    for painted in ([], strokes):
-        code, said, told = run(lapfx, "compare", plated(painted), video, "--offset", "0", "--window", "4.8,5.6")
+    for painted, aspect in (([], 0), (strokes, 0), (strokes, 2.0)):  # stored 1.23:1, shown 2:1
+        code, said, told = run(lapfx, "compare", plated(painted, aspect), video, "--offset", "0", "--window", "4.8,5.6")
         assert code == 0, told
         ratios.append(float(printed(said)[1]["blood_peak_ratio"]))
-    assert ratios[0] < 0.2 and 0.6 < ratios[1] < 1.1, ratios
+    assert ratios[0] < 0.2 and 0.6 < ratios[1] < 1.1 and 0.6 < ratios[2] < 1.1, ratios
     assert "the strokes of " + os.path.join(folder, "plate.scene.json") in told, told
 
 

@@ -55,6 +55,14 @@ TEST_F(TimelinePanelTest, AfterAClickOnTheTimelineKeysGoOnAsTheProgramsKeys) {
     }
 }
 
+TEST_F(TimelinePanelTest, AnEventThatDoesNothingIsNamedSo) {
+    editor().document.change("Silence event", [](document::Content& content) {
+        content.scene.events[1].power = content.scene.events[1].strength = 0.0;
+    });
+    ui().click("**/Cauterise 2 (silenced)");
+    EXPECT_EQ(editor().selected, std::vector<std::size_t>{1});
+}
+
 TEST_F(TimelinePanelTest, ASelectedEventIsTyped) {
     ui().click("**/Cauterise 1");
     ASSERT_EQ(editor().selected, std::vector<std::size_t>{0});

@@ -27,8 +27,8 @@ PageMaking::Video PageMaking::measure(Job& job) {
     auto video = std::make_shared<VideoReader>(wanted_.video, &job.stop());
     const SceneReference& reference = wanted_.scene.reference;
     const match::MeasureOptions options = match::measure_options(reference.measure);
-    curve_->set_options({.size = match::preview_size(video->info().size, reference.aspect, measured_side_),
-                         .estimator = options.estimator});
+    curve_->set_options(
+        match::PreviewCurve::options_for(video->info().size, reference.aspect, options.estimator, measured_side_));
     const auto progress = [&job](double share) {
         job.set_progress(share);
         return !job.cancelled();

@@ -212,16 +212,17 @@ bool Fitting::prepare(double now) {
         return false;
     }
     if (!parts_.document.preset_faults().empty()) return fail(parts_.document.preset_faults()), false;
-    const glm::ivec2 size = match::preview_size(parts_.reference.video()->info().size, scene.reference.aspect,
-                                                parts_.options.measured_side);
+    const match::PreviewCurve::Options options = match::PreviewCurve::options_for(
+        parts_.reference.video()->info().size, scene.reference.aspect,
+        match::measure_options(scene.reference.measure).estimator, parts_.options.measured_side);
     steps_ = std::make_unique<RenderSteps>([this] { parts_.jobs.wake(); });
     curve_ = drawn_curve(organ, parts_.preview, parts_.options.clip_folders, parts_.options.exact ? nullptr : &steps_,
-                         {.size = size, .estimator = match::measure_options(scene.reference.measure).estimator});
+                         options);
     curve_->count_plate_by(match::painted_blood(*parts_.measuring.found()));
     began_ = now, of_version_ = parts_.document.version();
-    run_ =
-        std::make_unique<FittingRun>(FitWanted{.fit = fit_now(organ, size), .of = of_now(), .proposal_alone = *asked_},
-                                     curve_.get(), *steps_, parts_.jobs, !parts_.options.exact);
+    run_ = std::make_unique<FittingRun>(
+        FitWanted{.fit = fit_now(organ, options.size), .of = of_now(), .proposal_alone = *asked_}, curve_.get(),
+        *steps_, parts_.jobs, !parts_.options.exact);
     return true;
 }
 

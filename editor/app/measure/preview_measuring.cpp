@@ -71,7 +71,7 @@ class PreviewMeasuring::Run {
         : of(std::move(subject)), curve_(curve), jobs_(jobs), times_(times_of(of->content.scene.duration)) {
         const EstimatorOptions options = match::measure_options(of->content.scene.reference.measure).estimator;
         if (of->truth) part_ = match::wanted_part({of->size.x, of->size.y}, options.region, options.masks);
-        curve_.set_options({.size = of->size, .estimator = options});
+        curve_.set_options({.size = of->size, .measured = of->measured, .estimator = options});
         curve_.count_plate_by(of->plate_blood);
         work_.start([this](Job& job) { return measure(job); },
                     {.ended = [&jobs] { jobs.wake(); }, .given_up = [&steps] { steps.stop(); }}, beside);
@@ -193,17 +193,20 @@ void PreviewMeasuring::fail(const std::vector<Fault>& faults) {
 }
 
 /// In the aspect of the reference where there is one, as both are compared.
-glm::ivec2 PreviewMeasuring::size() const {
+match::PreviewCurve::Options PreviewMeasuring::shape() const {
+    using match::PreviewCurve;
     const VideoReader* const video = reference_.video();
     return video != nullptr
-               ? match::preview_size(video->info().size, document_.scene().reference.aspect, measured_side_)
-               : match::preview_size(ReferencePicture::without_video, 0.0, measured_side_);
+               ? PreviewCurve::options_for(video->info().size, document_.scene().reference.aspect, {}, measured_side_)
+               : PreviewCurve::options_for(ReferencePicture::without_video, 0.0, {}, measured_side_);
 }
 
 /// What is wanted now.
 std::shared_ptr<const PreviewMeasuring::Subject> PreviewMeasuring::subject() const {
+    const match::PreviewCurve::Options of = shape();
     return std::make_shared<const Subject>(Subject{.content = document_.content(),
-                                                   .size = size(),
+                                                   .size = of.size,
+                                                   .measured = of.measured,
                                                    .organ = host_.organ_version(),
                                                    .truth = truth,
                                                    .plate_blood = plate_blood()});
@@ -219,8 +222,9 @@ std::shared_ptr<const match::PaintedBlood> PreviewMeasuring::plate_blood() const
 
 /// Whether what was measured of it holds for what is wanted now.
 bool PreviewMeasuring::holds(const std::shared_ptr<const Subject>& of) const {
-    return of && of->size == size() && (of->truth || !truth) && of->organ == host_.organ_version() &&
-           of->plate_blood == plate_blood() && same_pictures(of->content, document_.content());
+    return of && of->size == shape().size && of->measured == shape().measured && (of->truth || !truth) &&
+           of->organ == host_.organ_version() && of->plate_blood == plate_blood() &&
+           same_pictures(of->content, document_.content());
 }
 
 void PreviewMeasuring::update(double now) {

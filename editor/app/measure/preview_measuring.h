@@ -21,6 +21,7 @@
 #include "document/document.h"
 #include "lapfx/error.h"
 #include "match/frame/estimator.h"
+#include "match/scene/preview_curve.h"
 #include "match/video/peak_colors.h"
 
 namespace lapfx {
@@ -95,7 +96,7 @@ class PreviewMeasuring {
     /// What is measured. It is copied once the document has settled, and shared.
     struct Subject {
         document::Content content;
-        glm::ivec2 size{0};
+        glm::ivec2 size{0}, measured{0};  ///< match::PreviewCurve::Options
         std::uint64_t organ = 0;  ///< version of the host's
         bool truth = false;
         std::shared_ptr<const match::PaintedBlood> plate_blood;  ///< by which a plate's own counts; null: it does not
@@ -103,7 +104,7 @@ class PreviewMeasuring {
     std::shared_ptr<const match::PaintedBlood> plate_blood() const;
     void follow(double now);
     void take_change(double now, bool other_truth);
-    glm::ivec2 size() const;
+    match::PreviewCurve::Options shape() const;
     std::shared_ptr<const Subject> subject() const;
     bool holds(const std::shared_ptr<const Subject>& of) const;
     void start(double now);

@@ -15,7 +15,8 @@ constexpr double ratio_share = 0.005;                      // less than that is 
 constexpr double plain_match = 0.25;                       // of the area: from here on a match says how far apart it is
 constexpr double plain_late = 1.0;                         // s, the same of when it comes
 constexpr double plain_alone = 1.0 / 3.0;                  // of the other's peak, up to which only that one is seen
-constexpr double plain_peak_match = 0.03;                  // of the view, the same of the peaks of what neither shows
+constexpr double plain_peak_match = 0.03;                  // of the view, the same of the peaks, and
+constexpr double plain_peak_ratio = 0.67;                  // of the higher peak, of amounts that both show
 
 /// How an amount is spoken of, and what makes it.
 struct Words {
@@ -73,12 +74,11 @@ std::string size_text(double ratio, const Words& words) {
 /// How far apart an amount is though the error of measuring would explain that; empty where it is near.
 std::string rough_match(const AmountLikeness& amount, const Words& words) {
     if (!amount.matches()) return {};
-    if (amount.area_ratio)
-        return std::abs(*amount.area_ratio - 1.0) > plain_match
-                   ? "it is measured " + size_text(*amount.area_ratio, words)
-                   : std::string();
+    if (amount.area_ratio && std::abs(*amount.area_ratio - 1.0) > plain_match)
+        return "it is measured " + size_text(*amount.area_ratio, words);
     const double preview = amount.preview.peak.value_or(0.0), reference = amount.reference.peak.value_or(0.0);
     if (std::abs(preview - reference) <= plain_peak_match) return {};
+    if (amount.area_ratio && std::min(preview, reference) > plain_peak_ratio * std::max(preview, reference)) return {};
     return text("its peak is %.0f %% of the view, in the reference %.0f %%", 100.0 * preview, 100.0 * reference);
 }
 

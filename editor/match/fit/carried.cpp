@@ -63,8 +63,9 @@ ShownCurves curves_of(std::span<const FrameAmounts> frames) {
     for (const FrameAmounts& frame : frames) {
         curves.blood.push_back(measurable(frame, Curve::blood) ? frame.blood.value : std::nan(""));
         curves.veil.push_back(measurable(frame, Curve::veil) ? frame.veil.value : std::nan(""));
+        curves.plume.push_back(frame.plume ? frame.plume->value : std::nan(""));
     }
-    fill(curves.blood), fill(curves.veil);
+    fill(curves.blood), fill(curves.veil), fill(curves.plume);
     return curves;
 }
 
@@ -82,8 +83,11 @@ void Carried::find_factors(std::span<const Amounts> core, const ShownCurves& cur
         most_area = std::max(most_area, area);
     }
     const bool bleeds = most_area > least_area && blood > 0.0,
-               smokes = *std::max_element(haze.begin(), haze.end()) >= least_depth;
+               smokes = *std::max_element(haze.begin(), haze.end()) >= least_depth,
+               has_plume = *std::max_element(emission.begin(), emission.end()) >= least_depth;
     if (bleeds && !std::exchange(area_known_, true)) area_factor_ = blood / area2;
+    if (has_plume && !std::exchange(plume_known_, true))
+        least_squares(curves.plume, haze, emission, haze_stands_out_, plume_stands_out_);
     if (!smokes || std::exchange(haze_known_, true)) return;
     least_squares(depth, haze, emission, haze_factor_, plume_factor_);
     haze_factor_ = std::clamp(haze_factor_, least_factor, most_factor);
@@ -97,7 +101,7 @@ void Carried::drawn(std::span<const double> coordinates, std::span<const Amounts
     std::vector<double> step(parameters_);
     double length2 = 0.0;
     if (first) {
-        blood_slopes_.assign(times * parameters_, 0.0), depth_slopes_ = blood_slopes_;
+        blood_slopes_.assign(times * parameters_, 0.0), depth_slopes_ = plume_slopes_ = blood_slopes_;
     } else {
         told = at(coordinates, core);
         for (std::size_t k = 0; k < parameters_; ++k) {
@@ -112,6 +116,7 @@ void Carried::drawn(std::span<const double> coordinates, std::span<const Amounts
                 const double part = step[k] / length2;
                 blood_slopes_[i * parameters_ + k] += part * (curves.blood[i] - told.blood[i]);
                 depth_slopes_[i * parameters_ + k] += part * (depth_of(curves.veil[i]) - depth_of(told.veil[i]));
+                plume_slopes_[i * parameters_ + k] += part * (curves.plume[i] - told.plume[i]);
             }
     stand_at(coordinates, core, curves);
 }
@@ -126,6 +131,7 @@ void Carried::learn(std::size_t parameter, double step, const ShownCurves& curve
     for (std::size_t i = 0; i < core_.size(); ++i) {
         blood_slopes_[i * parameters_ + parameter] = (curves.blood[i] - curves_.blood[i]) / step;
         depth_slopes_[i * parameters_ + parameter] = (depth_of(curves.veil[i]) - depth_of(curves_.veil[i])) / step;
+        plume_slopes_[i * parameters_ + parameter] = (curves.plume[i] - curves_.plume[i]) / step;
     }
 }
 
@@ -135,13 +141,17 @@ ShownCurves Carried::at(std::span<const double> coordinates, std::span<const Amo
         double blood = curves_.blood[i] + area_factor_ * (core[i].blood_area - core_[i].blood_area);
         double depth = depth_of(curves_.veil[i]) + haze_factor_ * (core[i].haze - core_[i].haze) +
                        plume_factor_ * (core[i].emission - core_[i].emission);
+        double plume = curves_.plume[i] + haze_stands_out_ * (core[i].haze - core_[i].haze) +
+                       plume_stands_out_ * (core[i].emission - core_[i].emission);
         for (std::size_t k = 0; k < parameters_; ++k) {
             const double step = coordinates[k] - coordinates_[k];
             blood += blood_slopes_[i * parameters_ + k] * step;
             depth += depth_slopes_[i * parameters_ + k] * step;
+            plume += plume_slopes_[i * parameters_ + k] * step;
         }
         shown.blood.push_back(std::clamp(blood, 0.0, 1.0));
         shown.veil.push_back(-std::expm1(-std::max(depth, 0.0)));
+        shown.plume.push_back(std::clamp(plume, 0.0, 1.0));
     }
     return shown;
 }

@@ -5,6 +5,8 @@
 //
 //     veil:  tau = tau_drawn + haze_factor * (E - E_drawn) + plume_factor * (emission - emission_drawn) + B_veil * step
 //            veil = 1 - exp(-tau)
+//     plume: what stands out = that of the drawn curve + haze_factor * (E - E_drawn)
+//            + plume_factor * (emission - emission_drawn) + B_plume * step, with factors of its own
 //     blood: share = share_drawn + area_factor * (area - area_drawn) + B_blood * step
 //
 // `emission` is that of the core times the density of the plume, which multiplies its depth. `step` is the change of
@@ -20,12 +22,12 @@
 
 namespace lapfx::match {
 
-/// Blood and veil at the target's times.
+/// Blood, veil, and what of it stands out, at the target's times.
 struct ShownCurves {
-    std::vector<double> blood, veil;
+    std::vector<double> blood, veil, plume;
 };
 
-/// As measured; where an amount is not measurable, interpolated between its neighbours.
+/// As measured; where an amount is not measurable, interpolated between its neighbours, and 0 where it never is.
 ShownCurves curves_of(std::span<const FrameAmounts> frames);
 
 class Carried {
@@ -48,12 +50,15 @@ class Carried {
   private:
     void find_factors(std::span<const Amounts> core, const ShownCurves& curves);
     std::size_t parameters_;
-    bool area_known_ = false, haze_known_ = false;  ///< a drawn curve had blood; smoke
+    /// A drawn curve had blood; smoke; a plume.
+    bool area_known_ = false, haze_known_ = false, plume_known_ = false;
     double haze_factor_ = 1.0, plume_factor_ = 0.0, area_factor_;
+    /// Of what stands out. The second is that of the sample scene until a drawn curve tells it.
+    double haze_stands_out_ = 0.0, plume_stands_out_ = 0.04;
     std::vector<double> coordinates_;
     std::vector<Amounts> core_;
     ShownCurves curves_;
-    std::vector<double> blood_slopes_, depth_slopes_;  ///< B: row by row, one row for each time
+    std::vector<double> blood_slopes_, depth_slopes_, plume_slopes_;  ///< B: row by row, one row for each time
 };
 
 }  // namespace lapfx::match

@@ -16,7 +16,7 @@ constexpr double determined_below = 0.4;                  // coordinates: a stan
 constexpr double least_factor = 0.35, most_factor = 2.0;  // of the stated errors
 constexpr double alike_above = 0.95;                      // correlation
 
-/// Rows [first, last) of the blocks' times, for blood and veil alike.
+/// Rows [first, last) of the blocks' times, for each amount alike.
 struct Block {
     std::size_t first, last;
 };
@@ -67,10 +67,10 @@ std::vector<std::vector<double>> corrections(const Objective& objective, const L
     for (const Block& block : blocks) {
         Normal& part = parts.emplace_back(at.columns);
         for (std::size_t i = block.first; i < block.last; ++i)
-            part.add_row(at, i), part.add_row(at, objective.times() + i);
+            for (std::size_t c = 0; c < Objective::curves; ++c) part.add_row(at, c * objective.times() + i);
     }
     Normal known(at.columns);  // of the priors
-    for (std::size_t row = 2 * objective.times(); row < objective.size(); ++row) known.add_row(at, row);
+    for (std::size_t row = objective.amounts(); row < objective.size(); ++row) known.add_row(at, row);
     std::mt19937 random(seed);
     std::vector<std::vector<double>> steps(at.columns - 1);
     for (int n = 0; n < drawn_references; ++n) {
@@ -103,7 +103,7 @@ cv::Mat covariance_of(const Objective& objective, const Linearised& at) {
 /// chi-squared).
 double error_factor(const Objective& objective, const Linearised& at) {
     double sum = 0.0;
-    for (std::size_t row = 0; row < 2 * objective.times(); ++row) sum += at.residuals[row] * at.residuals[row];
+    for (std::size_t row = 0; row < objective.amounts(); ++row) sum += at.residuals[row] * at.residuals[row];
     const double freedom = objective.blocks() - static_cast<double>(at.fitted);
     return std::clamp(std::sqrt(sum / std::max(freedom, 1.0)), least_factor, most_factor);
 }
@@ -111,18 +111,18 @@ double error_factor(const Objective& objective, const Linearised& at) {
 /// What each row of the amounts is multiplied by, so that it is in standard errors of this video. What is known
 /// beforehand has its own errors, whatever those of a video.
 std::vector<double> row_weights(const Objective& objective, const Linearised& at, Errors errors) {
-    std::vector<double> weights(2 * objective.times(), 1.0);
+    std::vector<double> weights(objective.amounts(), 1.0);
     if (errors == Errors::with_hidden) weights = objective.parts_of_error();
     const double factor = error_factor(objective, at);
     for (double& weight : weights) weight /= factor;
     return weights;
 }
 
-/// Standard errors of the parameters that come from those of the two scales, which the curves do not show.
+/// Standard errors of the parameters that come from those of the scales, which the curves do not show.
 std::vector<double> scale_errors(const Objective& objective, const Linearised& at, std::span<const double> weights,
                                  const cv::Mat& covariance) {
     std::vector<double> errors(at.columns - 1, 0.0);
-    for (const std::vector<double>& changes : {objective.blood_scaled(), objective.veil_scaled()}) {
+    for (const std::vector<double>& changes : objective.scaled()) {
         cv::Mat side = cv::Mat::zeros(static_cast<int>(at.columns), 1, CV_64F);
         for (std::size_t row = 0; row < weights.size(); ++row)
             for (std::size_t a = 0; a < at.columns; ++a)

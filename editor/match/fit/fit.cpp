@@ -27,7 +27,7 @@ constexpr double small_change = 0.02, farther = 3.0, farthest_least = 0.1;  // c
 constexpr double much_less = 0.1;                                           // of what small changes do
 constexpr double telling_share = 0.25;                                      // of the moments
 constexpr double denial = 8.0;  // of the cost: four standard errors, when all else is found beside it
-const std::string density_key = "smoke.plume.density";  // changes what core_at() tells as emission, and no amount
+const std::string density_key = "smoke.plume.density";  // changes what core_at() tells as emission, and no other amount
 constexpr int rounds_beside_held = 3;                   // curves that are drawn at most once it is known what is held
 
 /// A drawn place.
@@ -177,8 +177,15 @@ class Fit {
                               .reason = blind ? "no picture of the scene is measurable"
                                               : "no bleeding is seen in the reference, and the veil is not measurable "
                                                 "in any picture of the scene: nothing to fit to"});
-        if (!blind && !no_veil) return;
-        for (TargetPoint& aim : target) (blind ? aim.blood : aim.veil).reset();
+        const bool no_plume =
+            no_veil || std::none_of(best_.frames.begin(), best_.frames.end(),
+                                    [](const FrameAmounts& frame) { return frame.plume.has_value(); });
+        if (!blind && !no_plume) return;
+        for (TargetPoint& aim : target) {
+            if (blind) aim.blood.reset();
+            if (no_veil) aim.veil.reset();
+            if (no_plume) aim.plume.reset();
+        }
         objective_ = Objective(std::move(target), input_.weights, start_);
         first_place_.reset();  // it was searched for with what is left out now
         best_.cost = objective_.cost(curves_of(best_.frames), start_);
@@ -306,7 +313,7 @@ class Fit {
         linear.fitted = 1 + static_cast<std::size_t>(std::count(held_.begin(), held_.end(), false));
         for (std::size_t k = 0; k < held_.size(); ++k) {
             if (!held_[k]) continue;
-            const std::size_t column = k + 1, prior = 2 * times_.size() + k;  // after the offset, and the amounts
+            const std::size_t column = k + 1, prior = objective_.amounts() + k;  // after the offset, and the amounts
             linear.residuals[prior] = 0.0;
             if (error_of_held > 0.0)
                 linear.slopes[prior * linear.columns + column] = 1.0 / error_of_held;

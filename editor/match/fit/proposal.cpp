@@ -27,7 +27,15 @@ std::string text_of(const char* format, double a, double b = 0.0) {
     return text;
 }
 
-/// The whole stroke, squeezed or stretched.
+/// "event 2", or "events 2, 3 and 4", as the editor numbers them.
+std::string names_of(const std::vector<std::size_t>& events) {
+    std::string names = events.size() == 1 ? "event " : "events ";
+    for (std::size_t i = 0; i < events.size(); ++i)
+        names += (i == 0 ? "" : i + 1 == events.size() ? " and " : ", ") + std::to_string(events[i] + 1);
+    return names;
+}
+
+/// The whole stroke, squeezed or stretched, with full power.
 void retime(std::vector<ToolContact>& events, const std::vector<std::size_t>& stroke, double start, double end) {
     const double from = events[stroke.front()].time;
     double until = from;
@@ -37,7 +45,7 @@ void retime(std::vector<ToolContact>& events, const std::vector<std::size_t>& st
         ToolContact& contact = events[i];
         contact.time = start + ratio * (contact.time - from);
         contact.duration = until > from ? ratio * contact.duration : end - start;
-        contact.power = 1.0, contact.strength = 0.0;
+        contact.power = 1.0;
     }
 }
 
@@ -126,11 +134,25 @@ class Proposing {
                 continue;
             }
             retime(events, *nearest, std::max(burst.start, 0.0), burst.end);
+            // Wounds are found anew by the blood; where none is seen, what a stroke opens stays.
+            if (shows_blood(target_))
+                for (const std::size_t k : *nearest) events[k].strength = 0.0;
             strokes.erase(nearest);
         }
-        for (const std::vector<std::size_t>& stroke : strokes)
-            for (const std::size_t k : stroke) events[k].power = events[k].strength = 0.0;
+        silence(strokes);
         add_hot(without);
+    }
+    void silence(const std::vector<std::vector<std::size_t>>& strokes) {
+        std::vector<ToolContact>& events = proposal_.tuned.scene.events;
+        std::vector<std::size_t> silenced;
+        for (const std::vector<std::size_t>& stroke : strokes)
+            for (const std::size_t k : stroke) {
+                if (events[k].power > 0.0 || events[k].strength > 0.0) silenced.push_back(k);
+                events[k].power = events[k].strength = 0.0;
+            }
+        if (silenced.empty()) return;
+        say("tools: " + names_of(silenced) + (silenced.size() == 1 ? " is" : " are") +
+            " silenced, power and strength 0: the reference shows no smoke then");
     }
     void add_hot(const std::vector<Burst>& bursts) {
         if (bursts.empty()) return;

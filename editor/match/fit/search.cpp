@@ -175,7 +175,7 @@ Linearised linearised(const SearchSpace& space, std::span<const double> coordina
     linearise(problem, unknowns.unknowns(), linear.residuals, linear.slopes);
     // Priors do not depend on the core: an unknown that it refuses to move is known by its prior alone.
     for (std::size_t k = 0; k < at.size(); ++k)
-        linear.slopes[(2 * space.objective.times() + k) * columns + k + 1] = 1.0 / Objective::prior;
+        linear.slopes[(space.objective.amounts() + k) * columns + k + 1] = 1.0 / Objective::prior;
     return linear;
 }
 

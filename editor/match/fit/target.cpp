@@ -46,16 +46,21 @@ std::vector<TargetPoint> target_of(std::span<const FrameAmounts> reference, cons
         const double time = options.from + length * static_cast<double>(i) / static_cast<double>(steps);
         const auto first = std::lower_bound(reference.begin(), reference.end(), time + options.offset - around,
                                             [](const FrameAmounts& frame, double at) { return frame.time < at; });
-        Mean blood, veil;
+        Mean blood, veil, plume;
         double hidden = 0.0;
         int frames = 0;
         for (auto frame = first; frame != reference.end() && frame->time <= time + options.offset + around; ++frame) {
             hidden += hidden_blood_of(*frame), ++frames;
             if (measurable(*frame, Curve::blood)) blood.add(frame->blood);
             if (measurable(*frame, Curve::veil)) veil.add(frame->veil);
+            if (frame->plume) plume.add(*frame->plume);
         }
         if (frames > 0)
-            target.push_back({.time = time, .blood = blood.get(), .veil = veil.get(), .hidden_blood = hidden / frames});
+            target.push_back({.time = time,
+                              .blood = blood.get(),
+                              .veil = veil.get(),
+                              .plume = plume.get(),
+                              .hidden_blood = hidden / frames});
     }
     if (target.size() < 2) target.clear();
     return target;

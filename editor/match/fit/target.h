@@ -16,7 +16,7 @@ namespace lapfx::match {
 /// Of one time of the scene. What is not measurable is missing.
 struct TargetPoint {
     double time = 0.0;  ///< s of the scene
-    std::optional<Amount> blood, veil;
+    std::optional<Amount> blood = {}, veil = {}, plume = {};
     /// How much blood may be missed behind smoke, a standard error beside course_error(): the more, the thicker the
     /// smoke and the less of the baseline's texture is there.
     double hidden_blood = 0.0;
@@ -52,6 +52,8 @@ struct CourseError {
 /// Veil: known veils over moving clips came back with a root mean square error of 0.024 to 0.066 that lasts up to a
 /// second; blood and scales: `lapfx bench measure`, views of its classes "still".
 inline constexpr CourseError blood_course{0.002, 0.002, 0.1, 0.006, 0.15}, veil_course{0.01, 0.03, 0.0, 0.03, 0.12};
+/// What stands out of a veil: where nothing smokes it is told as 0 to 0.01 in real frames whose tissue moves.
+inline constexpr CourseError plume_course{0.002, 0.005, 0.2, 0.02, 0.25};
 /// Standard error of a measured amount beside the others of its video.
 double course_error(const Amount& amount, const CourseError& course);
 

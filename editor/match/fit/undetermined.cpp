@@ -24,7 +24,9 @@ struct Course {
 };
 
 Course course_of(std::span<const TargetPoint> target, std::optional<Amount> TargetPoint::*amount) {
-    const CourseError& errors = amount == &TargetPoint::blood ? blood_course : veil_course;
+    const CourseError& errors = amount == &TargetPoint::blood  ? blood_course
+                                : amount == &TargetPoint::veil ? veil_course
+                                                               : plume_course;
     Course course;
     double most_above = 0.0, least_above = 1.0;  // lower end of the amount at its most, upper end at its least
     for (const TargetPoint& aim : target) {
@@ -39,6 +41,11 @@ Course course_of(std::span<const TargetPoint> target, std::optional<Amount> Targ
     }
     course.changes = course.any && most_above > least_above;
     return course;
+}
+
+/// Of the smoke at the tool's tip, which stands out of the veil.
+bool is_of_plume(const std::string& key) {
+    return key.starts_with("smoke.plume.");
 }
 
 std::ptrdiff_t moments_with_blood(std::span<const TargetPoint> target) {
@@ -79,6 +86,7 @@ bool too_rare(const std::string& key, std::span<const TargetPoint> target) {
 
 bool shows_anything_of(const std::string& key, std::span<const TargetPoint> target) {
     if (key.starts_with("bleeding.")) return shows_blood(target) && course_of(target, &TargetPoint::blood).changes;
+    if (is_of_plume(key) && course_of(target, &TargetPoint::plume).changes) return true;
     if (key.starts_with("smoke.")) return course_of(target, &TargetPoint::veil).changes;
     return true;
 }
@@ -99,7 +107,8 @@ std::string why_undetermined(std::size_t parameter, const std::vector<FreeParame
     }
     if (key.starts_with("smoke.")) {
         if (weights.veil == 0.0) return "the veil does not count, its weight is 0";
-        if (const std::string why = without_course(veil, "veil"); !why.empty()) return why;
+        const bool by_plume = is_of_plume(key) && course_of(target, &TargetPoint::plume).changes;
+        if (const std::string why = without_course(veil, "veil"); !by_plume && !why.empty()) return why;
         if (key == "smoke.haze.ventilation" &&
             (veil.last > (1.0 - clears_by) * veil.peak || veil.last_at - veil.peak_at < telling_decay))
             return "the video ends while it still smokes or soon after; 4 s of clearing would tell it";

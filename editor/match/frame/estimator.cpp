@@ -125,6 +125,7 @@ struct Estimator::State {
     AddedLightFinder added_light;
     AddedLight added;
     VeilFigures figures;
+    std::vector<float> sorted_veil;
     cv::Mat frame_code, frame_linear, frame_redness, texture, last_texture, counts, rest, valid, foreign, white_part,
         aside, brighter, readable, bright_smoke, hazy;
     double likeness = 1.0;
@@ -133,7 +134,7 @@ struct Estimator::State {
 
     State(const Image& baseline, const EstimatorOptions& given);
     cv::Mat round_view(const cv::Mat& of) const {
-        return options.round_view ? disc_of(*options.round_view, size) : view_of(of);
+        return options.round_view ? disc_of(*options.round_view, size, options.round_aspect) : view_of(of);
     }
     void lay_over();
     void see_likeness();
@@ -476,6 +477,10 @@ FrameAmounts Estimator::State::amounts_of(double time, bool moved) {
         amounts.veil.value = cv::mean(veil.veil(), valid)[0];
     }
     judge(amounts, moved);
+    if (amounts.measurable() && placement.likeness() >= well_placed) {
+        amounts.plume = Amount{.value = standing_out(veil.veil(), valid, sorted_veil)};
+        set_plume_interval(*amounts.plume);
+    }
     set_intervals(amounts);
     set_camera_intervals(amounts, added);
     if (options.painted_blood && amounts.measurable()) set_painted_interval(amounts.blood);

@@ -81,6 +81,9 @@ struct FrameAmounts {
     double time = 0.0;  ///< s of the video
     Amount blood = {};  ///< area fraction of the valid view
     Amount veil = {};   ///< mean over the valid view of 1 - transmission of the smoke
+    /// How much of the veil stands out over an even one, as a plume does: the mean over the valid view of what is above
+    /// its median. Missing where the baseline does not lie well, which makes a map uneven.
+    std::optional<Amount> plume = {};
     Amount light = {};  ///< mean over the valid view of the light that smoke adds, as a share of white: luminance in
                         ///< linear light before the camera's gain
     /// Factor of the camera against the baseline; 1: as the baseline. A veil that lies evenly over the view and throws

@@ -10,6 +10,9 @@ namespace lapfx::match {
 /// are known exactly, so that nine of ten hold the true amount: `lapfx bench measure` prints how many do.
 void set_intervals(FrameAmounts& a);
 
+/// Of how much of the veil stands out (FrameAmounts::plume), from its value: dense plumes are told too thin.
+void set_plume_interval(Amount& plume);
+
 /// Sets the added light and the camera's gain to what was found, with their intervals, after the frame's flags are
 /// known. A gain below 1 that no added light explains may as well be a veil that throws no light back: its interval
 /// reaches up to 1 then. Where nothing is known the light is 0, the gain 1, and the intervals hold everything.

@@ -184,6 +184,19 @@ double VeilSolver::misfit(const cv::Mat& baseline, const cv::Mat& frame, const c
     });
 }
 
+double standing_out(const cv::Mat& veil, const cv::Mat& part, std::vector<float>& sorted) {
+    sorted.clear();
+    for (int y = 0; y < veil.rows; ++y)
+        for (int x = 0; x < veil.cols; ++x)
+            if (part.at<std::uint8_t>(y, x) != 0) sorted.push_back(veil.at<float>(y, x));
+    if (sorted.empty()) return 0.0;
+    const auto middle = sorted.begin() + std::ssize(sorted) / 2;
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    double above = 0.0;
+    for (auto value = middle; value != sorted.end(); ++value) above += static_cast<double>(*value - *middle);
+    return above / static_cast<double>(sorted.size());
+}
+
 double misfit_of_gains(const cv::Mat& baseline, const cv::Vec3f& gains, const cv::Mat& frame, const cv::Mat& part) {
     return misfit_of(baseline, frame, part, [&](const cv::Vec3f& b, int, int) { return b.mul(gains); });
 }

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <vector>
 
 namespace lapfx::match {
 
@@ -61,6 +62,10 @@ class VeilSolver {
     // CV_32FC2: weighted (light - baseline)^2 and (frame - baseline) * (light - baseline), of tissue and of the dark
     cv::Mat normal_, normal_of_dark_, sums_;
 };
+
+/// How much of a veil stands out over an even one: the mean over `part` (CV_8U, 255) of what is above its median there,
+/// 0..1. A plume does; haze, which lies over the whole view, hardly. `veil`: CV_32F; `sorted`: reused.
+double standing_out(const cv::Mat& veil, const cv::Mat& part, std::vector<float>& sorted);
 
 /// VeilSolver::misfit of a frame that is the baseline with its channels multiplied, without veil.
 double misfit_of_gains(const cv::Mat& baseline, const cv::Vec3f& gains, const cv::Mat& frame, const cv::Mat& part);

@@ -67,12 +67,19 @@ cv::Mat wanted_part(cv::Size size, const glm::dvec4& region, std::span<const Mas
     return wanted;
 }
 
-cv::Mat disc_of(const glm::dvec3& round, cv::Size size) {
+cv::Mat disc_of(const glm::dvec3& round, cv::Size size, double aspect) {
     cv::Mat inside = cv::Mat::zeros(size, CV_8U);
     constexpr int parts = 4;  // of a pixel, as bits
     const auto fixed = [](double px) { return static_cast<int>(std::lround(px * (1 << parts))); };
-    cv::circle(inside, {fixed(round.x * size.width - 0.5), fixed(round.y * size.height - 0.5)},
-               fixed(round.z * size.height - 0.5), 255, cv::FILLED, cv::LINE_8, parts);
+    const cv::Point middle(fixed(round.x * size.width - 0.5), fixed(round.y * size.height - 0.5));
+    const double radius = round.z * size.height - 0.5;
+    if (aspect == 0.0) {
+        cv::circle(inside, middle, fixed(radius), 255, cv::FILLED, cv::LINE_8, parts);
+    } else {
+        const double across = round.z * size.width / aspect - 0.5;
+        cv::ellipse(inside, middle, {fixed(across), fixed(radius)}, 0.0, 0.0, 360.0, 255, cv::FILLED, cv::LINE_8,
+                    parts);
+    }
     return inside;
 }
 

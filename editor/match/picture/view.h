@@ -24,7 +24,8 @@ using MaskPolygon = std::vector<glm::dvec2>;
 cv::Mat wanted_part(cv::Size size, const glm::dvec4& region, std::span<const MaskPolygon> masks);
 
 /// A round view that is known: its middle, fractions of width and height, and radius, of the height. CV_8U 255 inside.
-cv::Mat disc_of(const glm::dvec3& round, cv::Size size);
+/// `aspect`: width over height of the picture in which it is round; 0: that of `size`.
+cv::Mat disc_of(const glm::dvec3& round, cv::Size size, double aspect = 0.0);
 
 /// What is looked at of each picture of a video; all as fractions of the picture.
 struct LookedAt {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <future>
+#include <opencv2/imgproc.hpp>
 
 #include "lapfx/error.h"
 #include "match/scene/view_share.h"
@@ -11,6 +12,15 @@ namespace lapfx::match {
 namespace {
 
 constexpr int least_side = 16;  // px
+
+Image resized(const Image& image, glm::ivec2 size) {
+    Image made{.width = size.x, .height = size.y, .pixels = {}, .name = image.name};
+    made.pixels.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 4U);
+    const cv::Mat from(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.pixels.data()));  // is read
+    cv::Mat into(size.y, size.x, CV_8UC4, made.pixels.data());
+    cv::resize(from, into, into.size(), 0.0, 0.0, cv::INTER_LINEAR);
+    return made;
+}
 
 /// Whether any of a grid of pixels shows the organ.
 bool in_view(const Preview& preview, glm::ivec2 size) {
@@ -28,6 +38,14 @@ glm::ivec2 preview_size(glm::dvec2 shape, double aspect, int side) {
     if (aspect > 0.0) shape.x = aspect * shape.y;
     shape *= side / std::max(shape.x, shape.y);
     return glm::max(glm::ivec2(glm::round(shape)), glm::ivec2(least_side));
+}
+
+PreviewCurve::Options PreviewCurve::options_for(glm::dvec2 stored, double aspect, EstimatorOptions estimator,
+                                                int side) {
+    Options options{.size = preview_size(stored, aspect, side), .estimator = std::move(estimator)};
+    if (const glm::ivec2 as_stored = preview_size(stored, 0.0, side); as_stored != options.size)
+        options.measured = as_stored;
+    return options;
 }
 
 PreviewCurve::PreviewCurve(std::shared_ptr<const PreparedOrgan> organ, PreviewOptions preview, Options options,
@@ -69,6 +87,12 @@ std::optional<Image> PreviewCurve::picture(const Scene& scene, const Preset& pre
     return drawn ? std::optional(std::move(picture)) : std::nullopt;
 }
 
+/// The picture of that time as it is measured.
+Image PreviewCurve::to_measure(double time) const {
+    Image drawn = preview_->image(time, options_.size);
+    return options_.measured.x > 0 ? resized(drawn, options_.measured) : drawn;
+}
+
 /// The pictures of one curve. Those that the survey has seen are kept until they are measured.
 class PreviewCurve::Pictures {
   public:
@@ -81,8 +105,7 @@ class PreviewCurve::Pictures {
     Image* picture(std::size_t i) {
         Image& picture = drawn_[i];
         if (!picture.pixels.empty()) return &picture;
-        return curve_.draw([&] { picture = curve_.preview_->image(times_[i], curve_.options_.size); }) ? &picture
-                                                                                                       : nullptr;
+        return curve_.draw([&] { picture = curve_.to_measure(times_[i]); }) ? &picture : nullptr;
     }
 
   private:
@@ -114,11 +137,14 @@ std::optional<std::vector<FrameAmounts>> PreviewCurve::measure(const Scene& scen
     of_estimator.survey.reset();
     if (scene.plate.use) of_estimator.held_blood = plate_blood_;
     const glm::dvec2 shape(options_.size);
-    if (!scene.plate.use) of_estimator.round_view = round_view_of(scene.camera, shape.x / shape.y);  // else as it is
+    if (!scene.plate.use) {  // else as it is
+        of_estimator.round_view = round_view_of(scene.camera, shape.x / shape.y);
+        if (options_.measured.x > 0) of_estimator.round_aspect = shape.x / shape.y;
+    }
     Image baseline;
     const bool clear = draw([&] {
         show(scene, preset);
-        baseline = preview_->image(0.0, options_.size);
+        baseline = to_measure(0.0);
         preview_->set_contacts(scene.events);
     });
     if (!clear) return {};

@@ -41,9 +41,15 @@ struct CurveCalls {
 class PreviewCurve {
   public:
     struct Options {
-        glm::ivec2 size{preview_side};
+        glm::ivec2 size{preview_side};  ///< px, as pictures are drawn
+        /// As they are measured: where a reference is stored in another shape than it is shown in, what looks like
+        /// blood or smoke is learned and found in pictures as they are stored. 0: as drawn.
+        glm::ivec2 measured{0};
         EstimatorOptions estimator = {};  ///< as the reference is measured; the survey is made anew for each curve
     };
+
+    /// Of what is held against a video that is stored in that shape and shown with that aspect, as preview_size().
+    static Options options_for(glm::dvec2 stored, double aspect, EstimatorOptions estimator, int side = preview_side);
 
     /// Without `render` this thread draws. It is destroyed where the context is current.
     PreviewCurve(std::shared_ptr<const PreparedOrgan> organ, PreviewOptions preview, Options options,
@@ -71,6 +77,7 @@ class PreviewCurve {
     bool survey(Pictures& pictures, Estimator& estimator, const std::function<bool(std::size_t surveyed)>& goes_on);
     void take(const Scene& scene, const Preset& preset);
     void show(const Scene& scene, const Preset& preset);
+    Image to_measure(double time) const;
     bool draw(const std::function<void()>& step) const { return render_ ? render_(step) : (step(), true); }
 
     std::shared_ptr<const PreparedOrgan> organ_;

@@ -161,6 +161,7 @@ std::string json_of(const Measurement& measurement) {
         frames.push_back({{"time", f.time},
                           {"blood", json_of(f.blood, f.blood_measurable())},
                           {"veil", json_of(f.veil, f.measurable())},
+                          {"plume", f.plume ? json_of(*f.plume, true) : nlohmann::json(nullptr)},
                           {"light", json_of(f.light, f.measurable())},
                           {"gain", json_of(f.gain, f.measurable())},
                           {"valid", figure_of(f, f.valid)},

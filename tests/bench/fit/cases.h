@@ -49,6 +49,7 @@ struct SeenTruth {
     double cut_start = 0.0;     ///< s, when the wound opens
     double smoke_rate = 0.0;    ///< b, 1/s: haze of the core that a second of burning adds
     double ventilation = 0.0;   ///< 1/s
+    double plume = 0.0;         ///< share of the view, mean while it burns: what stands out of the veil (by pictures)
     double blood_pace = 0.0;    ///< how fast blood spreads, square roots of the view a second
     double blood_extent = 0.0;  ///< how far, square roots of the view
     double clears_for = 0.0;    ///< s from the end of the burning to the end of the scene

@@ -31,6 +31,7 @@
 #include "lapfx/amounts.h"
 #include "lapfx/authoring/preview.h"
 #include "lapfx/clip_cache.h"
+#include "match/frame/veil.h"
 #include "match/scene/preview_curve.h"
 #include "match/scene/view_share.h"
 #include "match/use/fit_scene.h"
@@ -96,19 +97,38 @@ Filmed film(const CaseScene& hidden, Random random, const Drawing& drawing) {
     return filmed;
 }
 
-std::vector<ShownAmounts> truth_of(const CaseScene& scene, const Drawing& drawing) {
+/// What a picture shows, exactly.
+struct TrueAmounts : ShownAmounts {
+    double plume = 0.0;  ///< how much of the veil stands out (match::standing_out)
+};
+std::vector<TrueAmounts> truth_of(const CaseScene& scene, const Drawing& drawing) {
     Preview preview = drawing.preview(scene);
-    std::vector<ShownAmounts> truth;
-    for (double time = 0.0; time <= case_duration; time += drawing.truth_step)
-        truth.push_back(amounts_of(preview.layers(time, drawing.size)));
+    std::vector<TrueAmounts> truth;
+    std::vector<float> sorted;
+    for (double time = 0.0; time <= case_duration; time += drawing.truth_step) {
+        Layers layers = preview.layers(time, drawing.size);
+        const cv::Mat veil(drawing.size.y, drawing.size.x, CV_32F, layers.veil.data()),
+            view(drawing.size.y, drawing.size.x, CV_8U, layers.view.data());
+        truth.push_back({amounts_of(layers), match::standing_out(veil, view, sorted)});
+    }
     return truth;
+}
+
+/// The mean of what stands out while a tool smokes.
+double plume_of(const CaseScene& scene, const std::vector<TrueAmounts>& truth, double truth_step) {
+    AmountsModel model(scene.organ, {.gravity = scene.tuned.scene.gravity});
+    model.set(scene.tuned.preset, scene.tuned.scene.events, scene.tuned.scene.curves);
+    double sum = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < truth.size(); ++i)
+        if (model.smoke_at(static_cast<double>(i) * truth_step).emission > 0.0) sum += truth[i].plume, count += 1.0;
+    return count > 0.0 ? sum / count : 0.0;
 }
 
 double depth_of(const ShownAmounts& shown) {
     return -std::log1p(-std::min(shown.veil, 0.99));
 }
 
-ShownPeaks peaks_of(const std::vector<ShownAmounts>& truth) {
+ShownPeaks peaks_of(const std::vector<TrueAmounts>& truth) {
     ShownPeaks peaks;
     for (const ShownAmounts& shown : truth)
         peaks.depth = std::max(peaks.depth, depth_of(shown)), peaks.blood = std::max(peaks.blood, shown.blood);
@@ -117,7 +137,7 @@ ShownPeaks peaks_of(const std::vector<ShownAmounts>& truth) {
 
 /// Optical depth of the veil over the core's haze: a preset's extinction and unevenness have a part in it, so that a
 /// smoke rate says little without. Of when the plume is gone; nothing where there is no such time.
-std::optional<double> haze_factor(const CaseScene& scene, const std::vector<ShownAmounts>& truth, double truth_step) {
+std::optional<double> haze_factor(const CaseScene& scene, const std::vector<TrueAmounts>& truth, double truth_step) {
     const document::Content& tuned = scene.tuned;
     AmountsModel model(scene.organ, {.gravity = tuned.scene.gravity});
     model.set(tuned.preset, tuned.scene.events, tuned.scene.curves);
@@ -152,16 +172,17 @@ std::vector<bool> told_at(std::span<const match::FrameAmounts* const> frames, ma
 }
 
 /// What was measured; 0 where there is no frame.
-std::vector<ShownAmounts> measured_at(std::span<const match::FrameAmounts* const> frames) {
-    std::vector<ShownAmounts> measured;
-    for (const match::FrameAmounts* frame : frames)
-        measured.push_back(frame == nullptr ? ShownAmounts{}
-                                            : ShownAmounts{.blood = frame->blood.value, .veil = frame->veil.value});
+std::vector<TrueAmounts> measured_at(std::span<const match::FrameAmounts* const> frames) {
+    std::vector<TrueAmounts> measured;
+    for (const match::FrameAmounts* frame : frames) {
+        TrueAmounts& at = measured.emplace_back();
+        if (frame != nullptr) at.blood = frame->blood.value, at.veil = frame->veil.value;
+    }
     return measured;
 }
 
 /// Over the times that count; nothing where none does.
-std::optional<double> rms(const std::vector<ShownAmounts>& a, const std::vector<ShownAmounts>& b,
+std::optional<double> rms(const std::vector<TrueAmounts>& a, const std::vector<TrueAmounts>& b,
                           double ShownAmounts::*amount, const std::vector<bool>& counts) {
     double sum = 0.0;
     int count = 0;
@@ -169,7 +190,7 @@ std::optional<double> rms(const std::vector<ShownAmounts>& a, const std::vector<
         if (counts[i]) sum += (a[i].*amount - b[i].*amount) * (a[i].*amount - b[i].*amount), ++count;
     return count > 0 ? std::optional(std::sqrt(sum / count)) : std::nullopt;
 }
-double rms(const std::vector<ShownAmounts>& a, const std::vector<ShownAmounts>& b, double ShownAmounts::*amount) {
+double rms(const std::vector<TrueAmounts>& a, const std::vector<TrueAmounts>& b, double ShownAmounts::*amount) {
     return *rms(a, b, amount, std::vector<bool>(a.size(), true));
 }
 
@@ -206,13 +227,13 @@ std::string time_key(const std::vector<ToolContact>& events, bool (*works)(const
 }
 
 Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& reference,
-                const std::vector<ShownAmounts>& hidden_truth, const Drawing& drawing, const Effort& effort) {
+                const std::vector<TrueAmounts>& hidden_truth, const Drawing& drawing, const Effort& effort) {
     for (ToolContact& event : scene.tuned.scene.events) event.time = begins_at;
     Outcome outcome;
     outcome.hidden = hidden.label, outcome.fitted = scene.label;
     outcome.truth = seen_truth(hidden.tuned, hidden.organ);
     outcome.peaks = peaks_of(hidden_truth);
-    const std::vector<ShownAmounts> before = truth_of(scene, drawing);
+    const std::vector<TrueAmounts> before = truth_of(scene, drawing);
     outcome.blood_before = rms(before, hidden_truth, &ShownAmounts::blood);
     outcome.veil_before = rms(before, hidden_truth, &ShownAmounts::veil);
     const auto began = std::chrono::steady_clock::now();
@@ -232,11 +253,11 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& referenc
     outcome.result = *match::fit_scene(fit, curve).result;
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     scene.tuned = outcome.result.tuned;
-    const std::vector<ShownAmounts> after = truth_of(scene, drawing);
+    const std::vector<TrueAmounts> after = truth_of(scene, drawing);
     outcome.blood_rms = rms(after, hidden_truth, &ShownAmounts::blood);
     outcome.veil_rms = rms(after, hidden_truth, &ShownAmounts::veil);
     const std::vector<const match::FrameAmounts*> frames = frames_at(reference, drawing, hidden_truth.size());
-    const std::vector<ShownAmounts> measured = measured_at(frames);
+    const std::vector<TrueAmounts> measured = measured_at(frames);
     const std::vector<bool> blood_told = told_at(frames, match::Curve::blood),
                             veil_told = told_at(frames, match::Curve::veil);
     outcome.blood_rms_told = rms(after, hidden_truth, &ShownAmounts::blood, blood_told);
@@ -244,6 +265,8 @@ Outcome fit_one(const CaseScene& hidden, CaseScene scene, const Filmed& referenc
     outcome.blood_off = rms(measured, hidden_truth, &ShownAmounts::blood, blood_told);
     outcome.veil_off = rms(measured, hidden_truth, &ShownAmounts::veil, veil_told);
     outcome.found = seen_truth(scene.tuned, scene.organ);
+    outcome.truth.plume = plume_of(hidden, hidden_truth, drawing.truth_step);
+    outcome.found.plume = plume_of(scene, after, drawing.truth_step);
     const std::optional<double> true_factor = haze_factor(hidden, hidden_truth, drawing.truth_step),
                                 factor = haze_factor(scene, after, drawing.truth_step);
     outcome.b_is_alike = true_factor && factor;
@@ -289,6 +312,7 @@ constexpr Recovery recoveries[] = {
     {"blood begins", "blood_begins", nullptr, &Outcome::cut_key, &SeenTruth::cut_start, false, 0.2, 0.2},
     {"b", "b", "smoke.haze.accumulation", nullptr, &SeenTruth::smoke_rate, true, 0.1, 0.2},
     {"ventilation", "ventilation", "smoke.haze.ventilation", nullptr, &SeenTruth::ventilation, true, 0.3, 0.3},
+    {"plume", "plume", "smoke.plume.density", nullptr, &SeenTruth::plume, true, 0.3, 0.5},
     {"speed", "speed", "bleeding.speed", nullptr, &SeenTruth::blood_pace, true, 0.1, 0.2},
     {"max extent", "max_extent", "bleeding.max_extent", nullptr, &SeenTruth::blood_extent, true, 0.1, 0.2},
 };
@@ -495,7 +519,7 @@ BenchReport bench_fit(const BenchOptions& options) {
     std::optional<CaseScene> any;  // that bleeds
     commands::Progress progress("fitting", extent.fits());
     for (int i = extent.first; i < extent.end; ++i) {
-        std::vector<ShownAmounts> truth;  // of the scene that is drawn last, which is the hidden one
+        std::vector<TrueAmounts> truth;  // of the scene that is drawn last, which is the hidden one
         FitCase drawn = draw_fit_case(seed, i, prepared, [&](const CaseScene& scene) {
             truth = truth_of(scene, drawing);
             return peaks_of(truth);

@@ -145,6 +145,18 @@ TEST(LikenessWords, PeaksWithinALargeErrorAreToldThough) {
               "reference 10 %; veil matches within the error of measuring");
 }
 
+TEST(LikenessWords, APeakThatIsHalfIsToldThoughTheAreasAreAlike) {
+    AmountLikeness a = alike();
+    a.area_ratio = 0.9;
+    a.preview.peak = 0.23, a.reference.peak = 0.43;
+    expect(told(alike(), a).back(),
+           "veil matches within the error of measuring, which is large: its peak is 23 % of the view, in the reference "
+           "43 %",
+           Said::rough_match, "");
+    a.preview.peak = 0.3;
+    expect(told(alike(), a).back(), "veil matches within the error of measuring", Said::match, "");
+}
+
 TEST(LikenessWords, WhatIsSeenInOneAloneIsSaidThoughItIsWithinTheError) {
     AmountLikeness a = alike();
     a.in_reference = Presence::none, a.reference.peak = 0.05;

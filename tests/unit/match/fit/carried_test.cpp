@@ -21,11 +21,13 @@ std::vector<Amounts> core(double haze, double area) {
     return amounts;
 }
 
-/// What a camera sees of it: tau = 1.4 E + 0.2 emission, 1e-4 of the view for each mm2.
+/// What a camera sees of it: tau = 1.4 E + 0.2 emission, of which 0.03 E + 0.05 emission stands out; 1e-4 of the view
+/// for each mm2.
 ShownCurves seen(const std::vector<Amounts>& amounts) {
     ShownCurves curves;
     for (const Amounts& a : amounts) {
         curves.veil.push_back(1.0 - std::exp(-1.4 * a.haze - 0.2 * a.emission));
+        curves.plume.push_back(0.03 * a.haze + 0.05 * a.emission);
         curves.blood.push_back(1e-4 * a.blood_area);
     }
     return curves;
@@ -38,6 +40,7 @@ TEST(Carried, TellsWhatItWasDrawnAs) {
     const ShownCurves told = carried.at(std::vector{0.0}, amounts);
     for (std::size_t i = 0; i < times; ++i) {
         EXPECT_NEAR(told.veil[i], seen(amounts).veil[i], 1e-12);
+        EXPECT_NEAR(told.plume[i], seen(amounts).plume[i], 1e-12);
         EXPECT_NEAR(told.blood[i], seen(amounts).blood[i], 1e-12);
     }
 }
@@ -48,6 +51,7 @@ TEST(Carried, FollowsTheCore) {
     const ShownCurves told = carried.at(std::vector{0.7}, core(0.9, 45.0));
     for (std::size_t i = 0; i < times; ++i) {
         EXPECT_NEAR(told.veil[i], seen(core(0.9, 45.0)).veil[i], 1e-9) << i;
+        EXPECT_NEAR(told.plume[i], seen(core(0.9, 45.0)).plume[i], 1e-9) << i;
         EXPECT_NEAR(told.blood[i], seen(core(0.9, 45.0)).blood[i], 1e-9) << i;
     }
 }

@@ -31,8 +31,8 @@ Linearised line(const Objective& objective, double off) {
         at.residuals[i] = (i % 2 == 0 ? off : -off) / error;
         at.slopes[i * columns + 1] = slope / error;
     }
-    at.slopes[2 * times * columns + 1] = 1.0 / Objective::prior;
-    at.slopes[(2 * times + 1) * columns] = 1.0 / Objective::offset_error;
+    at.slopes[objective.amounts() * columns + 1] = 1.0 / Objective::prior;
+    at.slopes[(objective.amounts() + 1) * columns] = 1.0 / Objective::offset_error;
     return at;
 }
 

@@ -43,6 +43,8 @@ struct Camera {
     double noise = 0.0;
     std::uint32_t seed = 1;
     bool takes_bright_for_dense = false;  ///< smoke of twice the default's light for twice as much
+    double plume_share = 0.0;             ///< of the plume's depth stands out of the veil; 0: that is not measurable
+    bool plume_in_mean = true;            ///< else the mean veil, as the estimator's model tells it, has no plume
     CoreAmounts core{organ()};
 
     std::vector<FrameAmounts> see(const document::Content& tuned, std::span<const double> times) {
@@ -55,12 +57,14 @@ struct Camera {
             frame.time = times[i];
             const PlumeParameters& plume = tuned.preset.smoke.plume;
             const double plume_depth = 0.15 * plume.density * plume.size / PlumeParameters{}.size;
-            double depth = 1.3 * amounts[i].haze + plume_depth * amounts[i].emission;
+            double depth = 1.3 * amounts[i].haze + (plume_in_mean ? plume_depth * amounts[i].emission : 0.0);
             if (takes_bright_for_dense) depth *= tuned.preset.smoke.haze.color.r / scene().preset.smoke.haze.color.r;
             const double share = 2e-4 * amounts[i].blood_area;
             const double veil = 1.0 - std::exp(-depth) + 1.0 * noise * normal(random);
             const double blood = share - 0.5 * share * share + 0.2 * noise * normal(random);
             frame.veil = {veil, veil - 0.04, veil + 0.04};
+            const double above = plume_share * plume_depth * amounts[i].emission + 0.02 * depth;
+            if (plume_share > 0.0) frame.plume = {above, 0.7 * above - 0.004, 1.8 * above + 0.004};
             frame.likeness = 1.0;  // all of the texture is there: nothing is hidden
             frame.blood = {blood, blood - 0.01, blood + 0.01};
         }
@@ -80,11 +84,17 @@ struct Known {
                                      "smoke.haze.ventilation"};
     double noise = 0.0, until = seconds;
     std::uint32_t seed = 1;
+    double plume_share = 0.0;
+    bool plume_in_mean = true;
 };
 
 FitInput input_of(const Known& known, Camera& camera) {
     const document::Content start = scene();
-    Camera reference{.noise = known.noise, .seed = known.seed + 100};
+    Camera reference{.noise = known.noise,
+                     .seed = known.seed + 100,
+                     .plume_share = known.plume_share,
+                     .plume_in_mean = known.plume_in_mean};
+    camera.plume_share = known.plume_share, camera.plume_in_mean = known.plume_in_mean;
     return {.start = start,
             .parameters = free_parameters(start, known.keys),
             .target = target_of(reference.see(known.hidden, all_times(0.04, known.until)), {.to = seconds}),
@@ -297,6 +307,39 @@ TEST(Fit, SmokeThatTheReferenceHasNotIsTakenDown) {
     const FitResult found = fit(input);
     EXPECT_LT(found.tuned.preset.smoke.haze.accumulation, 0.03);
     EXPECT_LT(*found.veil_after, 0.1 * *found.veil_before);
+}
+
+TEST(Fit, FindsHowDenseThePlumeIsByWhatStandsOut) {
+    document::Content truth = hidden(4.0, 12.0, 0.2, 0.05);
+    truth.preset.smoke.plume.density = 0.8;
+    const std::vector<std::string> keys = {"smoke.haze.accumulation", "smoke.haze.ventilation", "smoke.plume.density"};
+    const FitResult found = found_for({.hidden = truth, .keys = keys, .plume_share = 0.5, .plume_in_mean = false});
+    EXPECT_NEAR(found.tuned.preset.smoke.plume.density, 0.8, 0.06);
+    EXPECT_TRUE(of(found, "smoke.plume.density").determined) << of(found, "smoke.plume.density").why;
+    EXPECT_LT(of(found, "smoke.plume.density").low, 0.8);
+    EXPECT_GT(of(found, "smoke.plume.density").high, 0.8);
+    EXPECT_NEAR(found.tuned.preset.smoke.haze.accumulation, 0.2, 0.02);
+    const FitResult without = found_for({.hidden = truth, .keys = keys, .plume_in_mean = false});
+    EXPECT_EQ(without.tuned.preset.smoke.plume.density, scene().preset.smoke.plume.density);
+    EXPECT_FALSE(of(without, "smoke.plume.density").determined);
+}
+
+TEST(Fit, FindsHowLargeThePlumeIsByWhatStandsOut) {
+    document::Content truth = scene();
+    truth.preset.smoke.plume.size = 180.0;
+    const FitResult found =
+        found_for({.hidden = truth, .keys = {"smoke.haze.accumulation", "smoke.plume.size"}, .plume_share = 0.5});
+    EXPECT_NEAR(found.tuned.preset.smoke.plume.size, 180.0, 15.0);
+    EXPECT_TRUE(of(found, "smoke.plume.size").determined) << of(found, "smoke.plume.size").why;
+}
+
+TEST(Fit, APlumeThatTheReferenceHasNotIsTakenDown) {
+    document::Content truth = scene();
+    truth.preset.smoke.plume.density = 0.02;
+    Camera camera;
+    FitInput input = input_of({.hidden = truth, .keys = {"smoke.plume.density"}, .plume_share = 0.5}, camera);
+    input.start.preset.smoke.plume.density = 1.2;
+    EXPECT_LT(fit(input).tuned.preset.smoke.plume.density, 0.12);
 }
 
 TEST(Fit, KeepsWithinItsBounds) {

@@ -140,6 +140,19 @@ TEST(Proposal, ABurstTakesTheNearestStroke) {
     EXPECT_NEAR(found.tuned.scene.events[2].time, 2.0, 0.3);
     EXPECT_EQ(found.tuned.scene.events[2].power, 1.0);
     EXPECT_EQ(found.tuned.scene.events[1].power, 0.0);
+    EXPECT_THAT(found.lines, testing::Contains("tools: event 2 is silenced, power and strength 0: the reference shows "
+                                               "no smoke then"));
+}
+
+TEST(Proposal, WhatAHotStrokeOpensStaysWhereNoBleedingIsSeen) {
+    document::Content start = scene(), clear = hidden();
+    start.scene.events[1].action = ToolAction::cauterise, start.scene.events[1].strength = 0.7;
+    clear.scene.events.erase(clear.scene.events.begin());
+    const Proposal found = propose(start, organ(), seen(clear), {.aspect = aspect});
+    EXPECT_NEAR(found.tuned.scene.events[1].time, 2.0, 0.3);
+    EXPECT_EQ(found.tuned.scene.events[1].strength, 0.7);
+    EXPECT_EQ(propose(start, organ(), seen(hidden()), {.aspect = aspect}).tuned.scene.events[1].strength, 0.0)
+        << "but where blood is seen, cuts explain it";
 }
 
 TEST(Proposal, AddsToolsInViewAndTakesAwayOthers) {

@@ -33,6 +33,18 @@ TEST(Target, IsTheMeanAroundEachTime) {
     }
 }
 
+TEST(Target, HasThePlumeWhereItIsTold) {
+    auto frames = rising(10.0);
+    for (FrameAmounts& frame : frames)
+        if (frame.time < 3.05) frame.plume = Amount{0.01 * frame.time, 0.0, 0.1};
+    for (const TargetPoint& aim : target_of(frames, {.from = 1.0, .to = 5.0, .step = 0.5})) {
+        ASSERT_EQ(aim.plume.has_value(), aim.time < 3.1) << aim.time;
+        if (aim.time < 2.6) {
+            EXPECT_NEAR(aim.plume->value, 0.01 * aim.time, 2e-4);
+        }
+    }
+}
+
 TEST(Target, IsOffsetFromTheScene) {
     const auto target = target_of(rising(10.0), {.offset = 2.0, .from = 0.0, .to = 4.0});
     ASSERT_FALSE(target.empty());

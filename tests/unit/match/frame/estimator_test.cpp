@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "match/frame/smoke_tint.h"
 #include "unit/match/clips.h"
 #include "unit/preset/support.h"
 
@@ -213,6 +215,34 @@ TEST(Estimator, ItsViewGrowsIntoHollowsAndNotIntoTheSurround) {
     const double after = valid_after(test::veiled(lit, veil, test::light_of({})));
     EXPECT_GT(after, before);
     EXPECT_LT(after, 1.1 * disc);
+}
+
+/// A column of smoke at the tip, four times as bright as haze is: it hides two fifths.
+TEST(Estimator, ABrightPlumeIsSmokeAndStandsOut) {
+    const cv::Mat clear = test::tissue();
+    cv::Mat frame = clear.clone();
+    const cv::Rect column(140, 20, 48, 120);
+    for (int y = column.y; y < column.br().y; ++y)
+        for (int x = column.x; x < column.br().x; ++x) {
+            const double side = (x - column.x - 23.5) / 24.0;
+            const auto veil = static_cast<float>(0.4 * std::sqrt(1.0 - side * side));
+            frame.at<cv::Vec3f>(y, x) = (1.0F - veil) * clear.at<cv::Vec3f>(y, x) + 0.7F * veil * usual_smoke_tint;
+        }
+    const double area = static_cast<double>(column.area()) / (test::width * test::height), middle = 0.785 * 0.4;
+    Estimator estimator(test::image_of(clear), {.survey = std::make_shared<const Survey>()});
+    const FrameAmounts plain = estimator.measure(test::image_of(clear), 0.0),
+                       a = estimator.measure(test::image_of(frame), 0.1);
+    EXPECT_GT(a.valid, 0.98 * plain.valid) << "nothing of it is an instrument";
+    ASSERT_TRUE(plain.plume && a.plume);
+    EXPECT_LT(plain.plume->value, 0.004);
+    EXPECT_NEAR(a.plume->value, middle * area, 0.3 * middle * area);
+    EXPECT_LT(a.plume->low, middle * area);
+    EXPECT_GT(a.plume->high, middle * area);
+}
+
+TEST(Estimator, HasNoPlumeOfAnotherView) {
+    Estimator estimator(test::image_of(test::tissue(1)), {});
+    EXPECT_FALSE(estimator.measure(test::image_of(test::tissue(2)), 0.0).plume);
 }
 
 TEST(Estimator, TellsAnotherWhiteBalance) {

@@ -39,6 +39,16 @@ TEST(Interval, OfAVeilIsWidestInTheMiddle) {
     EXPECT_NEAR(dense - clear, 0.34 * 0.09, 1e-9);
 }
 
+TEST(Interval, OfAPlumeIsWiderUpwardsSinceDenseOnesAreToldTooThin) {
+    Amount plume{.value = 0.02};
+    set_plume_interval(plume);
+    EXPECT_NEAR(plume.low, 0.02 - 0.3 * 0.02 - 0.004, 1e-9);
+    EXPECT_NEAR(plume.high, 0.02 + 0.8 * 0.02 + 0.004, 1e-9);
+    plume = {};
+    set_plume_interval(plume);
+    EXPECT_EQ(plume.low, 0.0);
+}
+
 TEST(Interval, OfBloodIsWiderUpwardsBehindSmokeWhichMakesNone) {
     const FrameAmounts clear = amounts_of(0.3, 0.0), hazy = amounts_of(0.3, 0.25);
     EXPECT_NEAR(clear.blood.high - 0.3, 0.01 + 0.28 * 0.3, 1e-9);

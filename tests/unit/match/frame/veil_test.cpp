@@ -65,6 +65,18 @@ TEST(Veil, WhereNothingCountsComesFromAround) {
     EXPECT_NEAR(solver.veil().at<float>(125, 145), 0.4, 0.02);
 }
 
+TEST(Veil, StandsOutByWhatIsAboveItsMedian) {
+    cv::Mat veil(test::height, test::width, CV_32F, cv::Scalar(0.2)), part(veil.size(), CV_8U, cv::Scalar(255));
+    veil(cv::Rect(0, 0, test::width / 4, test::height)) = 0.6;
+    veil(cv::Rect(test::width / 2, 0, test::width / 8, test::height)) = 0.0;
+    std::vector<float> sorted;
+    EXPECT_NEAR(standing_out(veil, part, sorted), 0.4 / 4.0, 1e-6) << "what is below the median takes nothing from it";
+    part(cv::Rect(0, 0, test::width / 4, test::height)) = 0;
+    EXPECT_NEAR(standing_out(veil, part, sorted), 0.0, 1e-6);
+    part.setTo(0);
+    EXPECT_EQ(standing_out(veil, part, sorted), 0.0);
+}
+
 TEST(Veil, ResidualIsInUnitsOfNoise) {
     const cv::Mat clear = test::tissue(), light = test::light_of({});
     VeilSolver solver;

@@ -299,12 +299,15 @@ TEST(AmountsFile, JsonHasTheSameWords) {
     Measurement m;
     m.frames.resize(2);
     m.frames[0].veil = {0.25, 0.125, 0.5};
+    m.frames[0].plume = Amount{0.0625, 0.03125, 0.125};
     m.frames[0].light = {0.125, 0.0625, 0.25};
     m.frames[0].gain = {0.75, 0.5, 1.0};
     m.frames[0].likeness = 0.75;
     m.frames[1].flags = told::cut | told::not_measurable;
     const nlohmann::json read = nlohmann::json::parse(json_of(m));
     EXPECT_EQ(read["frames"][0]["veil"], (nlohmann::json{{"value", 0.25}, {"low", 0.125}, {"high", 0.5}}));
+    EXPECT_EQ(read["frames"][0]["plume"], (nlohmann::json{{"value", 0.0625}, {"low", 0.03125}, {"high", 0.125}}));
+    EXPECT_TRUE(read["frames"][1]["plume"].is_null());
     EXPECT_EQ(read["frames"][0]["light"], (nlohmann::json{{"value", 0.125}, {"low", 0.0625}, {"high", 0.25}}));
     EXPECT_EQ(read["frames"][0]["gain"], (nlohmann::json{{"value", 0.75}, {"low", 0.5}, {"high", 1.0}}));
     EXPECT_EQ(read["frames"][0]["likeness"], 0.75);
