@@ -97,9 +97,9 @@ cv::Matx33d fitted(const Points& from, const Points& to, const std::vector<std::
     return motion;
 }
 
-/// RANSAC (Fischler and Bolles 1981): the motion that most points follow. It draws with a fixed seed: the same points
-/// give the same motion.
-std::optional<cv::Matx33d> motion_of(const Points& from, const Points& to) {
+/// RANSAC (Fischler and Bolles 1981): the motion that most points follow, if they are `least`. It draws with a fixed
+/// seed: the same points give the same motion.
+std::optional<cv::Matx33d> motion_of(const Points& from, const Points& to, std::size_t least) {
     std::mt19937 random(1);
     std::vector<std::size_t> best;
     for (int draw = 0; draw < draws; ++draw) {
@@ -108,7 +108,7 @@ std::optional<cv::Matx33d> motion_of(const Points& from, const Points& to) {
         std::vector<std::size_t> found = following(motion_of_pair(from[a], from[b], to[a], to[b]), from, to);
         if (found.size() > best.size()) best = std::move(found);
     }
-    if (best.size() < least_points) return {};
+    if (best.size() < least) return {};
     return fitted(from, to, best);
 }
 
@@ -173,15 +173,15 @@ bool Placement::find_points(const std::vector<cv::Mat>& before, const Points& po
 cv::Matx33d Placement::found_from(const cv::Matx33d& start) {
     if (points_.size() < least_points) return start;
     cv::perspectiveTransform(points_, moved_, start);
-    return find_points(pyramid_, points_) ? motion_of(from_, to_).value_or(start) : start;
+    return find_points(pyramid_, points_) ? motion_of(from_, to_, least_points).value_or(start) : start;
 }
 
-cv::Matx33d Placement::step() {
-    const cv::Matx33d none = cv::Matx33d::eye();
-    if (points_.size() < least_points) return none;
+std::optional<cv::Matx33d> Placement::step() {
+    if (points_.size() < least_points || last_.empty()) return {};
     cv::perspectiveTransform(points_, at_, place_);
     moved_ = at_;
-    return find_points(last_, at_) ? motion_of(from_, to_).value_or(none) : none;
+    if (!find_points(last_, at_)) return {};
+    return motion_of(from_, to_, std::max(least_points, from_.size() / 2));
 }
 
 void Placement::take(const cv::Matx33d& place, const cv::Mat& texture, double least) {
@@ -198,29 +198,26 @@ void Placement::take(const cv::Matx33d& place, const cv::Mat& texture, double le
 bool Placement::follow(const cv::Mat& texture) {
     const cv::Matx33d before = place_, none = cv::Matx33d::eye();
     likeness_ = likeness_at(before, texture);
-    const bool there = likeness_ > surely_there, stepped = likeness_ < doubtful && !last_.empty();
-    bool moved = false;
+    const bool there = likeness_ > surely_there;
     if (!there) pyramid_of(texture, now_);
-    if (stepped) {
-        const cv::Matx33d by = step();
-        moved = distance(by, from_) > strong_motion;
-        take(by * before, texture, likeness_ - better_by);
-    }
+    const std::optional<cv::Matx33d> by = likeness_ < doubtful ? step() : std::nullopt;
+    const bool moved = by && distance(*by, from_) > strong_motion;
+    if (by) take(*by * before, texture, likeness_ - better_by);
     if (!still_)
         take(none, texture,
              likeness_ < doubtful ? std::max(likeness_ + surely_better, by_chance) : likeness_ - better_by);
     // Where nearly everything is there already, the search would only find noise.
-    if (!there && likeness_ <= surely_there) {
+    if (likeness_ <= surely_there) {
         // What is lost may come back where it was at first, too.
-        lost_ = stepped && likeness_ < by_chance ? lost_ + 1 : 0;
+        lost_ = by && likeness_ < by_chance ? lost_ + 1 : 0;
         take(found_from(lost_ % 2 == 1 ? none : place_), texture,
-             stepped ? std::max(likeness_ + better_by, by_chance) : likeness_ + better_by);
+             by ? std::max(likeness_ + better_by, by_chance) : likeness_ + better_by);
     }
     std::swap(last_, now_);
     if (there) last_.clear();
     likeness_ = std::max(likeness_, 0.0);
     still_ = distance(place_, none, texture.size()) <= still_within;
-    return stepped ? moved : distance(place_, before, texture.size()) > strong_motion;
+    return by ? moved : distance(place_, before, texture.size()) > strong_motion;
 }
 
 bool another_view(const cv::Mat& last, const cv::Mat& now, const cv::Mat& view) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <optional>
 #include <vector>
 
 namespace lapfx::match {
@@ -36,7 +37,8 @@ class Placement {
     /// Looks for points of a picture in now_, near moved_: from_ and to_. Gives whether they are enough for a motion.
     bool find_points(const std::vector<cv::Mat>& before, const std::vector<cv::Point2f>& points);
     cv::Matx33d found_from(const cv::Matx33d& start);
-    cv::Matx33d step();  ///< the motion from the last frame to this one, where the baseline lay in it
+    /// The motion from the last frame to this one, where the baseline lay in it; none: most points there do not agree.
+    std::optional<cv::Matx33d> step();
 
     cv::Mat texture_, counts_, warped_, warped_counts_;
     std::vector<cv::Mat> pyramid_, last_, now_;  // of the baseline; of frames, the last one empty: not known

@@ -117,8 +117,9 @@ TEST(Placement, TellsOfStrongMotionOnly) {
     placement.follow(texture(seen_from_beside(code, 5.0)));
     for (const double by : {7.0, 9.0, 11.0, 13.0, 15.0, 17.0, 19.0, 21.0})
         EXPECT_FALSE(placement.follow(texture(seen_from_beside(code, by)))) << by;
-    EXPECT_TRUE(placement.follow(texture(seen_from_beside(code, 32.0))));
-    EXPECT_FALSE(placement.follow(texture(seen_from_beside(code, 32.0))));
+    const cv::Mat turned = texture(moved(seen_from_beside(code, 21.0), {1, 0, 0, 0, 1, 11, 0, 0, 1}));
+    EXPECT_TRUE(placement.follow(turned));
+    EXPECT_FALSE(placement.follow(turned));
 }
 
 TEST(Placement, OfAnotherViewHasNoLikeness) {
