@@ -18,10 +18,12 @@ constexpr int search_window = 21, search_levels = 3;
 constexpr std::size_t least_points = 16;
 constexpr double off_by = 1.5;  // px: a point that lies farther beside does not belong to the motion
 constexpr int draws = 200;
-constexpr double still_within = 0.5;   // px
-constexpr double strong_motion = 6.0;  // px of the working size from one frame to the next
-constexpr double better_by = 0.01;     // likeness: less is noise
-constexpr double surely_there = 0.9;   // likeness
+constexpr double still_within = 0.5;                    // px
+constexpr double strong_motion = 6.0;                   // px of the working size from one frame to the next
+constexpr double better_by = 0.01;                      // likeness: less is noise
+constexpr double by_chance = 0.1;                       // likeness of two pictures of other things, nearly at most
+constexpr double doubtful = 0.4, surely_better = 0.03;  // likeness: where it is less than the first, less is noise
+constexpr double surely_there = 0.9;                    // likeness
 constexpr double largest_zoom = 1.6;
 constexpr double cut_likeness = 0.12;   // of a frame with the one before it
 constexpr double least_texture = 12.0;  // code values of texture_of, root mean square: less is a plain picture
@@ -36,6 +38,17 @@ double distance(const cv::Matx33d& a, const cv::Matx33d& b, cv::Size size) {
         most = std::max(most, std::hypot(p[0] / p[2] - q[0] / q[2], p[1] / p[2] - q[1] / q[2]));
     }
     return most;
+}
+
+/// How far a motion moves points, px: their mean. The corners of a picture lie beyond them, where a motion is a guess.
+double distance(const cv::Matx33d& motion, const std::vector<cv::Point2f>& points) {
+    if (points.empty()) return 0.0;
+    double sum = 0.0;
+    for (const cv::Point2f& point : points) {
+        const cv::Vec3d to = motion * cv::Vec3d(point.x, point.y, 1.0);
+        sum += std::hypot(to[0] - point.x, to[1] - point.y);
+    }
+    return sum / static_cast<double>(points.size());
 }
 
 bool plausible(const cv::Matx33d& place) {
@@ -84,9 +97,9 @@ cv::Matx33d fitted(const Points& from, const Points& to, const std::vector<std::
     return motion;
 }
 
-/// RANSAC (Fischler and Bolles 1981): the motion that most points follow. It draws with a fixed seed: the same points
-/// give the same motion.
-std::optional<cv::Matx33d> motion_of(const Points& from, const Points& to) {
+/// RANSAC (Fischler and Bolles 1981): the motion that most points follow, if they are `least`. It draws with a fixed
+/// seed: the same points give the same motion.
+std::optional<cv::Matx33d> motion_of(const Points& from, const Points& to, std::size_t least) {
     std::mt19937 random(1);
     std::vector<std::size_t> best;
     for (int draw = 0; draw < draws; ++draw) {
@@ -95,7 +108,7 @@ std::optional<cv::Matx33d> motion_of(const Points& from, const Points& to) {
         std::vector<std::size_t> found = following(motion_of_pair(from[a], from[b], to[a], to[b]), from, to);
         if (found.size() > best.size()) best = std::move(found);
     }
-    if (best.size() < least_points) return {};
+    if (best.size() < least) return {};
     return fitted(from, to, best);
 }
 
@@ -106,14 +119,21 @@ double strength_of(const cv::Mat& texture, const cv::Mat& view) {
     return deviation[0];
 }
 
+void pyramid_of(const cv::Mat& texture, std::vector<cv::Mat>& pyramid) {
+    cv::buildOpticalFlowPyramid(texture, pyramid, {search_window, search_window}, search_levels);
+}
+
 }  // namespace
 
 Placement::Placement(cv::Mat texture, const cv::Mat& counts) : texture_(std::move(texture)), counts_(counts.clone()) {
     cv::goodFeaturesToTrack(texture_, points_, most_points, point_quality, point_distance, counts_);
+    pyramid_of(texture_, pyramid_);
 }
 
 void Placement::forget(const cv::Matx33d& place) {
     place_ = place;
+    last_.clear();
+    lost_ = 0;
     still_ = texture_.empty() || distance(place_, cv::Matx33d::eye(), texture_.size()) <= still_within;
 }
 
@@ -136,41 +156,68 @@ double Placement::likeness_at(const cv::Matx33d& place, const cv::Mat& texture) 
     return likeness_of(warped_, texture, warped_counts_);
 }
 
-cv::Matx33d Placement::found_in(const cv::Mat& texture, const cv::Matx33d& start) {
-    if (points_.size() < least_points) return start;
-    cv::perspectiveTransform(points_, moved_, start);
-    cv::calcOpticalFlowPyrLK(texture_, texture, points_, moved_, found_, errors_, {search_window, search_window},
+bool Placement::find_points(const std::vector<cv::Mat>& before, const Points& points) {
+    cv::calcOpticalFlowPyrLK(before, now_, points, moved_, found_, errors_, {search_window, search_window},
                              search_levels, {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 20, 0.02},
                              cv::OPTFLOW_USE_INITIAL_FLOW);
     from_.clear();
     to_.clear();
-    for (std::size_t i = 0; i < points_.size(); ++i) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
         if (found_[i] == 0) continue;
-        from_.push_back(points_[i]);
+        from_.push_back(points[i]);
         to_.push_back(moved_[i]);
     }
-    if (from_.size() < least_points) return start;
-    return motion_of(from_, to_).value_or(start);
+    return from_.size() >= least_points;
 }
 
+cv::Matx33d Placement::found_from(const cv::Matx33d& start) {
+    if (points_.size() < least_points) return start;
+    cv::perspectiveTransform(points_, moved_, start);
+    return find_points(pyramid_, points_) ? motion_of(from_, to_, least_points).value_or(start) : start;
+}
+
+std::optional<cv::Matx33d> Placement::step() {
+    if (points_.size() < least_points || last_.empty()) return {};
+    cv::perspectiveTransform(points_, at_, place_);
+    moved_ = at_;
+    if (!find_points(last_, at_)) return {};
+    return motion_of(from_, to_, std::max(least_points, from_.size() / 2));
+}
+
+void Placement::take(const cv::Matx33d& place, const cv::Mat& texture, double least) {
+    if (!plausible(place) || distance(place, place_, texture.size()) <= still_within) return;
+    const double there = likeness_at(place, texture);
+    if (there <= least) return;
+    place_ = place;
+    likeness_ = there;
+}
+
+/// Where near and far tissue move apart, the baseline is little alike at its place, too, and hardly more than at any
+/// other: only what surely is better takes it from there. Two frames, one after the other, are always alike: from one
+/// to the next its place is known also where the baseline itself is not found.
 bool Placement::follow(const cv::Mat& texture) {
     const cv::Matx33d before = place_, none = cv::Matx33d::eye();
-    double best = likeness_at(before, texture);
+    likeness_ = likeness_at(before, texture);
+    const bool there = likeness_ > surely_there;
+    if (!there) pyramid_of(texture, now_);
+    const std::optional<cv::Matx33d> by = likeness_ < doubtful ? step() : std::nullopt;
+    const bool moved = by && distance(*by, from_) > strong_motion;
+    if (by) take(*by * before, texture, likeness_ - better_by);
     if (!still_)
-        if (const double there = likeness_at(none, texture); there > best - better_by) {
-            place_ = none;
-            best = there;
-        }
+        take(none, texture,
+             likeness_ < doubtful ? std::max(likeness_ + surely_better, by_chance) : likeness_ - better_by);
     // Where nearly everything is there already, the search would only find noise.
-    const cv::Matx33d candidate = best > surely_there ? place_ : found_in(texture, place_);
-    if (plausible(candidate) && distance(candidate, place_, texture.size()) > still_within)
-        if (const double there = likeness_at(candidate, texture); there > best + better_by) {
-            place_ = candidate;
-            best = there;
-        }
-    likeness_ = std::max(best, 0.0);
+    if (likeness_ <= surely_there) {
+        // What is lost may come back where it was at first, too.
+        lost_ = by && likeness_ < by_chance ? lost_ + 1 : 0;
+        take(found_from(lost_ % 2 == 1 ? none : place_), texture,
+             by ? std::max(likeness_ + better_by, by_chance) : likeness_ + better_by);
+    }
+    std::swap(last_, now_);
+    if (there) last_.clear();
+    likeness_ = std::max(likeness_, 0.0);
     still_ = distance(place_, none, texture.size()) <= still_within;
-    return distance(place_, before, texture.size()) > strong_motion;
+    return by ? moved : distance(place_, before, texture.size()) > strong_motion;
 }
 
 bool another_view(const cv::Mat& last, const cv::Mat& now, const cv::Mat& view) {
