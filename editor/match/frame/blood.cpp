@@ -31,6 +31,10 @@ constexpr double sure_share = 0.25;                   // of a patch
 // video02_130) and by known blood over tissue that moves (video01_010, 024, 064, 192, 194, 198, 200, 202, 203).
 constexpr float black_level = 0.006F;
 constexpr float sure_unshaded = 1.3F, maybe_unshaded = 1.1F;
+// What is dark and hardly red in the baseline is a black shaft: what it covers has never been seen. Chosen by
+// video02_130 and by that known blood.
+constexpr float covered_redness = 1.65F;
+constexpr double least_covered = 2.0, beside_covered = 2.0;  // px: half of its width; around it
 // Thickness of a film (its edge has .06, as it is drawn) and how sure it is, of what may be blood, of what surely is,
 // and of what is left out when the veil is looked for. They were tuned on known blood over real and rendered tissue.
 constexpr float maybe_film = 0.05F, maybe_certain = 1.5F, sure_film = 0.1F, sure_certain = 3.5F;
@@ -81,12 +85,26 @@ double moves_of(double likeness) {
 void BloodFinder::find(const cv::Mat& baseline, const cv::Mat& baseline_redness, const cv::Mat& frame,
                        const cv::Mat& veil, const cv::Mat& light, const cv::Mat& valid, const BloodQualifier& qualifier,
                        const Laid& laid) {
+    see_covered(baseline, baseline_redness);
     if (laid.well)
         find_film(baseline, baseline_redness, frame, veil, light, valid, qualifier);
     else
         find_redder(baseline, baseline_redness, frame, veil, light, valid, qualifier, laid);
     grow(valid, laid.well ? sure_share_of_film : sure_share);
     fill_hidden(valid);
+}
+
+/// Tissue that a black shaft uncovers is redder than the shaft was, and no blood for that.
+void BloodFinder::see_covered(const cv::Mat& baseline, const cv::Mat& baseline_redness) {
+    const float darkest = linear_of(least_code);
+    covered_.create(baseline.size(), CV_8U);
+    for (int y = 0; y < baseline.rows; ++y)
+        for (int x = 0; x < baseline.cols; ++x) {
+            const bool dark = baseline.at<cv::Vec3f>(y, x)[2] < darkest;
+            covered_.at<std::uint8_t>(y, x) = dark && baseline_redness.at<float>(y, x) < covered_redness ? 255 : 0;
+        }
+    cv::morphologyEx(covered_, covered_, cv::MORPH_OPEN, square(least_covered));
+    cv::dilate(covered_, covered_, square(beside_covered));
 }
 
 void BloodFinder::clear_smoke(const cv::Mat& frame, const cv::Mat& veil, const cv::Mat& light) {
@@ -133,7 +151,7 @@ void BloodFinder::find_redder(const cv::Mat& baseline, const cv::Mat& baseline_r
             const bool inside = valid.at<std::uint8_t>(y, x) != 0;
             const bool hidden = 1.0F - veil.at<float>(y, x) < least_through || light_of < darkest_red;
             const bool lit = inside && !hidden && light_of >= darkest,
-                       can = lit && light_of <= brightest && red >= least;
+                       can = lit && light_of <= brightest && red >= least && covered_.at<std::uint8_t>(y, x) == 0;
             const auto mark = [&](cv::Mat& into, bool so) { into.at<std::uint8_t>(y, x) = so ? 255 : 0; };
             mark(hidden_, inside && hidden);
             mark(sure_, can && red >= sure_rise * near_.at<float>(y, x) &&
@@ -170,7 +188,7 @@ void BloodFinder::find_film(const cv::Mat& baseline, const cv::Mat& baseline_red
             const float film = film_.thickness().at<float>(y, x), certain = film_.sureness().at<float>(y, x);
             const float red = redness_.at<float>(y, x), was = drift * baseline_redness.at<float>(y, x);
             const bool can = valid.at<std::uint8_t>(y, x) != 0 && hidden_.at<std::uint8_t>(y, x) == 0 &&
-                             clear_.at<cv::Vec3f>(y, x)[2] <= most;
+                             covered_.at<std::uint8_t>(y, x) == 0 && clear_.at<cv::Vec3f>(y, x)[2] <= most;
             const auto mark = [&](cv::Mat& into, bool so) { into.at<std::uint8_t>(y, x) = can && so ? 255 : 0; };
             mark(redder_, film >= redder_film && certain >= redder_certain && red >= redder_redness * redness);
             mark(maybe_, film >= maybe_film && certain >= maybe_certain && red >= redness && red >= rise * was);

@@ -203,6 +203,26 @@ TEST(Blood, IsFoundInTheShade) {
         disc, 0.05 * disc);
 }
 
+/// A liver with a strip of that colour, 60 px wide, from the right edge of the view to its middle.
+cv::Mat with_strip(const cv::Mat& color) {
+    cv::Mat made = even_color(81, 39, 43);
+    const cv::Rect strip(test::width / 2, 100, test::width / 2, 60);
+    color(strip).copyTo(made(strip));
+    return made;
+}
+
+TEST(Blood, IsNotWhatABlackShaftUncovers) {
+    const cv::Mat clear = with_strip(even_color(40, 25, 24)), frame = even_color(81, 39, 43);
+    for (const BloodFinder::Laid& laid : {exactly, beside})
+        EXPECT_EQ(Found(frame, even(0), {}, clear, laid).blood(), 0.0) << laid.well;
+}
+
+TEST(Blood, IsFoundInADarkHollowOfTissue) {
+    const cv::Mat clear = with_strip(even_color(45, 12, 14)), frame = with_strip(even_color(110, 5, 7));
+    const double strip = 0.5 * 60 / test::height;
+    EXPECT_NEAR(Found(frame, even(0), {}, clear).blood(), strip, 0.05 * strip);
+}
+
 TEST(Blood, IsSureInALargePartOfItsPatch) {
     // A quarter of the redness may be blood, the whole of it in the middle surely is.
     const auto patch = [](int sure) {
