@@ -31,6 +31,7 @@ constexpr double sure_share = 0.25;                   // of a patch
 // video02_130) and by known blood over tissue that moves (video01_010, 024, 064, 192, 194, 198, 200, 202, 203).
 constexpr float black_level = 0.006F;
 constexpr float sure_unshaded = 1.3F, maybe_unshaded = 1.1F;
+constexpr float redder_than_shade = 8.0F;  // livers of these clips reach 7.8 at the rim of the light
 // What is dark and hardly red in the baseline is a black shaft: what it covers has never been seen. Chosen by
 // video02_130 and by that known blood.
 constexpr float covered_redness = 1.65F;
@@ -152,12 +153,14 @@ void BloodFinder::find_redder(const cv::Mat& baseline, const cv::Mat& baseline_r
             const bool hidden = 1.0F - veil.at<float>(y, x) < least_through || light_of < darkest_red;
             const bool lit = inside && !hidden && light_of >= darkest,
                        can = lit && light_of <= brightest && red >= least && covered_.at<std::uint8_t>(y, x) == 0;
+            const auto redder_than = [&](float factor, const cv::Mat& tissue_near) {
+                return unshaded >= std::min(factor * tissue_near.at<float>(y, x), redder_than_shade);
+            };
             const auto mark = [&](cv::Mat& into, bool so) { into.at<std::uint8_t>(y, x) = so ? 255 : 0; };
             mark(hidden_, inside && hidden);
-            mark(sure_, can && red >= sure_rise * near_.at<float>(y, x) &&
-                            unshaded >= sure_unshaded * unshaded_near_.at<float>(y, x));
-            mark(maybe_, can && red >= maybe_rise * nearer_.at<float>(y, x) &&
-                             unshaded >= maybe_unshaded * unshaded_nearer_.at<float>(y, x));
+            mark(sure_, can && red >= sure_rise * near_.at<float>(y, x) && redder_than(sure_unshaded, unshaded_near_));
+            mark(maybe_,
+                 can && red >= maybe_rise * nearer_.at<float>(y, x) && redder_than(maybe_unshaded, unshaded_nearer_));
             mark(redder_, lit && red >= redder_redness * least && red >= nearer_.at<float>(y, x));
         }
 }
