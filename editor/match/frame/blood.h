@@ -34,15 +34,17 @@ class BloodFinder {
   private:
     void find_film(const cv::Mat& baseline, const cv::Mat& baseline_redness, const cv::Mat& frame, const cv::Mat& veil,
                    const cv::Mat& light, const cv::Mat& valid, const BloodQualifier& qualifier);
-    void find_redder(const cv::Mat& baseline_redness, const cv::Mat& frame, const cv::Mat& veil, const cv::Mat& light,
-                     const cv::Mat& valid, const BloodQualifier& qualifier, const Laid& laid);
+    void find_redder(const cv::Mat& baseline, const cv::Mat& baseline_redness, const cv::Mat& frame,
+                     const cv::Mat& veil, const cv::Mat& light, const cv::Mat& valid, const BloodQualifier& qualifier,
+                     const Laid& laid);
+    void see_covered(const cv::Mat& baseline, const cv::Mat& baseline_redness);
     void clear_smoke(const cv::Mat& frame, const cv::Mat& veil, const cv::Mat& light);
     void grow(const cv::Mat& valid, double of_patch);
     void fill_hidden(const cv::Mat& valid);
 
     FilmSolver film_;
     cv::Mat clear_, redness_, near_, nearer_, seen_, seen_redness_, sure_, maybe_, blood_, hidden_, redder_, labels_;
-    cv::Mat decided_, share_, weight_;
+    cv::Mat covered_, unshaded_, unshaded_near_, unshaded_nearer_, decided_, share_, weight_;
 };
 
 }  // namespace lapfx::match

@@ -163,6 +163,66 @@ TEST(Blood, IsNoShadowWhereTissueMoved) {
     EXPECT_EQ(Found(shaded, even(0)).blood(), 0.0);
 }
 
+/// Code values, all over.
+cv::Mat even_color(int red, int green, int blue) {
+    const auto light = [](int code) { return linear_of(static_cast<float>(code)); };
+    return {test::height, test::width, CV_32FC3, cv::Scalar(light(blue), light(green), light(red))};
+}
+
+/// A disc of that colour on it.
+cv::Mat with_disc(const cv::Mat& tissue, const cv::Mat& color) {
+    cv::Mat frame = tissue.clone(), part = cv::Mat::zeros(tissue.size(), CV_8U);
+    cv::circle(part, {150, 130}, radius, 255, cv::FILLED);
+    color.copyTo(frame, part);
+    return frame;
+}
+
+/// Colours of livers in real clips, lit and at the rim of the light.
+TEST(Blood, IsNoShadedRimOfTheSameTissue) {
+    struct Liver {
+        cv::Mat lit, rim;
+    };
+    const Liver livers[] = {{even_color(173, 93, 93), even_color(65, 18, 21)},
+                            {even_color(106, 36, 41), even_color(71, 13, 17)},
+                            {even_color(103, 27, 33), even_color(75, 10, 15)}};
+    for (const Liver& liver : livers)
+        for (const BloodFinder::Laid& laid : {beside, far})
+            EXPECT_EQ(Found(with_disc(liver.lit, liver.rim), even(0), {}, liver.lit, laid).blood(), 0.0);
+}
+
+TEST(Blood, IsFoundInTheShade) {
+    // Real blood in the light and in half and a quarter of it, on a liver that is lit as the blood is.
+    EXPECT_NEAR(
+        Found(with_disc(even_color(173, 93, 93), even_color(145, 7, 10)), even(0), {}, even_color(173, 93, 93)).blood(),
+        disc, 0.05 * disc);
+    EXPECT_NEAR(
+        Found(with_disc(even_color(125, 58, 61), even_color(106, 5, 7)), even(0), {}, even_color(125, 58, 61)).blood(),
+        disc, 0.05 * disc);
+    EXPECT_NEAR(
+        Found(with_disc(even_color(65, 18, 21), even_color(75, 3, 4)), even(0), {}, even_color(65, 18, 21)).blood(),
+        disc, 0.05 * disc);
+}
+
+/// A liver with a strip of that colour, 60 px wide, from the right edge of the view to its middle.
+cv::Mat with_strip(const cv::Mat& color) {
+    cv::Mat made = even_color(81, 39, 43);
+    const cv::Rect strip(test::width / 2, 100, test::width / 2, 60);
+    color(strip).copyTo(made(strip));
+    return made;
+}
+
+TEST(Blood, IsNotWhatABlackShaftUncovers) {
+    const cv::Mat clear = with_strip(even_color(40, 25, 24)), frame = even_color(81, 39, 43);
+    for (const BloodFinder::Laid& laid : {exactly, beside})
+        EXPECT_EQ(Found(frame, even(0), {}, clear, laid).blood(), 0.0) << laid.well;
+}
+
+TEST(Blood, IsFoundInADarkHollowOfTissue) {
+    const cv::Mat clear = with_strip(even_color(45, 12, 14)), frame = with_strip(even_color(110, 5, 7));
+    const double strip = 0.5 * 60 / test::height;
+    EXPECT_NEAR(Found(frame, even(0), {}, clear).blood(), strip, 0.05 * strip);
+}
+
 TEST(Blood, IsSureInALargePartOfItsPatch) {
     // A quarter of the redness may be blood, the whole of it in the middle surely is.
     const auto patch = [](int sure) {
