@@ -59,7 +59,7 @@ TEST_F(TimelinePanelTest, AnEventThatDoesNothingIsNamedSo) {
     editor().document.change("Silence event", [](document::Content& content) {
         content.scene.events[1].power = content.scene.events[1].strength = 0.0;
     });
-    ui().click("**/Cauterise 2 (silenced)");
+    ui().frame().click("**/Cauterise 2 (silenced)");
     EXPECT_EQ(editor().selected, std::vector<std::size_t>{1});
 }
 

@@ -97,7 +97,7 @@ class PreviewMeasuring {
     struct Subject {
         document::Content content;
         glm::ivec2 size{0}, measured{0};  ///< match::PreviewCurve::Options
-        std::uint64_t organ = 0;  ///< version of the host's
+        std::uint64_t organ = 0;          ///< version of the host's
         bool truth = false;
         std::shared_ptr<const match::PaintedBlood> plate_blood;  ///< by which a plate's own counts; null: it does not
     };

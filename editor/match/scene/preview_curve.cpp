@@ -43,8 +43,12 @@ glm::ivec2 preview_size(glm::dvec2 shape, double aspect, int side) {
 PreviewCurve::Options PreviewCurve::options_for(glm::dvec2 stored, double aspect, EstimatorOptions estimator,
                                                 int side) {
     Options options{.size = preview_size(stored, aspect, side), .estimator = std::move(estimator)};
-    if (const glm::ivec2 as_stored = preview_size(stored, 0.0, side); as_stored != options.size)
-        options.measured = as_stored;
+    const glm::ivec2 as_stored = preview_size(stored, 0.0, side);
+    if (as_stored == options.size) return options;
+    // Nothing of what is stored may be lost: blood and smoke are told by fine detail, too.
+    const glm::dvec2 larger = glm::dvec2(as_stored) / glm::dvec2(options.size);
+    options.size = glm::ivec2(glm::round(glm::dvec2(options.size) * std::max(larger.x, larger.y)));
+    options.measured = as_stored;
     return options;
 }
 

@@ -78,8 +78,9 @@ std::string without_episode(const Measurement& measurement, Curve curve);
 /// One row a frame: "time,blood,blood_low,blood_high,veil,veil_low,veil_high,flags,light,light_low,light_high,gain,
 /// gain_low,gain_high". What is not measurable is empty, and the flags, words with one space between them, say why.
 std::string csv_of(const Measurement& measurement);
-/// The same with shots and their baselines, light, episodes, notes, and of each frame its plume, how well it is seen and
-/// its course; where a person's strokes told the blood, also "blood_by_strokes": of which file, and that it is absolute.
+/// The same with shots and their baselines, light, episodes, notes, and of each frame its plume, how well it is seen
+/// and its course; where a person's strokes told the blood, also "blood_by_strokes": of which file, and that it is
+/// absolute.
 std::string json_of(const Measurement& measurement);
 /// Blood and veil over time with their intervals and episodes, 1280x720. A course is drawn without a scale.
 Image plot_of(const Measurement& measurement);

@@ -18,7 +18,7 @@ TEST(PreviewSize, HasTheShapeOfTheReferenceAsItIsShown) {
 
 TEST(PreviewSize, IsMeasuredInTheShapeInWhichTheReferenceIsStored) {
     const auto squeezed = PreviewCurve::options_for({720, 576}, 16.0 / 9.0, {});
-    EXPECT_EQ(squeezed.size, glm::ivec2(256, 144));
+    EXPECT_EQ(squeezed.size, glm::ivec2(364, 205)) << "no detail is lost";
     EXPECT_EQ(squeezed.measured, glm::ivec2(256, 205));
     EXPECT_EQ(PreviewCurve::options_for({1280, 1024}, 0.0, {}).measured, glm::ivec2(0)) << "as it is drawn";
     EXPECT_EQ(PreviewCurve::options_for({1280, 1024}, 1.25, {}).measured, glm::ivec2(0));
