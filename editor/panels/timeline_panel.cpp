@@ -65,6 +65,12 @@ bool is_silenced(const app::Stroke& stroke, std::span<const ToolContact> events)
     });
 }
 
+/// Items of a track are told apart by their names. `number`: of the stroke within its track, from 1.
+std::string item_name(const std::string& track, std::size_t number, const app::Stroke& stroke,
+                      std::span<const ToolContact> events) {
+    return track + ' ' + std::to_string(number) + (is_silenced(stroke, events) ? " (silenced)" : "");
+}
+
 /// Those that are set, at their times in the scene; after them those that are proposed.
 void add_marks(TimelineMemory& memory, const SceneReference& reference) {
     memory.marks.clear();
@@ -123,8 +129,7 @@ void make_tracks(TimelineMemory& memory, const document::Document& document, con
             const app::Stroke& stroke = memory.strokes[i];
             if (stroke.action != row.action) continue;
             shown.push_back(i);
-            const char* const silenced = is_silenced(stroke, document.scene().events) ? " (silenced)" : "";
-            track.items.push_back({.name = track.name + ' ' + std::to_string(shown.size()) + silenced,
+            track.items.push_back({.name = item_name(track.name, shown.size(), stroke, document.scene().events),
                                    .start = stroke.start,
                                    .end = stroke.end,
                                    .color = row.color,
@@ -220,16 +225,16 @@ class ItemEdits {
             stroke.start = item.start, stroke.end = item.end;
         });
     }
-    /// Removes the events whose items the widget has removed; items of a track are told apart by their names.
+    /// Removes the events whose items the widget has removed.
     void erase() {
         std::vector<std::size_t> gone;
         for (std::size_t t = 0; t < memory_.shown.size(); ++t) {
             const auto& left = memory_.tracks[t].items;
             for (std::size_t i = 0; i < memory_.shown[t].size(); ++i) {
-                const std::string name = memory_.tracks[t].name + ' ' + std::to_string(i + 1);
+                const app::Stroke& stroke = memory_.strokes[memory_.shown[t][i]];
+                const std::string name = item_name(memory_.tracks[t].name, i + 1, stroke, document_.scene().events);
                 const bool there =
                     std::any_of(left.begin(), left.end(), [&](const auto& item) { return item.name == name; });
-                const app::Stroke& stroke = memory_.strokes[memory_.shown[t][i]];
                 if (!there) gone.insert(gone.end(), stroke.events.begin(), stroke.events.end());
             }
         }

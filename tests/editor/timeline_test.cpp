@@ -61,6 +61,10 @@ TEST_F(TimelinePanelTest, AnEventThatDoesNothingIsNamedSo) {
     });
     ui().frame().click("**/Cauterise 2 (silenced)");
     EXPECT_EQ(editor().selected, std::vector<std::size_t>{1});
+    const std::size_t before = events().size();
+    ui().click("**/Cauterise 1").key(ui::Key::del);
+    ASSERT_EQ(events().size(), before - 1) << "the one that does nothing stays";
+    EXPECT_EQ(events()[0].power, 0.0);
 }
 
 TEST_F(TimelinePanelTest, ASelectedEventIsTyped) {

@@ -23,7 +23,7 @@
 namespace lapfx::match {
 
 struct Weights {
-    double blood = 1.0, veil = 1.0;  ///< 0 leaves an amount out
+    double blood = 1.0, veil = 1.0;  ///< 0 leaves an amount out; the plume weighs as the veil, of which it is a part
 };
 
 class Objective {

@@ -152,7 +152,7 @@ class Proposing {
             }
         if (silenced.empty()) return;
         say("tools: " + names_of(silenced) + (silenced.size() == 1 ? " is" : " are") +
-            " silenced, power and strength 0: the reference shows no smoke then");
+            " silenced, power and strength 0: the smoke of the reference is explained without");
     }
     void add_hot(const std::vector<Burst>& bursts) {
         if (bursts.empty()) return;
@@ -317,6 +317,7 @@ std::vector<std::string> begin_with_proposal(FitInput& input, bool tools) {
     } else {
         proposal.tuned.scene = input.start.scene;
         input.proposed = std::move(proposal.tuned);
+        std::erase_if(proposal.lines, [](const std::string& line) { return line.starts_with("tools: "); });
         proposal.lines.emplace_back("tools: stay as they are");
     }
     return std::move(proposal.lines);

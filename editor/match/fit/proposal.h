@@ -34,8 +34,8 @@ struct ProposalOptions {
 struct Proposal {
     /// Smoke: whole strokes that are hot have the times of the bursts, each burst that of the stroke which begins
     /// nearest, and full power; those that are too many have none; where they are too few, coagulation is added. Blood:
-    /// cold strokes that divide have the times of the wounds, cuts are added, and hot strokes open none. Strokes
-    /// outside of the target's time, and values that the reference does not tell, stay.
+    /// cold strokes that divide have the times of the wounds, cuts are added, and hot strokes open none where blood is
+    /// seen. Strokes outside of the target's time, and values that the reference does not tell, stay.
     document::Content tuned;
     std::vector<std::string> lines = {};  ///< for people: what was found, and what is not determined
     double veil_offset = 0.0;             ///< of the baseline of the reference, which may be hazy itself

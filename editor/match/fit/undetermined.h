@@ -13,7 +13,7 @@
 namespace lapfx::match {
 
 /// False for a parameter of blood or of smoke where the target's blood is not seen, or it or the veil does not change
-/// beyond its error.
+/// beyond its error; of the plume, where what stands out of the veil does not, either.
 bool shows_anything_of(const std::string& key, std::span<const TargetPoint> target);
 
 /// True for a parameter of blood where blood is measurable in less than a quarter of the target's moments: what the

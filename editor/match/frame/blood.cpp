@@ -86,7 +86,7 @@ double moves_of(double likeness) {
 void BloodFinder::find(const cv::Mat& baseline, const cv::Mat& baseline_redness, const cv::Mat& frame,
                        const cv::Mat& veil, const cv::Mat& light, const cv::Mat& valid, const BloodQualifier& qualifier,
                        const Laid& laid) {
-    see_covered(baseline, baseline_redness);
+    see_covered(baseline, baseline_redness, laid.tissue.empty() ? valid : laid.tissue);
     if (laid.well)
         find_film(baseline, baseline_redness, frame, veil, light, valid, qualifier);
     else
@@ -95,8 +95,9 @@ void BloodFinder::find(const cv::Mat& baseline, const cv::Mat& baseline_redness,
     fill_hidden(valid);
 }
 
-/// Tissue that a black shaft uncovers is redder than the shaft was, and no blood for that.
-void BloodFinder::see_covered(const cv::Mat& baseline, const cv::Mat& baseline_redness) {
+/// Tissue that a black shaft uncovers is redder than the shaft was, and no blood for that. The black surround, which is
+/// no part of `tissue`, covers nothing.
+void BloodFinder::see_covered(const cv::Mat& baseline, const cv::Mat& baseline_redness, const cv::Mat& tissue) {
     const float darkest = linear_of(least_code);
     covered_.create(baseline.size(), CV_8U);
     for (int y = 0; y < baseline.rows; ++y)
@@ -104,6 +105,7 @@ void BloodFinder::see_covered(const cv::Mat& baseline, const cv::Mat& baseline_r
             const bool dark = baseline.at<cv::Vec3f>(y, x)[2] < darkest;
             covered_.at<std::uint8_t>(y, x) = dark && baseline_redness.at<float>(y, x) < covered_redness ? 255 : 0;
         }
+    covered_ &= tissue;
     cv::morphologyEx(covered_, covered_, cv::MORPH_OPEN, square(least_covered));
     cv::dilate(covered_, covered_, square(beside_covered));
 }

@@ -37,7 +37,7 @@ class BloodFinder {
     void find_redder(const cv::Mat& baseline, const cv::Mat& baseline_redness, const cv::Mat& frame,
                      const cv::Mat& veil, const cv::Mat& light, const cv::Mat& valid, const BloodQualifier& qualifier,
                      const Laid& laid);
-    void see_covered(const cv::Mat& baseline, const cv::Mat& baseline_redness);
+    void see_covered(const cv::Mat& baseline, const cv::Mat& baseline_redness, const cv::Mat& tissue);
     void clear_smoke(const cv::Mat& frame, const cv::Mat& veil, const cv::Mat& light);
     void grow(const cv::Mat& valid, double of_patch);
     void fill_hidden(const cv::Mat& valid);

@@ -358,8 +358,8 @@ void Estimator::State::find_amounts() {
         see_veil();
         const VeilModel& model = options.veil_model ? *options.veil_model : VeilModel::shipped();
         veil.scale_to(model.veil_of(figures), hazy);
-        veil.put(through.veil(), bright_smoke);
     }
+    veil.put(through.veil(), bright_smoke);
     find_blood(valid);
 }
 
@@ -374,12 +374,13 @@ bool Estimator::State::cut_from_last() const {
     return has_last && (!last_alike || placement.likeness() < another) && another_view(last_texture, texture, view);
 }
 
-/// Light that is left over the valid view without blood, in shares of its light.
+/// Light that is left over the valid view without blood, in shares of its light. Bright smoke has another light than
+/// haze, over which nothing is left.
 double Estimator::State::rest_share() const {
     double off = 0.0, all = 1e-6;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
-            if (counts.at<float>(y, x) <= 0.0F || valid.at<std::uint8_t>(y, x) == 0) continue;
+            if (counts.at<float>(y, x) <= 0.0F || hazy.at<std::uint8_t>(y, x) == 0) continue;
             const cv::Vec3f &b = placed_linear.at<cv::Vec3f>(y, x), &f = frame_linear.at<cv::Vec3f>(y, x);
             const cv::Vec3f gone = f - b - (light_map.at<cv::Vec3f>(y, x) - b) * veil.veil().at<float>(y, x);
             off += std::sqrt(gone.dot(gone));
@@ -457,7 +458,7 @@ void Estimator::State::find_all_blood() {
         cv::bitwise_or(blood.blood(), held, all_blood);
 }
 
-/// Bright smoke is as foreign to the model of the veil as an instrument.
+/// The densest of bright smoke is as foreign to the model of the veil as an instrument.
 void Estimator::State::see_added_light() {
     aside = placed_counted & ~blood.blood();
     to_linear(laid_code, laid_linear);

@@ -13,9 +13,10 @@
 // over the valid view. Beside both, the light that smoke adds and the camera's gain are told (added_light.h).
 // The model is that of scattering: a frame is baseline * (1 - veil) + light * veil, where `light`
 // is the colour of dense smoke at each place (haze_light.h). The mean is told by a model that was learned
-// (veil_model.h), which also knows frames over which the baseline does not lie exactly; the map has its mean. The valid
-// view has no black surround, no instruments, no masked parts and no burnt-in text. One thread at a time, any thread;
-// no OpenGL. Pictures are measured at working_size(), whatever their own size.
+// (veil_model.h), which also knows frames over which the baseline does not lie exactly; the map has its mean, but where
+// tissue is seen through bright smoke (seen_through.h). The valid view has no black surround, no instruments, no masked
+// parts and no burnt-in text. One thread at a time, any thread; no OpenGL. Pictures are measured at working_size(),
+// whatever their own size.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -198,7 +198,8 @@ void Placement::take(const cv::Matx33d& place, const cv::Mat& texture, double le
 bool Placement::follow(const cv::Mat& texture) {
     const cv::Matx33d before = place_, none = cv::Matx33d::eye();
     likeness_ = likeness_at(before, texture);
-    const bool there = likeness_ > surely_there;
+    // "Not moved" may be taken though it is a little less alike (better_by): that is there as well.
+    const bool there = likeness_ > surely_there + better_by;
     if (!there) pyramid_of(texture, now_);
     const std::optional<cv::Matx33d> by = likeness_ < doubtful ? step() : std::nullopt;
     const bool moved = by && distance(*by, from_) > strong_motion;

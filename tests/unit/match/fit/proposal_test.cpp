@@ -140,8 +140,8 @@ TEST(Proposal, ABurstTakesTheNearestStroke) {
     EXPECT_NEAR(found.tuned.scene.events[2].time, 2.0, 0.3);
     EXPECT_EQ(found.tuned.scene.events[2].power, 1.0);
     EXPECT_EQ(found.tuned.scene.events[1].power, 0.0);
-    EXPECT_THAT(found.lines, testing::Contains("tools: event 2 is silenced, power and strength 0: the reference shows "
-                                               "no smoke then"));
+    EXPECT_THAT(found.lines, testing::Contains("tools: event 2 is silenced, power and strength 0: the smoke of the "
+                                               "reference is explained without"));
 }
 
 TEST(Proposal, WhatAHotStrokeOpensStaysWhereNoBleedingIsSeen) {
@@ -263,6 +263,11 @@ TEST(BeginWithProposal, ToolsStayWhereTheyMayNotMove) {
     ASSERT_TRUE(input.proposed);
     EXPECT_EQ(input.proposed->scene.events, scene().scene.events);
     EXPECT_NE(input.proposed->preset.smoke.haze.accumulation, input.start.preset.smoke.haze.accumulation);
+    document::Content more = scene();
+    more.scene.events.push_back(
+        {.action = ToolAction::coagulate, .time = 12.0, .position = {-28, 0, 0}, .to = {-28, 0, 0}});
+    FitInput of_more = fit_of(more, hidden(), {"smoke.haze.accumulation"});
+    EXPECT_THAT(begin_with_proposal(of_more, false), testing::Not(testing::Contains(testing::HasSubstr("silenced"))));
 }
 
 std::vector<double> times_of(const FitInput& input) {

@@ -58,7 +58,13 @@ TEST(SeenThrough, IsNoInstrument) {
 TEST(SeenThrough, IsNotWhatOnlyChangedItsLight) {
     EXPECT_EQ(cv::countNonZero(found_in(with_patch(0.7, {})).smoke()), 0) << "a shadow adds no light";
     EXPECT_EQ(cv::countNonZero(found_in(with_patch(1.0, {0.1F, 0.1F, 0.1F})).smoke()), 0) << "glare hides nothing";
-    EXPECT_EQ(cv::countNonZero(SeenThrough().smoke()), 0);
+}
+
+TEST(SeenThrough, KeepsNothingOfTheFrameBefore) {
+    SeenThrough through = found_in(with_patch(0.6, 0.12F * usual_smoke_tint));
+    EXPECT_GT(cv::countNonZero(through.smoke()), 0);
+    through.find(test::tissue(), test::tissue(), cv::Mat::zeros(test::tissue().size(), CV_8U));
+    EXPECT_EQ(cv::countNonZero(through.smoke()), 0);
 }
 
 }  // namespace
