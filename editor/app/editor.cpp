@@ -144,6 +144,7 @@ void Editor::forget_document(bool scene_too) {
     reference_->give_up_choosing();
     reference_->look().leave();
     measuring_->forget();
+    preview_measuring_->forget();
     fitting_->forget();
     selected.clear();
     looking.camera = document.scene().camera;

@@ -87,8 +87,9 @@ HelpSection measuring() {
          "Fit (Ctrl+Shift+F) finds values with which both curves agree. It works beside you on what may change, within "
          "locks, draws its best curve so far, and says for each value how sure it is or why the video does not tell "
          "it. Colours has it match those of blood and smoke, and exposure and tint of the tissue, too. Take takes it "
-         "all, tools at their times too, as one undo step. Export report... writes curves, values and pictures as a "
-         "page for a browser."});
+         "all, tools at their times too, as one undo step; strokes that the reference does not show are (silenced) on "
+         "the timeline then, and their power and strength bring them back. Export report... writes curves, values and "
+         "pictures as a page for a browser."});
 }
 
 HelpSection exporting() {

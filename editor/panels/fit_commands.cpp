@@ -27,9 +27,11 @@ void ask_where(app::Editor& editor) {
 
 void add_fit_commands(app::Editor& editor) {
     const auto can_start = [&editor] { return editor.reference().video() != nullptr && !editor.fitting().busy(); };
-    const auto found = [&editor] { return editor.fitting().found() != nullptr && !editor.fitting().taken(); };
+    const auto found = [&editor] {
+        return editor.fitting().found() != nullptr && !editor.fitting().taken() && !editor.fitting().busy();
+    };
     const char* const no_start = "there is no reference that can be shown, or it is being fitted";
-    const char* const nothing = "nothing has been found yet";
+    const char* const nothing = "nothing has been found yet, or it is being looked for anew";
     const auto show = [&editor] { editor.layouts().bring_to_front("Fit"); };
     editor.commands.add({.id = "fit.start",
                          .title = "Fit",

@@ -56,7 +56,7 @@ void doing(ui::Ui& ui, Fitting& fitting) {
     }
     const double share = fitting.proposes() ? -1.0 : fitting.progress();
     if (ui::progress(ui, fitting.proposes() ? "Proposing" : "Fitting", share,
-                     {.seconds_left = fitting.seconds_left(), .cancellable = true}))
+                     {.seconds_left = fitting.seconds_left(), .at_most = true, .cancellable = true}))
         fitting.cancel();
 }
 
@@ -121,12 +121,13 @@ const match::FittedParameter* fitted(const FitFound* found, const std::string& k
     return at == all.end() ? nullptr : &*at;
 }
 
-/// "4 to 6.3 mm/s"
+/// "4 → 6.3 mm/s", which nobody takes for an interval.
 void change_text(ui::Ui& ui, double before, double after, const Parameter& row) {
-    ui::label(ui,
-              ui.join({before == after ? formatted(ui, "%.3g", after) : formatted(ui, "%.3g to %.3g", before, after),
-                       row.unit.empty() ? "" : " ", row.unit}),
-              {.tone = before == after ? ui::Tone::dim : ui::Tone::normal, .number = true, .width = ui::grow()});
+    ui::label(
+        ui,
+        ui.join({before == after ? formatted(ui, "%.3g", after) : formatted(ui, "%.3g \u2192 %.3g", before, after),
+                 row.unit.empty() ? "" : " ", row.unit}),
+        {.tone = before == after ? ui::Tone::dim : ui::Tone::normal, .number = true, .width = ui::grow()});
 }
 
 void interval(ui::Ui& ui, const match::FittedParameter& p) {
@@ -141,7 +142,7 @@ void why_not(ui::Ui& ui, const match::FittedParameter& p) {
         wrapped(ui, ui.join({"Not determined: ", app::with_titles(p.why)}), ui::Tone::warning);
 }
 
-/// When a tool works, of "events.1.time": "Event 2, time: 1.4 to 2.1 s".
+/// When a tool works, of "events.1.time": "Event 2, time: 1.4 → 2.1 s".
 void tool_line(ui::Ui& ui, const match::FittedParameter& p) {
     int event = 0;
     if (std::sscanf(p.parameter.key.c_str(), "events.%d.", &event) != 1) return;
@@ -254,14 +255,9 @@ void what_may_change(ui::Ui& ui, Fitting& fitting) {
                  "Propose, which draws nothing");
 }
 
-void weight(ui::Ui& ui, std::string_view name, double& value) {
+void weight(ui::Ui& ui, std::string_view name, double& value, std::string_view tip) {
     ui::param(ui, name, value,
-              {.maximum = 1,
-               .hard_minimum = 0,
-               .hard_maximum = 1,
-               .step = 0.1,
-               .standard = 1,
-               .tip = "How much its curve counts; 0 leaves it out"});
+              {.maximum = 1, .hard_minimum = 0, .hard_maximum = 1, .step = 0.1, .standard = 1, .tip = tip});
 }
 
 }  // namespace
@@ -273,14 +269,18 @@ void fit_panel(ui::Ui& ui, const FitParts& on) {
     state(ui, on);
     const ui::ScrollArea area(ui, "Fit settings", {.gap = 0.2F});
     if (const FitFound* const found = fitting.found())
-        if (const ui::Section section(ui, fitting.taken() ? "Taken" : "Found"); section) {
+        if (const ui::Section section(ui, fitting.busy()    ? "Found before"
+                                          : fitting.taken() ? "Taken"
+                                                            : "Found");
+            section) {
             found_lines(ui, *found);
             if (found->result) report(ui, on);
         }
     if (const ui::Section section(ui, "What may change"); section) what_may_change(ui, fitting);
     if (const ui::Section section(ui, "What counts", {.open = false}); section) {
-        weight(ui, "Blood", fitting.look.weights.blood);
-        weight(ui, "Veil", fitting.look.weights.veil);
+        weight(ui, "Blood", fitting.look.weights.blood, "How much the curve of blood counts; 0 leaves it out");
+        weight(ui, "Veil", fitting.look.weights.veil,
+               "How much the curve of smoke counts, of haze and plume together; 0 leaves it out");
     }
 }
 

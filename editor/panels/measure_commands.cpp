@@ -137,9 +137,9 @@ void add_strokes(app::Editor& editor) {
                          .title = "No blood in this frame",
                          .group = "Reference",
                          .run = [&editor] { app::name_frame_without_blood(editor.document, editor.reference()); },
-                         .enabled = shown,
+                         .enabled = [shown, painted] { return shown() && painted(); },
                          .tip = "The frame of the reference that is shown has no blood: strokes learn from all of it",
-                         .missing = missing});
+                         .missing = "only strokes learn from it, and nothing is painted over the reference"});
     editor.commands.add({.id = "measure.open_strokes",
                          .title = "Open strokes...",
                          .group = "Reference",

@@ -72,11 +72,13 @@ void frame_field(ui::Ui& ui, app::Reference& reference) {
 /// `room`: px.
 void tools(ui::Ui& ui, const MeasureParts& on, float room) {
     app::MeasureLook& look = on.bench.look;
-    enum : std::size_t { measure, before, frame, after, blood, smoke, left_out, fit, count };
+    enum : std::size_t { measure, before, frame, after, hold, blood, smoke, left_out, fit, count };
     std::array<ui::ToolItem, count> items;
     items[measure] = {.width = on.measuring.running() ? ui.em(progress_width) : ui::tool_width(ui, "Continue")};
     items[before] = items[after] = {.width = ui.row_height(), .rank = 1};
     items[frame] = {.width = ui.em(frame_width), .rank = 1};
+    // While a frame is held, also by a brush, it is seen here as long as anything is, and let go.
+    items[hold] = {.width = ui::tool_width(ui, "Hold", true), .rank = on.reference.held() ? 1 : 2};
     items[blood] = {.width = ui::tool_width(ui, "Blood"), .rank = 2};
     items[smoke] = {.width = ui::tool_width(ui, "Smoke"), .rank = 2};
     items[left_out] = {.width = ui::tool_width(ui, "Left out"), .rank = 2};
@@ -92,6 +94,7 @@ void tools(ui::Ui& ui, const MeasureParts& on, float room) {
             ui::icon_button(ui, Icon::step_forward, "Frame after",
                             {.tip = "Moves the reference on by a frame and holds it there", .quiet = true}))
             on.reference.step(1);
+        if (item == hold) hold_toggle(ui, on.reference);
         if (item == blood) ui::toggle(ui, "Blood", look.blood, {.tip = "Shows in yellow what counts as blood"});
         if (item == smoke) ui::toggle(ui, "Smoke", look.smoke, {.tip = "Shows in blue how dense the smoke is"});
         if (item == left_out)
@@ -261,18 +264,38 @@ class Settings {
                 ui::command_button(ui_, on_.commands, command);
         }
         painted_strokes(ui_, on_);
-        row("without_blood");
-        if (!measure().strokes.empty()) {
-            const ui::Row buttons(ui_, {.width = ui::grow()});
-            for (const char* const command : {"measure.without_blood", "measure.export_strokes"})
-                ui::command_button(ui_, on_.commands, command);
-        }
+        without_blood();
+        if (!measure().strokes.empty()) ui::command_button(ui_, on_.commands, "measure.export_strokes");
         if (on_.bench.by_strokes())
             ui::label(ui_, "Blood is what looks as the strokes say: redness, rise and brightness do not count.",
                       {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
         const Table& table = *app::measure_table().find("blood");
         for (const Parameter& each : table.rows)
             row(table, each.key, owner, {.prefix = "Blood", .standard = &standard().blood});
+    }
+
+    /// Its time, or that there is none: the value that says so is no time.
+    void without_blood() {
+        const Parameter& parameter = *app::measure_table().find_row("without_blood");
+        const bool named = measure().without_blood >= 0;
+        if (named) row(parameter.key);
+        const std::ptrdiff_t before = &ui_.last() - &ui_.parent();
+        name_without_blood(named, parameter);
+        if (wanted_row(ui_) != &parameter) return;
+        wanted_row(ui_) = nullptr;
+        go_to_row(ui_, before);
+    }
+    void name_without_blood(bool named, const Parameter& parameter) {
+        const ui::Row line(ui_, {.width = ui::grow(), .cross = ui::ChildAlign::center});
+        if (!named) {
+            ui::label(ui_, "Without blood: none", {.tone = ui::Tone::dim});
+            ui_.last().tip = tip_of(parameter);
+        }
+        ui::command_button(ui_, on_.commands, "measure.without_blood");
+        if (named && ui::icon_button(ui_, Icon::cross, "No frame without blood",
+                                     {.tip = "No frame is named as one without blood", .quiet = true}))
+            on_.edited.document.change("No frame without blood",
+                                       [](Content& c) { c.scene.reference.measure.without_blood = -1.0; });
     }
 
     void parts() {

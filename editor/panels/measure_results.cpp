@@ -76,18 +76,37 @@ void episodes(ui::Ui& ui, const match::Episode& blood, const match::Episode& vei
 
 // --- curves ----------------------------------------------------------------------------------------------------------
 
+/// The curves of the plot, in the order of its legend, where a click shows and hides them.
+struct ShownCurve {
+    const char* name;
+    app::FrameCurve curve;
+    int color;  ///< of the theme's series
+    bool at_first;
+};
+constexpr std::array shown_curves = {ShownCurve{"Blood", app::blood_curve, app::blood_series, true},
+                                     ShownCurve{"Veil", app::veil_curve, app::smoke_series, true},
+                                     ShownCurve{"Light", app::light_curve, 2, false},
+                                     ShownCurve{"Gain", app::gain_curve, 3, false}};
+
+ui::PlotState seen_at_first() {
+    ui::PlotState state;
+    for (std::size_t i = 0; i < shown_curves.size(); ++i)
+        if (!shown_curves[i].at_first) state.hidden |= std::uint64_t{1} << i;
+    return state;
+}
+
 struct Curves {
     std::uint64_t version = 0, serial = 0;
-    app::MeasuredCurve blood, veil;
-    ui::PlotState state;
+    std::array<app::MeasuredCurve, shown_curves.size()> all;
+    ui::PlotState state = seen_at_first();
 };
 
 void take_curves(Curves& curves, const app::Measuring& measuring) {
     if (curves.version == measuring.version()) return;
     curves.version = measuring.version();
-    curves.blood.set(measuring.frames(), match::Curve::blood);
-    curves.veil.set(measuring.frames(), match::Curve::veil);
-    if (std::exchange(curves.serial, measuring.serial()) != measuring.serial()) curves.state = {};
+    for (std::size_t i = 0; i < shown_curves.size(); ++i) curves.all[i].set(measuring.frames(), shown_curves[i].curve);
+    if (std::exchange(curves.serial, measuring.serial()) == measuring.serial()) return;
+    curves.state = {.hidden = curves.state.hidden};  // what is looked at stays, where it lies is another
 }
 
 /// Shows that time of the reference: with the scene where it is part of it, else held.
@@ -164,22 +183,24 @@ void whole_figures(ui::Ui& ui, const MeasureParts& on) {
 void amounts_plot(ui::Ui& ui, const MeasureParts& on, ui::Size height) {
     Curves& curves = ui.memory<Curves>(ui.id_of("measured curves"));
     take_curves(curves, on.measuring);
-    const std::array<ui::PlotSeries, 2> series = {curves.blood.series("Blood", app::blood_series),
-                                                  curves.veil.series("Veil", app::smoke_series)};
-    const ui::PlotResult result =
-        ui::plot(ui, "Amounts", series,
-                 {.x_name = "Reference",
-                  .x_unit = "s",
-                  .y_name = on.measuring.begun()   ? "Measured so far"
-                            : on.measuring.stale() ? "From before the last change"
-                                                   : "Amount",
-                  .y_unit = "%",
-                  .width = ui::grow(),
-                  .height = height,
-                  .tip = "Amounts with their intervals; nothing where it cannot be measured. Click: go to that time. "
-                         "Ctrl+C copies the visible values as CSV",
-                  .state = &curves.state,
-                  .mark = on.reference.time()});
+    std::array<ui::PlotSeries, shown_curves.size()> series;
+    for (std::size_t i = 0; i < series.size(); ++i)
+        series[i] = curves.all[i].series(shown_curves[i].name, shown_curves[i].color);
+    const ui::PlotResult result = ui::plot(
+        ui, "Amounts", series,
+        {.x_name = "Reference",
+         .x_unit = "s",
+         .y_name = on.measuring.begun()   ? "Measured so far"
+                   : on.measuring.stale() ? "From before the last change"
+                                          : "Amount",
+         .y_unit = "%",
+         .width = ui::grow(),
+         .height = height,
+         .tip = "Amounts with their intervals; nothing where it cannot be measured. A click on a name shows or "
+                "hides its curve: Light is what smoke adds, of white, and Gain the camera's, 100 % as in the "
+                "baseline. Click: go to that time. Ctrl+C copies the visible values as CSV",
+         .state = &curves.state,
+         .mark = on.reference.time()});
     if (result.clicked) go_to(on, result.x);
 }
 

@@ -25,10 +25,10 @@ namespace {
 
 using app::PreviewMeasuring;
 
-constexpr int reference_series = 1, fit_series = 3;  // colours of the theme's series
-constexpr float high_enough_for_colors = 12.5F;      // em of the panel
-constexpr float least_width = 14, least_height = 8;  // em of a plot; in a smaller panel they scroll
-constexpr float narrow_plot = 26;                    // em: below, the names of its curves are short
+constexpr int reference_series = 1, fit_series = 3;   // colours of the theme's series
+constexpr float high_enough_for_colors = 17.5F;       // em of the panel
+constexpr float least_width = 14, least_height = 10;  // em of a plot; in a smaller panel they scroll
+constexpr float narrow_plot = 26;                     // em: below, the names of its curves are short
 
 /// One amount: of the reference, of the preview as measured, as it is in truth, and as a fit has found it.
 struct MeasuredPlot {
@@ -50,17 +50,17 @@ void take(MeasuredPlots& plots, const AmountsParts& on) {
     const bool other = std::exchange(plots.duration, duration) != duration;
     const ui::Span scene{0, duration};
     if (std::exchange(plots.of_reference, on.measuring.version() + 1) != on.measuring.version() + 1 || moved || other) {
-        plots.blood.reference.set(on.measuring.frames(), match::Curve::blood, -offset, scene);
-        plots.veil.reference.set(on.measuring.frames(), match::Curve::veil, -offset, scene);
+        plots.blood.reference.set(on.measuring.frames(), app::blood_curve, -offset, scene);
+        plots.veil.reference.set(on.measuring.frames(), app::veil_curve, -offset, scene);
     }
     if (std::exchange(plots.of_fit, on.fitting.version()) != on.fitting.version() || other) {
-        plots.blood.fit.set(on.fitting.frames(), match::Curve::blood, 0, scene);
-        plots.veil.fit.set(on.fitting.frames(), match::Curve::veil, 0, scene);
+        plots.blood.fit.set(on.fitting.frames(), app::blood_curve, 0, scene);
+        plots.veil.fit.set(on.fitting.frames(), app::veil_curve, 0, scene);
     }
     const bool truth = std::exchange(plots.truth, on.preview.truth) != on.preview.truth;
     if (std::exchange(plots.of_preview, on.preview.version()) == on.preview.version() && !other && !truth) return;
-    plots.blood.preview.set(on.preview.frames(), match::Curve::blood, 0, scene);
-    plots.veil.preview.set(on.preview.frames(), match::Curve::veil, 0, scene);
+    plots.blood.preview.set(on.preview.frames(), app::blood_curve, 0, scene);
+    plots.veil.preview.set(on.preview.frames(), app::veil_curve, 0, scene);
     for (MeasuredPlot* const plot : {&plots.blood, &plots.veil}) {
         plot->times.clear(), plot->truth.clear();
         for (const app::TrueAmounts& amounts : on.preview.truths()) {

@@ -100,7 +100,9 @@ void line_of(ui::Ui& ui, const AmountsParts& on, const Words& words, std::string
     for (std::size_t i = 0; i < words.clauses.size(); ++i)
         if (is_of(words.clauses[i])) link(ui, on, words.clauses[i], words.sentences[i], wrap);
     if (!rms) return;
-    ui::spacer(ui);
+    // A text that leads nowhere takes all the room that there is.
+    const auto grows = [&](const Clause& clause) { return is_of(clause) && clause.key.empty(); };
+    if (std::none_of(words.clauses.begin(), words.clauses.end(), grows)) ui::spacer(ui);
     ui::ShortText text;
     text.add("off by ").add(100 * *rms, 1).add(" %");
     ui::label(ui, ui.copy(text.view()), {.tone = ui::Tone::dim, .number = true});

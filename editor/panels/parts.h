@@ -62,6 +62,8 @@ void pick_in_view(ui::Ui& ui, const ui::ViewportResult& view, const Edited& edit
 /// Esc ends that. Where no such picture is in sight the view is shown. Once a frame.
 void follow_eyedropper(ui::Ui& ui, ui::Eyedropper& eyedropper, app::Layouts& layouts);
 
+/// Whether the reference stays at its frame: every panel that may hold one shows it.
+void hold_toggle(ui::Ui& ui, app::Reference& reference);
 /// Asks for the reference's file; it becomes the scene's.
 void ask_for_video(app::Reference& reference, app::FileChooser& chooser);
 

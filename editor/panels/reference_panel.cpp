@@ -292,13 +292,6 @@ void offset_field(ui::Ui& ui, const Edited& edited) {
     edited.document.take(edit, "Reference offset", [&](document::Content& c) { c.scene.reference.offset = offset; });
 }
 
-void hold_toggle(ui::Ui& ui, Reference& reference) {
-    bool held = reference.held();
-    if (ui::toggle(ui, "Hold", held,
-                   {.icon = ui::Icon::lock, .tip = "Stays at this frame while the timeline moves on"}))
-        held ? reference.hold(reference.frame()) : reference.let_go();
-}
-
 void align_button(ui::Ui& ui, Reference& reference) {
     ui.push_disabled(!reference.held());
     if (ui::button(ui, "Align start here",
@@ -510,6 +503,13 @@ void without_video(ui::Ui& ui, Reference& reference, app::FileChooser& chooser) 
 }
 
 }  // namespace
+
+void hold_toggle(ui::Ui& ui, Reference& reference) {
+    bool held = reference.held();
+    if (ui::toggle(ui, "Hold", held,
+                   {.icon = ui::Icon::lock, .tip = "Stays at this frame while the timeline moves on"}))
+        held ? reference.hold(reference.frame()) : reference.let_go();
+}
 
 void ask_for_video(Reference& reference, app::FileChooser& chooser) {
     const std::filesystem::path now = reference.file();

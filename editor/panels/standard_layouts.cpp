@@ -27,7 +27,7 @@ DockLayout key() {
 DockLayout compare() {
     return dock_split(
         Axis::x, 0.72F,
-        dock_split(Axis::y, 0.67F, dock_tabs({"Reference", "Measure", "View", "Keying"}),
+        dock_split(Axis::y, 0.58F, dock_tabs({"Reference", "Measure", "View", "Keying"}),
                    dock_split(Axis::x, 0.5F, dock_tabs({"Timeline", "Curves", "Library"}), dock_tabs({"Amounts"}))),
         dock_split(Axis::y, 0.66F, dock_tabs({"Preset", "Clips", "Scene", "Fit"}),
                    dock_tabs({"Snapshots", "History"})));

@@ -11,6 +11,7 @@
 #include "app/memory.h"
 #include "app/meter.h"
 #include "app/preview/preview_host.h"
+#include "app/reference/reference.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "ui/shell/progress.h"
@@ -101,6 +102,12 @@ void status_bar(ui::Ui& ui, const StatusParts& parts) {
                          .icon = ui::Icon::warning,
                          .tip = "The preview shows only the smoke of this clip; preset and exports have that of all. "
                                 "Solo in the Clips panel ends it."});
+    if (parts.reference.held() && parts.reference.video() != nullptr)
+        ui::status_text(ui, "Held", ui.join({"Reference held at ", formatted(ui, "%.2f s", parts.reference.time())}),
+                        {.tone = ui::Tone::warning,
+                         .icon = ui::Icon::lock,
+                         .tip = "The reference stays at this frame while the timeline moves on, as after painting over "
+                                "it. Hold in the Reference or Measure panel lets it go."});
     if (const std::vector<Fault>& faults = parts.hot_reload.shader_faults(); !faults.empty())
         ui::status_text(ui, "Shader fault", faults.front().text(),
                         {.tone = ui::Tone::error,

@@ -61,6 +61,10 @@ TEST_F(FitPanel, TheProposalIsTakenAsOneStep) {
     ASSERT_FALSE(fitting().found()->lines.empty());
     EXPECT_TRUE(says(app::with_titles(fitting().found()->lines.front())));
     EXPECT_FALSE(says("(null)")) << "a parameter without a unit";
+    char change[64];
+    std::snprintf(change, sizeof change, "%.3g \u2192 %.3g 1/s", before.preset.smoke.haze.accumulation,
+                  fitting().found()->tuned.preset.smoke.haze.accumulation);
+    EXPECT_TRUE(says(change)) << change << " is no interval\n" << ui().dump();
     const document::Content found = fitting().found()->tuned;
     press("Take");
     EXPECT_EQ(steps(), steps_before + 1);
@@ -179,6 +183,25 @@ TEST_F(FitPanel, WhatIsTakenAndUndoneCanBeTakenAgain) {
     press("Take");
     EXPECT_TRUE(fitting().taken());
     EXPECT_EQ(editor().document.steps().back().name, "Take proposal");
+}
+
+TEST_F(FitPanel, WhatWasFoundStaysUntilSomethingElseIsFound) {
+    press("Propose");
+    ASSERT_NE(fitting().found(), nullptr);
+    const std::vector<std::string> lines = fitting().found()->lines;
+    const auto keys = std::exchange(fitting().look.keys, {});
+    press("Fit");
+    EXPECT_FALSE(fitting().faults().empty());
+    ASSERT_NE(fitting().found(), nullptr) << "what is begun again may fail";
+    EXPECT_EQ(fitting().found()->lines, lines);
+    fitting().look.keys = keys;
+    press("Take");
+    ASSERT_TRUE(fitting().taken());
+    fitting().propose();
+    ui().frame().frame();
+    ASSERT_NE(fitting().found(), nullptr);
+    EXPECT_FALSE(fitting().taken()) << "another one";
+    EXPECT_FALSE(fitting().stale());
 }
 
 TEST_F(FitPanel, WhatWasFoundGoesWithItsReference) {
@@ -506,6 +529,25 @@ TEST_F(FitBeside, ACancelledFitGivesTheNearestSoFar) {
     ui().frame();
     EXPECT_TRUE(says("the nearest so far")) << ui().dump();
     EXPECT_TRUE(document::same(before, editor().document.content()));
+}
+
+TEST_F(FitBeside, WhileItFitsWhatWasFoundBeforeIsReadButNotTaken) {
+    fitting().propose();
+    ASSERT_TRUE(wait_for([&] { return !fitting().busy(); }));
+    ASSERT_NE(fitting().found(), nullptr) << ui().dump();
+    const std::vector<std::string> lines = fitting().found()->lines;
+    fitting().start();
+    ui().frame();
+    ASSERT_TRUE(fitting().busy());
+    ASSERT_NE(fitting().found(), nullptr);
+    EXPECT_TRUE(says("Found before")) << ui().dump();
+    EXPECT_FALSE(editor().commands.enabled(editor().commands.index_of("fit.take")));
+    ASSERT_TRUE(wait_for([&] { return !fitting().busy() || !fitting().frames().empty(); }));
+    ASSERT_TRUE(fitting().busy());
+    fitting().cancel();
+    ASSERT_TRUE(wait_for([&] { return !fitting().busy(); }));
+    EXPECT_TRUE(fitting().found()->result) << "that of the fit, as far as it came";
+    EXPECT_FALSE(says("Found before"));
 }
 
 TEST_F(FitBeside, TheReportIsWrittenOrCancelled) {

@@ -3,6 +3,7 @@
 #include <cctype>
 #include <fstream>
 
+#include "app/measure/measured_curve.h"
 #include "editor/support/held_jobs.h"
 #include "editor/support/measure_panel.h"
 #include "match/video/measure.h"
@@ -51,6 +52,29 @@ TEST_F(MeasurePanel, ItIsMeasuredToTheEnd) {
     EXPECT_FALSE(says("Not measured yet"));
     EXPECT_FALSE(says("measure again"));
     EXPECT_EQ(steps(), 0U);
+}
+
+TEST_F(MeasurePanel, LightAndGainAreShownWhereOneAsksForThem) {
+    measure_all();
+    const auto seen = [&](const char* name) { return ui().is(panel + "Amounts/" + name, ui::Is::checked); };
+    for (const char* const name : {"Blood", "Veil"}) EXPECT_TRUE(seen(name)) << name;
+    for (const char* const name : {"Light", "Gain"}) {
+        EXPECT_FALSE(seen(name)) << name;
+        ui().click(panel + "Amounts/" + name).frame();
+        EXPECT_TRUE(seen(name)) << name;
+    }
+    ui().click(panel + "Amounts", {.at = {0.5F, 0.6F}}).key('C', Mods::command).frame();
+    EXPECT_TRUE(ui().clipboard().text.find("Light") < ui().clipboard().text.find("Gain")) << ui().clipboard().text;
+    app::MeasuredCurve gain;
+    gain.set(measuring().frames(), app::gain_curve);
+    ASSERT_EQ(gain.values().size(), measuring().frames().size());
+    for (const match::FrameAmounts& frame : measuring().frames()) {
+        if (!frame.measurable()) continue;
+        EXPECT_DOUBLE_EQ(gain.values().value_at(frame.time), 100 * frame.gain.value);
+    }
+    measuring().start();  // anew
+    ui().frame().frame();
+    EXPECT_TRUE(seen("Gain")) << "what is looked at stays";
 }
 
 TEST_F(MeasurePanel, ACommandMeasuresFromAnyPanel) {

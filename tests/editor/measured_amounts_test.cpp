@@ -21,6 +21,7 @@
 #include "match/compare/likeness_words.h"
 #include "match/use/measure_video.h"
 #include "match/video/measure.h"
+#include "support/clips.h"
 #include "support/wait_until.h"
 
 namespace lapfx::test {
@@ -313,6 +314,44 @@ TEST_F(BriefAmounts, NothingIsMeasuredWhileNobodyLooksOrChangesSettle) {
     settle();
     EXPECT_NE(preview().version(), version);
     EXPECT_FALSE(says("from before the last change"));
+}
+
+TEST_F(BriefAmounts, NoCurveStaysBesideAnotherReferenceOrScene) {
+    settle();
+    ASSERT_FALSE(table("Veil").of("Pre").empty());
+    editor().reference().choose(write_clip(folder() / "v.avi", 30, {64, 32}, 10));
+    ui().frame().frame();
+    ASSERT_EQ(editor().reference().file().filename(), "v.avi");
+    EXPECT_TRUE(preview().frames().empty()) << "it was measured in the shape of the other one";
+    EXPECT_FALSE(says("The preview's curve is from before the last change")) << ui().dump();
+    settle();
+    EXPECT_FALSE(preview().frames().empty());
+    open_sample();
+    ui().frame().frame();
+    EXPECT_TRUE(preview().frames().empty()) << "another document";
+    shorten();
+    settle();
+    EXPECT_FALSE(table("Veil").of("Pre").empty());
+}
+
+/// The layout Compare as a usual screen has it, with pictures and colours beside the curves.
+class CurvesBesidePictures : public MeasuredColours {
+  protected:
+    CurvesBesidePictures() { begins.window = {1440, 900}; }
+};
+
+TEST_F(CurvesBesidePictures, CurvesAreHighEnoughToBeRead) {
+    settle();
+    ui().click(bar + "Measure").frame().frame();
+    settle();
+    ASSERT_TRUE(says("Delta E")) << ui().dump();
+    constexpr float around = 46, least = 90;  // px: of names and numbers above and below a curve, and of the curve
+    const ui::Rect area = ui().rect("**/Measured plots");
+    for (const char* const plot : {"Blood", "Veil"}) {
+        const ui::Rect rect = ui().rect(plots + plot);
+        EXPECT_GE(rect.h, around + least) << plot;
+        EXPECT_LE(rect.bottom(), area.bottom() + 0.5F) << plot << " is seen without scrolling";
+    }
 }
 
 TEST_F(BriefAmounts, AClickGoesToThatTime) {

@@ -48,6 +48,11 @@ TEST_F(PaintedStrokes, BloodIsPaintedOverThePicture) {
     ui().key(Key::escape).frame();
     EXPECT_TRUE(holds(app::MeasureTool::none));
     EXPECT_FALSE(ui().exists(strokes));
+    EXPECT_TRUE(ui().is(panel + "Hold", ui::Is::checked)) << "that the brush has held the frame is seen";
+    EXPECT_TRUE(says("Reference held at ")) << "also where neither panel is";
+    ui().click(panel + "Hold").frame().frame();
+    EXPECT_FALSE(editor().reference().held());
+    EXPECT_FALSE(says("Reference held at "));
     ui().click(rows + "Blood/Remove strokes of this frame").frame().frame();
     EXPECT_TRUE(measure().strokes.empty());
     EXPECT_FALSE(bench().by_strokes());
@@ -105,6 +110,29 @@ TEST_F(PaintedStrokes, EscDropsAStrokeAndBracketsSizeTheBrush) {
     ui().release().frame();
     EXPECT_TRUE(measure().strokes.empty());
     EXPECT_EQ(steps(), 0U);
+}
+
+TEST_F(PaintedStrokes, AFrameWithoutBloodIsNamedOnlyForStrokes) {
+    const std::string button = rows + "Blood/No blood in this frame";
+    EXPECT_TRUE(says("Without blood: none"));
+    EXPECT_FALSE(ui().exists(rows + "Blood/Without blood")) << "-1 s is no time";
+    EXPECT_TRUE(ui().is(button, ui::Is::disabled));
+    EXPECT_NE(ui().tip(button).find("nothing is painted over the reference"), std::string::npos) << ui().tip(button);
+    editor().document.change("Paint", [&](document::Content& c) {
+        c.scene.reference.measure.strokes = {{.time = bloody_time, .points = {{0.5, 0.55}}}};
+    });
+    go(clear_time);
+    ASSERT_FALSE(ui().is(button, ui::Is::disabled));
+    ui().click(button).frame().frame();
+    EXPECT_EQ(editor().reference().video()->frame_at(measure().without_blood), editor().reference().frame());
+    EXPECT_EQ(last_step(), "No blood in this frame");
+    EXPECT_FALSE(says("Without blood: none"));
+    EXPECT_TRUE(ui().exists(rows + "Blood/Without blood"));
+    ui().click(rows + "Blood/No frame without blood").frame().frame();
+    EXPECT_EQ(measure().without_blood, -1.0);
+    EXPECT_TRUE(says("Without blood: none"));
+    undo();
+    EXPECT_GT(measure().without_blood, 0.0);
 }
 
 TEST_F(PaintedStrokes, StrokesAreExportedAndOpenedAgain) {

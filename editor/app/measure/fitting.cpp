@@ -23,7 +23,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double told_from = 0.1;  // below this share of the progress it is not known how long the fit takes
 
 std::vector<Fault> because(const char* reason) {
     return {{.file = "", .place = "", .reason = reason}};
@@ -53,19 +52,19 @@ std::vector<std::string> Fitting::free_keys(std::vector<std::string> keys) const
 
 const std::vector<match::FrameAmounts>& Fitting::frames() const {
     static const std::vector<match::FrameAmounts> none;
-    if (found_ && found_->result && !taken_) return found_->result->after;
-    return best_ ? *best_ : none;
+    if (best_) return *best_;
+    return found_ && found_->result && !taken_ ? found_->result->after : none;
 }
 
 double Fitting::seconds_left() const {
-    const double share = progress();
-    return share < told_from ? -1.0 : (now_ - began_) * (1.0 - share) / share;
+    return remaining_.seconds(now_);
 }
 
 void Fitting::begin(bool proposal_alone) {
     end_run();
     faults_.clear(), lost_clip_.reset();
-    leave();
+    best_.reset();
+    ++version_;
     measuring_asked_ = false;
     asked_ = proposal_alone;
     due_ = now_;                 // a click may be the last thing that happens in this frame
@@ -219,7 +218,8 @@ bool Fitting::prepare(double now) {
     curve_ = drawn_curve(organ, parts_.preview, parts_.options.clip_folders, parts_.options.exact ? nullptr : &steps_,
                          options);
     curve_->count_plate_by(match::painted_blood(*parts_.measuring.found()));
-    began_ = now, of_version_ = parts_.document.version();
+    began_ = now, run_version_ = parts_.document.version();
+    remaining_ = {};
     run_ = std::make_unique<FittingRun>(
         FitWanted{.fit = fit_now(organ, options.size), .of = of_now(), .proposal_alone = *asked_}, curve_.get(),
         *steps_, parts_.jobs, !parts_.options.exact);
@@ -231,6 +231,7 @@ void Fitting::go_on(double now) {
         due_ = now + look_again;
     else
         steps_->serve(frame_budget);
+    remaining_.reached(now, run_->progress());
     if (std::shared_ptr<const FittingRun::Frames> best = run_->best(); best != best_)
         best_ = std::move(best), ++version_;
     if (!run_->ended()) return;
@@ -238,9 +239,13 @@ void Fitting::go_on(double now) {
         (void)lost_clips();  // one that has gone meanwhile may be the reason
         return fail(std::move(faults));
     }
-    found_ = run_->take();
-    if (found_) found_->seconds = now - began_;
     best_.reset();
+    if (std::optional<FitFound> found = run_->take()) {
+        leave();
+        found_ = std::move(found);
+        found_->seconds = now - began_;
+        of_version_ = run_version_;
+    }
     asked_.reset();
     end_run();
     ++version_;

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "app/measure/fitting_run.h"
+#include "app/measure/remaining.h"
 #include "document/document.h"
 #include "document/steps.h"
 
@@ -78,7 +79,7 @@ class Fitting {
     bool measures_first() const { return asked_ && !run_; }  ///< the fit waits for the measuring
     bool proposes() const { return asked_ && *asked_; }      ///< busy() with a proposal alone
     double progress() const { return run_ ? run_->progress() : 0.0; }
-    double seconds_left() const;  ///< negative: not known yet
+    double seconds_left() const;  ///< at the pace of the last steps, to the last that there may be; negative: not known
     const std::vector<Fault>& faults() const { return faults_; }
     /// Of faults(): the clip of the preset, by its number, whose file is not there. Once another file is chosen, or
     /// undone what named it, it is no fault any more.
@@ -86,10 +87,11 @@ class Fitting {
     bool locked(const std::string& key) const;  ///< it is no parameter of a fit as long as it is
 
     // --- found -------------------------------------------------------------------------------------------------------
-    /// The last that was found, also once it has been taken; null: nothing. It goes with its reference.
+    /// The last that was found, also once it has been taken, until another has been found; null: nothing. It goes with
+    /// its reference.
     const FitFound* found() const { return found_ ? &*found_ : nullptr; }
     bool taken() const { return taken_; }  ///< and that is not undone
-    /// Its curve until it is taken, and the best so far while it fits; empty: none.
+    /// Its curve until it is taken, and while it fits the best so far as soon as there is one; empty: none.
     const std::vector<match::FrameAmounts>& frames() const;
     std::uint64_t version() const { return version_; }  ///< changes with frames() and found()
     /// The document is no longer what it started from: its values are taken all the same.
@@ -114,15 +116,18 @@ class Fitting {
     const Parts parts_;
     std::optional<bool> asked_;  ///< true: a proposal alone is wanted, false: the whole fit; nothing: neither is
     bool measuring_asked_ = false;
-    double began_ = 0.0, now_ = 0.0, due_ = std::numeric_limits<double>::infinity();
+    double began_ = 0.0, now_ = 0.0;
+    Remaining remaining_;
+    double due_ = std::numeric_limits<double>::infinity();
     std::unique_ptr<RenderSteps> steps_;
     std::unique_ptr<match::PreviewCurve> curve_;
     std::unique_ptr<FittingRun> run_;
     std::shared_ptr<const FittingRun::Frames> best_;
     std::optional<FitFound> found_;
     bool taken_ = false;
-    document::WatchedStep taken_step_;  ///< none: taking it changed nothing
-    std::uint64_t of_version_ = 0, version_ = 1;
+    document::WatchedStep taken_step_;                ///< none: taking it changed nothing
+    std::uint64_t of_version_ = 0, run_version_ = 0;  ///< of the document, that found_ and run_ started from
+    std::uint64_t version_ = 1;
     std::vector<Fault> faults_;
     std::optional<std::size_t> lost_clip_;
     std::uint64_t looked_ = 0;  ///< the version of the document whose clips were looked for

@@ -10,15 +10,15 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-void MeasuredCurve::set(std::span<const match::FrameAmounts> frames, match::Curve curve, double shift,
+void MeasuredCurve::set(std::span<const match::FrameAmounts> frames, const FrameCurve& curve, double shift,
                         ui::Span within) {
     times_.clear();
     for (auto& numbers : numbers_) numbers.clear();
     for (const match::FrameAmounts& frame : frames) {
         const double time = frame.time + shift;
         if (time < within.low - slack || time > within.high + slack) continue;
-        const match::Amount& amount = curve == match::Curve::blood ? frame.blood : frame.veil;
-        const double unit = match::measurable(frame, curve) ? percent : none;
+        const match::Amount& amount = frame.*curve.amount;
+        const double unit = (frame.*curve.known)() ? percent : none;
         times_.push_back(time);
         numbers_[0].push_back(unit * amount.value);
         numbers_[1].push_back(unit * amount.low);

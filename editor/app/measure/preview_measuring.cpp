@@ -182,14 +182,27 @@ void PreviewMeasuring::drop_run() {
     ++version_;
 }
 
+void PreviewMeasuring::drop_known() {
+    frames_.clear(), truths_.clear();
+    complete_of_.reset();
+    ++version_;
+}
+
+void PreviewMeasuring::forget() {
+    run_.reset();
+    drop_known();
+    known_of_.reset();
+    known_ = stopped_ = false;
+    followed_ = 0;
+    faults_.clear();
+}
+
 void PreviewMeasuring::fail(const std::vector<Fault>& faults) {
     known_of_ = run_ ? run_->of : subject();
     run_.reset();
-    frames_.clear(), truths_.clear();
-    complete_of_.reset();
+    drop_known();
     faults_ = faults;
     known_ = true;
-    ++version_;
 }
 
 /// In the aspect of the reference where there is one, as both are compared.
@@ -222,9 +235,16 @@ std::shared_ptr<const match::PaintedBlood> PreviewMeasuring::plate_blood() const
 
 /// Whether what was measured of it holds for what is wanted now.
 bool PreviewMeasuring::holds(const std::shared_ptr<const Subject>& of) const {
-    return of && of->size == shape().size && of->measured == shape().measured && (of->truth || !truth) &&
+    if (!of) return false;
+    const match::PreviewCurve::Options now = shape();
+    return of->size == now.size && of->measured == now.measured && (of->truth || !truth) &&
            of->organ == host_.organ_version() && of->plate_blood == plate_blood() &&
            same_pictures(of->content, document_.content());
+}
+
+/// Whether what is known was measured beside another reference than the scene's now.
+bool PreviewMeasuring::other_reference() const {
+    return complete_of_ && complete_of_->content.scene.reference.file != document_.scene().reference.file;
 }
 
 void PreviewMeasuring::update(double now) {
@@ -265,7 +285,11 @@ void PreviewMeasuring::take_change(double now, bool other_truth) {
     drop_run();
     known_of_.reset();
     settling_.change(now);
-    if (!holds(complete_of_)) return;
+    if (!holds(complete_of_)) {
+        // Beside another reference it would be taken for what is compared with that.
+        if (other_reference()) drop_known();
+        return;
+    }
     known_ = true, known_of_ = complete_of_;
     faults_.clear();
 }
@@ -286,9 +310,9 @@ bool PreviewMeasuring::prepare() {
 void PreviewMeasuring::start(double now) {
     faults_.clear();
     if (document_.scene().organ.file.empty()) {
-        frames_.clear(), truths_.clear();
-        complete_of_.reset(), known_of_ = subject();
-        known_ = true, ++version_;
+        drop_known();
+        known_of_ = subject();
+        known_ = true;
         return;
     }
     try {

@@ -66,6 +66,8 @@ class PreviewMeasuring {
     void want() { wanted_ = true; }
     /// Once a frame, by the editor. `now`: s, the clock of the UI.
     void update(double now);
+    /// Another document has been opened: nothing of its preview has been measured.
+    void forget();
 
     /// In the order of time; while nothing complete is known, those that have been measured so far. While stale(),
     /// those of an older state of the document.
@@ -104,6 +106,8 @@ class PreviewMeasuring {
     std::shared_ptr<const match::PaintedBlood> plate_blood() const;
     void follow(double now);
     void take_change(double now, bool other_truth);
+    bool other_reference() const;
+    void drop_known();
     match::PreviewCurve::Options shape() const;
     std::shared_ptr<const Subject> subject() const;
     bool holds(const std::shared_ptr<const Subject>& of) const;

@@ -87,10 +87,10 @@ SideBySide::SideBySide(std::shared_ptr<VideoReader> video, Compared compared)
     cv::Mat4b(pixels_of(page_)).setTo(cv::Vec4b(0, 0, 0, 255));
     const double shift = -compared_.reference.offset;
     const ui::Span scene{0, compared_.duration};
-    blood_[0].set(compared_.of_preview, match::Curve::blood, 0, scene);
-    veil_[0].set(compared_.of_preview, match::Curve::veil, 0, scene);
-    blood_[1].set(compared_.of_reference, match::Curve::blood, shift, scene);
-    veil_[1].set(compared_.of_reference, match::Curve::veil, shift, scene);
+    blood_[0].set(compared_.of_preview, blood_curve, 0, scene);
+    veil_[0].set(compared_.of_preview, veil_curve, 0, scene);
+    blood_[1].set(compared_.of_reference, blood_curve, shift, scene);
+    veil_[1].set(compared_.of_reference, veil_curve, shift, scene);
     most_blood_ = most_of(compared_, match::Curve::blood);
     most_veil_ = most_of(compared_, match::Curve::veil);
 }

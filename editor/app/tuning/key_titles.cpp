@@ -63,6 +63,9 @@ std::string with_titles(std::string_view text) {
         made += title.empty() ? std::string(text.substr(0, length)) : title;
         text.remove_prefix(length);
     }
+    constexpr std::string_view arrow = " -> ";
+    for (std::size_t at = made.find(arrow); at != std::string::npos; at = made.find(arrow, at))
+        made.replace(at, arrow.size(), " \u2192 ");
     return made;
 }
 

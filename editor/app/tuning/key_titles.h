@@ -14,7 +14,7 @@ namespace lapfx::app {
 /// "events.2.time"; empty: neither presets nor scenes have that key.
 std::string title_of(std::string_view key);
 
-/// The text with the title of each key in it.
+/// The text with the title of each key in it, and arrows between what was and what is to be as the window has them.
 std::string with_titles(std::string_view text);
 
 }  // namespace lapfx::app

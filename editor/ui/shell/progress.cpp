@@ -47,8 +47,8 @@ std::string_view text_of(Ui& ui, bool known, double fraction, const ProgressOpti
     if (known) std::snprintf(percent, sizeof percent, "%d %%", static_cast<int>(fraction * 100));
     const std::string_view left = duration_text(ui, options.seconds_left), shown(percent);
     return ui.join({shown, shown.empty() || options.text.empty() ? "" : ", ", options.text,
-                    left.empty() || (shown.empty() && options.text.empty()) ? "" : ", ", left,
-                    left.empty() ? "" : " left"});
+                    left.empty() || (shown.empty() && options.text.empty()) ? "" : ", ",
+                    left.empty() || !options.at_most ? "" : "up to ", left, left.empty() ? "" : " left"});
 }
 
 }  // namespace

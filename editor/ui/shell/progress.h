@@ -7,6 +7,7 @@ namespace lapfx::ui {
 
 struct ProgressOptions {
     double seconds_left = -1;    ///< s; negative or not finite: not known
+    bool at_most = false;        ///< it may end sooner: "up to 4 s left"
     bool cancellable = false;    ///< there is a button at the right that cancels
     std::string_view text = {};  ///< shown next to it, such as "120 of 240 frames"
     Size width = {SizeKind::grow, 1};

@@ -24,6 +24,11 @@ TEST(Progress, DurationsAreReadAsPeopleSayThem) {
     });
 }
 
+TEST(Progress, TellsThatItMayEndSooner) {
+    Harness ui([&](Ui& u) { progress(u, "Fit", 0.5, {.seconds_left = 80, .at_most = true}); });
+    EXPECT_EQ(ui.text("Fit"), "50 %, up to 1 min 20 s left");
+}
+
 TEST(Progress, TellsHowFarAndHowLong) {
     double fraction = 0.426;
     Harness ui([&](Ui& u) { progress(u, "Fit", fraction, {.seconds_left = 80, .text = "3 of 7"}); });
