@@ -89,9 +89,9 @@ class Fit {
             leave_out_unseen();
             held_.assign(start_.size(), false), one_of_many_ = held_;
             const bool too_much = shows_smoke_of_its_own();
+            const Courses courses = courses_of(objective_.target());
             for (const FreeParameter& p : input_.parameters)
-                shown_.push_back(shows_anything_of(p.key, objective_.target()) ||
-                                 (too_much && p.key.starts_with("smoke.")));
+                shown_.push_back(shows_anything_of(p.key, courses) || (too_much && p.key.starts_with("smoke.")));
             if (match_colors() && learn_unknown()) search_and_hold();
             if (hold_undetermined()) search_rounds(rounds_beside_held - 1, options_with(held_));
             go_back_if_farther();
@@ -463,8 +463,10 @@ class Fit {
         result.blood_after = misfit(input_.target, result.after, &TargetPoint::blood);
         result.veil_before = misfit(input_.target, result.before, &TargetPoint::veil);
         result.veil_after = misfit(input_.target, result.after, &TargetPoint::veil);
+        const std::span<const TargetPoint> told = blood_is_seen_ ? objective_.target() : input_.target;
+        const Courses courses = courses_of(told);
         for (std::size_t k = 0; k < start_.size() && !certainties_.empty(); ++k) {
-            const FittedParameter& p = result.parameters.emplace_back(fitted(k));
+            const FittedParameter& p = result.parameters.emplace_back(fitted(k, told, courses));
             p.parameter.set(result.tuned, p.after);  // what has kept its value has it to the last bit
         }
         return result;
@@ -478,7 +480,7 @@ class Fit {
     static bool near_bound(const FreeParameter& p, double at) {
         return at - p.coordinate(p.minimum) < bound_near || p.coordinate(p.maximum) - at < bound_near;
     }
-    FittedParameter fitted(std::size_t k) const {
+    FittedParameter fitted(std::size_t k, std::span<const TargetPoint> told, const Courses& courses) const {
         const FreeParameter& p = input_.parameters[k];
         const Certainty& c = certainties_[k];
         const double at = best_.coordinates[k];
@@ -495,8 +497,7 @@ class Fit {
         } else if (!c.determined) {
             fitted.why = behind_smoke_[k]
                              ? std::string(behind_smoke)
-                             : why_undetermined(k, input_.parameters, certainties_,
-                                                blood_is_seen_ ? objective_.target() : input_.target, input_.weights);
+                             : why_undetermined(k, input_.parameters, certainties_, told, courses, input_.weights);
             if (one_of_many_[k] || (ruled_out_[k] && !shown_[k]))
                 fitted.why += "; with the value before the curves are farther, so it is one of many that fit as well";
             else if (ruled_out_[k])
