@@ -253,7 +253,8 @@ Verb compare_verb() {
         "ratio the larger of it and 1 / it, so that 1 is alike. A figure that is not measurable fails\n"
         "its limit. What does not differ beyond the error of measuring is said to match; where that error is\n"
         "more than 10 % of the view and than half of the higher peak, or more than the higher peak where that\n"
-        "is more than 2 % of the view, nothing is known: cannot tell.\n\n"
+        "is more than 2 % of the view, nothing is known: cannot tell. But where the mean difference is more\n"
+        "than the larger error of the two, it says which has more, though not by how much.\n\n"
         "The figures:\n" +
         figure_list() +
         "\n"

@@ -99,17 +99,21 @@ Pairs pairs_of(const AmountCurve& preview, std::span<const FrameAmounts> referen
     return pairs;
 }
 
-/// How far two amounts may seem apart that are the same.
-double joint_error(const Amount& preview, const Amount& reference) {
-    const bool more = preview.value >= reference.value;
-    const double of_preview = more ? preview.value - preview.low : preview.high - preview.value;
-    const double of_reference = more ? reference.high - reference.value : reference.value - reference.low;
-    return std::max(std::hypot(of_preview, of_reference), least_error);
+/// Half widths of two intervals, of each that half which faces the other.
+struct Facing {
+    double of_preview, of_reference;
+    /// How far two amounts may seem apart that are the same, if their errors have nothing in common.
+    double joint() const { return std::max(std::hypot(of_preview, of_reference), least_error); }
+    double larger() const { return std::max({of_preview, of_reference, least_error}); }
+};
+Facing facing(const Amount& preview, const Amount& reference) {
+    if (preview.value >= reference.value) return {preview.value - preview.low, reference.high - reference.value};
+    return {preview.high - preview.value, reference.value - reference.low};
 }
 
 /// Differences over time.
 void compare_levels(AmountLikeness& found, const Pairs& pairs, const Measured& what) {
-    double weights = 0.0, sum = 0.0, squares = 0.0, in_errors = 0.0, errors = 0.0;
+    double weights = 0.0, sum = 0.0, squares = 0.0, in_errors = 0.0, errors = 0.0, larger = 0.0;
     for (std::size_t i = 0; i < pairs.preview.size(); ++i)
         if (measurable(pairs.preview[i], what.curve)) found.seconds += pairs.seconds[i];
     for (std::size_t i = 0; i < pairs.preview.size(); ++i) {
@@ -117,18 +121,21 @@ void compare_levels(AmountLikeness& found, const Pairs& pairs, const Measured& w
         const Amount &preview = pairs.preview[i].*what.amount, &reference = pairs.reference[i].*what.amount;
         const double weight = found.seconds > 0.0 ? pairs.seconds[i] : 1.0;  // of a single picture
         const double difference = preview.value - reference.value;
-        const double error = joint_error(preview, reference), share = difference / error;
+        const Facing halves = facing(preview, reference);
+        const double error = halves.joint(), share = difference / error;
         weights += weight;
         sum += weight * difference;
         squares += weight * difference * difference;
         in_errors += weight * share * share;
         errors += weight * error * error;
+        larger += weight * halves.larger();
     }
     if (weights == 0.0) return;
     found.bias = sum / weights;
     found.rms = std::sqrt(squares / weights);
     found.rms_over_error = std::sqrt(in_errors / weights);
     found.error = std::sqrt(errors / weights);
+    found.larger_error = larger / weights;
 }
 
 /// The peak with the interval of the frame that has it; of a curve without change with that of all, on average.
@@ -245,7 +252,7 @@ AmountLikeness compare(std::span<const FrameAmounts> preview, std::span<const Fr
     found.preview = of_preview;
     found.reference = of_reference;
     const Amount high = peak_of(pairs.preview, of_preview, what), wanted = peak_of(pairs.reference, of_reference, what);
-    found.peak_over_error = std::abs(high.value - wanted.value) / joint_error(high, wanted);
+    found.peak_over_error = std::abs(high.value - wanted.value) / facing(high, wanted).joint();
     if (found.in_reference == Presence::shown) {
         found.peak_ratio = ratio(of_preview.peak, of_reference.peak);
         found.area_ratio = ratio(of_preview.mean, of_reference.mean);  // over the same time

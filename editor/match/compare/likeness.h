@@ -10,6 +10,7 @@
 // Pure functions, any thread; nothing throws.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -47,6 +48,8 @@ struct AmountLikeness {
     std::optional<double> rms_over_error;
     std::optional<double> peak_over_error;  ///< the same of the two peaks, 0 or more
     std::optional<double> error;            ///< root mean square of the joint error over time, as the amount 0..1
+    /// Mean over time of the larger of the two half widths that face each other, as the amount 0..1.
+    std::optional<double> larger_error;
 
     Presence in_preview = Presence::unmeasurable, in_reference = Presence::unmeasurable;
     /// Of the times that are compared, in the scene's time; empty where either has too few frames with the amount.
@@ -73,6 +76,10 @@ struct AmountLikeness {
     /// They are, but so large is the error that entirely different pictures, or one with the amount and one without,
     /// would be, too: nothing is known.
     bool cannot_tell() const;
+    /// Of what cannot be told: which has more. The joint error takes those of both for independent, but both come from
+    /// the same estimator, by the same strokes, and so they are partly the same error, which no difference has. How
+    /// much of it is, nobody knows: a mean difference beyond the larger of both is seen, but its size is not known.
+    bool seen_apart() const { return cannot_tell() && std::abs(bias.value_or(0.0)) > larger_error.value_or(0.0); }
     bool matches() const { return within_error() && !cannot_tell(); }
 };
 

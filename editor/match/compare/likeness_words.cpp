@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "match/compare/joined.h"
+
 namespace lapfx::match {
 
 namespace {
@@ -54,14 +56,6 @@ std::string text(const char* format, Values... values) {
     return made;
 }
 
-/// "a, b and c".
-std::string joined(const std::vector<std::string>& parts) {
-    std::string all;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        all += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
-    return all;
-}
-
 /// "30 % too thin".
 std::string size_text(double ratio, const Words& words) {
     constexpr double several = 2.0;  // from here on times are easier to read than percent
@@ -97,7 +91,12 @@ class Telling {
         : a_(amount), words_(words), events_(events) {}
 
     std::vector<Clause> run() {
-        if (a_.cannot_tell())
+        if (a_.seen_apart())
+            say(std::string("is ") + (*a_.bias > 0.0 ? "more" : "less") +
+                    text(" in the preview, but how much cannot be told: the error of measuring is %.0f %% of the view",
+                         100.0 * *a_.error),
+                Said::seen_apart, std::string(words_.size));
+        else if (a_.cannot_tell())
             say("cannot tell whether " + std::string(words_.amount) +
                     text(" matches: the error of measuring is %.0f %% of the view", 100.0 * *a_.error) +
                     (*a_.error > most_error ? "" : ", more than either shows"),

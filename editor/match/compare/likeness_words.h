@@ -28,6 +28,7 @@ enum class Said : std::uint8_t {
     course,        ///< its course differs otherwise
     unmeasurable,  ///< nothing is known
     cannot_tell,   ///< what it differs by is within an error so large that nothing is known
+    seen_apart,    ///< it is more or less, but by how much nobody can tell
     match,         ///< it does not differ
     rough_match,   ///< what it differs by is within an error that is large
     no_time,       ///< preview and reference have no time in common

@@ -7,6 +7,8 @@
 #include <glm/gtc/color_space.hpp>
 #include <limits>
 
+#include "match/compare/joined.h"
+
 namespace lapfx::match {
 
 namespace {
@@ -68,13 +70,6 @@ std::string text(const char* format, Values... values) {
 std::string hex(const glm::dvec3& color) {
     const glm::ivec3 code(glm::round(255.0 * color));
     return text("#%02x%02x%02x", code.r, code.g, code.b);
-}
-
-/// "a", "a and b".
-std::string joined(const std::vector<std::string>& keys) {
-    std::string all;
-    for (const std::string& key : keys) all += (all.empty() ? "" : " and ") + key;
-    return all;
 }
 
 bool finite(const glm::dvec3& color) {

@@ -87,17 +87,20 @@ class Fit {
         if (shared_.before.empty()) shared_.before = best_.frames;
         if (!early_) {
             leave_out_unseen();
-            held_.assign(start_.size(), false);
+            held_.assign(start_.size(), false), one_of_many_ = held_;
             const bool too_much = shows_smoke_of_its_own();
+            const Courses courses = courses_of(objective_.target());
             for (const FreeParameter& p : input_.parameters)
-                shown_.push_back(shows_anything_of(p.key, objective_.target()) ||
-                                 (too_much && p.key.starts_with("smoke.")));
+                shown_.push_back(shows_anything_of(p.key, courses) || (too_much && p.key.starts_with("smoke.")));
             if (match_colors() && learn_unknown()) search_and_hold();
             if (hold_undetermined()) search_rounds(rounds_beside_held - 1, options_with(held_));
+            go_back_if_farther();
             tell_certainties();
         }
         return result();
     }
+    /// Of drawn curves to the reference, as cost, wherever the parameters are.
+    double distance(std::span<const FrameAmounts> frames) const { return objective_.cost(curves_of(frames), start_); }
 
   private:
     /// Blood that is not seen is no aim: it may be noise.
@@ -188,7 +191,8 @@ class Fit {
         }
         objective_ = Objective(std::move(target), input_.weights, start_);
         first_place_.reset();  // it was searched for with what is left out now
-        best_.cost = objective_.cost(curves_of(best_.frames), start_);
+        best_.cost = distance(best_.frames);
+        nearest_ = best_;
     }
     /// Smoke of the scene where the reference has none, or less than can be: it is to go, although no course tells it.
     bool shows_smoke_of_its_own() const {
@@ -216,6 +220,7 @@ class Fit {
         carried_.drawn(coordinates, space().core_at(coordinates), shown);
         last_cost_ = objective_.cost(shown, coordinates);
         if (best_.frames.empty() || last_cost_ < best_.cost) best_ = {coordinates, std::move(*frames), last_cost_};
+        if (nearest_.frames.empty() || best_.cost < nearest_.cost) nearest_ = best_;
         return true;
     }
     /// What is measured of smoke and blood depends on their colours, so these come before all but a first step, with
@@ -232,10 +237,10 @@ class Fit {
         if (changed.empty()) return true;
         const document::Content other = base_;
         take_colors(base_, *matched, changed);
-        Drawn before = std::exchange(best_, {});
+        Drawn before = std::exchange(best_, {}), nearest = std::exchange(nearest_, {});
         Carried carried = std::exchange(carried_, Carried(start_.size(), share_of(input_)));
         if (draw(before.coordinates)) return true;
-        base_ = other, best_ = std::move(before), carried_ = std::move(carried);
+        base_ = other, best_ = std::move(before), nearest_ = std::move(nearest), carried_ = std::move(carried);
         return false;
     }
     /// To the side with more room within the bounds, or to the other one where a rule between values forbids it.
@@ -399,10 +404,12 @@ class Fit {
     }
     /// What the reference does not tell keeps its value. Several that do the same to the curves are all unknown, but
     /// once one of them is held the others may be known: so one after the other, and what is left is found beside it.
-    /// True: it has drawn the place where that is so.
+    /// All of it together must not make the curves farther than the reference denies. True: it has drawn the place
+    /// where that is so.
     bool hold_undetermined() {
         first_place_.reset();  // was found with nothing held
         std::vector<double> next = best_.coordinates;
+        const double most = nearest_.cost + denial;
         certainties_ = certainties(next, Errors::of_course);
         when_held_.resize(next.size());
         ruled_out_.assign(next.size(), false);
@@ -410,8 +417,10 @@ class Fit {
             held_[*k] = true, when_held_[*k] = certainties_[*k];
             std::vector<double> beside = next;
             beside[*k] = kept_coordinate(*k);
-            if (beside != next && shown_[*k]) beside = search(space(), beside, options_with(held_));
-            ruled_out_[*k] = shown_[*k] && space().cost_at(beside) > space().cost_at(next) + denial;
+            const bool moves = beside[*k] != next[*k];
+            if (moves && (shown_[*k] || space().cost_at(beside) > most))
+                beside = search(space(), beside, options_with(held_));
+            ruled_out_[*k] = moves && space().cost_at(beside) > most;
             held_[*k] = !ruled_out_[*k];
             if (held_[*k]) next = beside, certainties_ = certainties(next, Errors::of_course);
         }
@@ -420,6 +429,17 @@ class Fit {
         if (draw(next)) return true;
         best_ = std::move(before);
         return false;
+    }
+    /// What was told of values that are put back may not be what is drawn then: where that is farther than the
+    /// reference denies, or than the scene was, they stay where the curves were nearest.
+    void go_back_if_farther() {
+        if (best_.cost <= nearest_.cost + denial && distance(best_.frames) <= distance(shared_.before)) return;
+        for (std::size_t k = 0; k < held_.size(); ++k) {
+            if (!held_[k] || kept_coordinate(k) == nearest_.coordinates[k]) continue;
+            held_[k] = false, one_of_many_[k] = true;
+        }
+        best_ = nearest_;
+        carried_.stand_at(best_.coordinates, space().core_at(best_.coordinates), curves_of(best_.frames));
     }
     const document::Content& original() const { return input_.before ? *input_.before : input_.start; }
     /// An event that the proposal added was not there before.
@@ -443,8 +463,10 @@ class Fit {
         result.blood_after = misfit(input_.target, result.after, &TargetPoint::blood);
         result.veil_before = misfit(input_.target, result.before, &TargetPoint::veil);
         result.veil_after = misfit(input_.target, result.after, &TargetPoint::veil);
+        const std::span<const TargetPoint> told = blood_is_seen_ ? objective_.target() : input_.target;
+        const Courses courses = courses_of(told);
         for (std::size_t k = 0; k < start_.size() && !certainties_.empty(); ++k) {
-            const FittedParameter& p = result.parameters.emplace_back(fitted(k));
+            const FittedParameter& p = result.parameters.emplace_back(fitted(k, told, courses));
             p.parameter.set(result.tuned, p.after);  // what has kept its value has it to the last bit
         }
         return result;
@@ -458,7 +480,7 @@ class Fit {
     static bool near_bound(const FreeParameter& p, double at) {
         return at - p.coordinate(p.minimum) < bound_near || p.coordinate(p.maximum) - at < bound_near;
     }
-    FittedParameter fitted(std::size_t k) const {
+    FittedParameter fitted(std::size_t k, std::span<const TargetPoint> told, const Courses& courses) const {
         const FreeParameter& p = input_.parameters[k];
         const Certainty& c = certainties_[k];
         const double at = best_.coordinates[k];
@@ -475,9 +497,10 @@ class Fit {
         } else if (!c.determined) {
             fitted.why = behind_smoke_[k]
                              ? std::string(behind_smoke)
-                             : why_undetermined(k, input_.parameters, certainties_,
-                                                blood_is_seen_ ? objective_.target() : input_.target, input_.weights);
-            if (ruled_out_[k])
+                             : why_undetermined(k, input_.parameters, certainties_, told, courses, input_.weights);
+            if (one_of_many_[k] || (ruled_out_[k] && !shown_[k]))
+                fitted.why += "; with the value before the curves are farther, so it is one of many that fit as well";
+            else if (ruled_out_[k])
                 fitted.why += "; but the curves rule out the value before, so it is where they are nearest" +
                               std::string(fitted.at_bound ? ", at its bound" : "");
             else if (!held_[k])
@@ -494,12 +517,14 @@ class Fit {
     Objective objective_;
     Carried carried_;
     Drawn best_;
+    Drawn nearest_;  ///< of all that were drawn; the best keeps what the reference does not tell, and may be farther
     std::optional<std::vector<double>> first_place_;  ///< what told_cost() found; used up by the first round
     std::vector<Certainty> certainties_;
     std::vector<bool> known_;           ///< of each parameter: to the core
     std::vector<bool> held_, shown_;    ///< of each parameter: it keeps its value; the reference shows anything of it
     std::vector<bool> behind_smoke_;    ///< of each parameter: it would be known if smoke hid no blood
     std::vector<bool> ruled_out_;       ///< of each parameter: the curves are much farther with its value before
+    std::vector<bool> one_of_many_;     ///< of each parameter: it was held, but what was drawn then was farther
     std::vector<Certainty> when_held_;  ///< of each parameter that is held
     const bool blood_is_seen_ = shows_blood(input_.target);
     double last_cost_ = 0.0;
@@ -553,15 +578,19 @@ FitResult fit(const FitInput& input) {
     Fit as_it_is(without, shared);
     const bool drawn = as_it_is.begin();
     shared.before = as_it_is.frames();
+    const auto run_as_it_is = [&](bool ended) {
+        FitResult result = as_it_is.run(ended);
+        result.proposal_left = true;
+        return result;
+    };
     const bool both = drawn && begun.begin();
     // A parameter more has to make the curves nearer by as much as chance does (Akaike, 1974).
     if (both && moves_tools(input) &&
-        as_it_is.told_cost() <= begun.told_cost() + static_cast<double>(input.of_proposal)) {
-        FitResult result = as_it_is.run();
-        result.proposal_left = true;
-        return result;
-    }
-    return begun.run(!both);
+        as_it_is.told_cost() <= begun.told_cost() + static_cast<double>(input.of_proposal))
+        return run_as_it_is(false);
+    FitResult result = begun.run(!both);
+    const bool farther = both && as_it_is.distance(result.after) > as_it_is.distance(result.before);
+    return farther ? run_as_it_is(result.ended_early) : result;
 }
 
 }  // namespace lapfx::match

@@ -7,8 +7,10 @@
 // the reference was measured, learns from the difference and searches again: a few drawn curves in all, of which the
 // nearest is the result. Parameters that the reference does not tell keep their value, and it is said why; but where
 // the curves rule that value out, or tell another but for what smoke may hide or too few moments show (undetermined.h),
-// it is where they are nearest. Where a proposal moved tools, the scene as it was is searched, too, over told curves:
-// the fit goes on with the nearer of the two.
+// it is where they are nearest, and so it is where putting values back would make the curves that much farther, one of
+// many that fit as well. Where a proposal moved tools, the scene as it was is searched, too, over told curves: the fit
+// goes on with the nearer of the two. Where what it ends with is drawn farther than the scene as it was (as the
+// objective tells it, without what is known beforehand), that scene is fitted instead.
 //
 // The thread of `draw`; the same input gives the same result, unless the budget ends it.
 #pragma once

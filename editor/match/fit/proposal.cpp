@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <optional>
 
 #include "lapfx/prepared_organ.h"
+#include "match/compare/joined.h"
 #include "match/explain/emission.h"
 #include "match/explain/strokes.h"
 #include "match/explain/wounds.h"
+#include "match/fit/reference_offset.h"
 #include "match/scene/core_amounts.h"
 #include "match/scene/seen_places.h"
 
@@ -19,6 +22,7 @@ namespace {
 constexpr double most_veil = 0.95;       // denser says nothing about depth
 constexpr double apart = 15.0;           // mm between places of tools: no heat reaches another
 constexpr double least_emission = 0.05;  // of the core
+constexpr double curve_step = 0.25;      // s between times of the scene's own curves
 constexpr double lead = 2.0;             // s before the target, at most: smoke that is there at its beginning came then
 
 std::string text_of(const char* format, double a, double b = 0.0) {
@@ -29,10 +33,9 @@ std::string text_of(const char* format, double a, double b = 0.0) {
 
 /// "event 2", or "events 2, 3 and 4", as the editor numbers them.
 std::string names_of(const std::vector<std::size_t>& events) {
-    std::string names = events.size() == 1 ? "event " : "events ";
-    for (std::size_t i = 0; i < events.size(); ++i)
-        names += (i == 0 ? "" : i + 1 == events.size() ? " and " : ", ") + std::to_string(events[i] + 1);
-    return names;
+    std::vector<std::string> numbers;
+    for (const std::size_t event : events) numbers.push_back(std::to_string(event + 1));
+    return (events.size() == 1 ? "event " : "events ") + joined(numbers);
 }
 
 /// The whole stroke, squeezed or stretched, with full power.
@@ -58,11 +61,12 @@ class Proposing {
     Proposal run() {
         propose_smoke();
         propose_blood();
+        tell_offset();
         return std::move(proposal_);
     }
 
   private:
-    void say(std::string line) { proposal_.lines.push_back(std::move(line)); }
+    void say(std::string line, About about = About::amounts) { proposal_.lines.push_back({about, std::move(line)}); }
     bool may_set(const std::string& key) const {
         return std::find(options_.keys.begin(), options_.keys.end(), key) != options_.keys.end();
     }
@@ -96,6 +100,27 @@ class Proposing {
             points.push_back({aim.time, -std::log1p(-veil), course_error(*aim.veil, veil_course) / (1.0 - veil)});
         }
         return points;
+    }
+    /// By the scene as it was: what is proposed has moved to the reference already.
+    void tell_offset() {
+        if (target_.size() < 2) return;
+        const Courses courses = courses_of(target_);
+        std::string line = told_of_offset(target_, courses, curves_of_core());
+        if (!line.empty()) say(std::move(line), About::offset);
+    }
+    /// As an ideal camera sees the start.
+    std::vector<FrameAmounts> curves_of_core() const {
+        const double from = target_.front().time, to = target_.back().time;
+        const std::optional<double> share = seen_share_per_mm2(organ_->organ(), start_.scene, options_.aspect);
+        std::vector<double> times;
+        for (double time = from; time <= to; time += curve_step) times.push_back(time);
+        const std::vector<Amounts> amounts = CoreAmounts(organ_).at(start_, times);
+        std::vector<FrameAmounts> frames;
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            const double blood = share.value_or(0.0) * amounts[i].blood_area, veil = -std::expm1(-amounts[i].haze);
+            frames.push_back({.time = times[i], .blood = {blood, blood, blood}, .veil = {veil, veil, veil}});
+        }
+        return frames;
     }
     void propose_smoke() {
         const std::vector<HazePoint> points = haze_points();
@@ -152,7 +177,8 @@ class Proposing {
             }
         if (silenced.empty()) return;
         say("tools: " + names_of(silenced) + (silenced.size() == 1 ? " is" : " are") +
-            " silenced, power and strength 0: the smoke of the reference is explained without");
+                " silenced, power and strength 0: the smoke of the reference is explained without",
+            About::tools);
     }
     void add_hot(const std::vector<Burst>& bursts) {
         if (bursts.empty()) return;
@@ -300,13 +326,27 @@ Proposal propose(const document::Content& start, const std::shared_ptr<const Pre
     return Proposing(start, organ, target, options).run();
 }
 
-std::string scene_was_nearer(const Scene& before) {
-    return before.events.empty() ? "tools: none are added, what they would explain is within the error of measuring"
-                                 : "tools: stay as they are, with which the scene is nearer to the reference than with "
-                                   "those proposed";
+std::vector<std::string> texts_of(std::span<const ProposalLine> lines) {
+    std::vector<std::string> texts;
+    for (const ProposalLine& line : lines) texts.push_back(line.text);
+    return texts;
 }
 
-std::vector<std::string> begin_with_proposal(FitInput& input, bool tools) {
+ProposalLine scene_was_nearer(const Scene& before) {
+    return {About::tools, before.events.empty()
+                              ? "tools: none are added, what they would explain is within the error of measuring"
+                              : "tools: stay as they are, with which the scene is nearer to the reference than with "
+                                "those proposed"};
+}
+
+std::vector<ProposalLine> without_moves(std::span<const ProposalLine> lines) {
+    std::vector<ProposalLine> left;
+    std::ranges::copy_if(lines, std::back_inserter(left),
+                         [](const ProposalLine& line) { return line.about == About::offset; });
+    return left;
+}
+
+std::vector<ProposalLine> begin_with_proposal(FitInput& input, bool tools) {
     std::vector<std::string> keys;
     for (const FreeParameter& p : input.parameters) keys.push_back(p.key);
     Proposal proposal = propose(input.start, input.organ, input.target, {.aspect = input.aspect, .keys = keys});
@@ -317,8 +357,8 @@ std::vector<std::string> begin_with_proposal(FitInput& input, bool tools) {
     } else {
         proposal.tuned.scene = input.start.scene;
         input.proposed = std::move(proposal.tuned);
-        std::erase_if(proposal.lines, [](const std::string& line) { return line.starts_with("tools: "); });
-        proposal.lines.emplace_back("tools: stay as they are");
+        std::erase_if(proposal.lines, [](const ProposalLine& line) { return line.about == About::tools; });
+        proposal.lines.push_back({About::tools, "tools: stay as they are"});
     }
     return std::move(proposal.lines);
 }

@@ -16,13 +16,6 @@ constexpr double least_told = 0.25;  // of the moments: with blood in fewer it i
 
 constexpr double beyond = 1.5;  // standard errors, of the most and of the least
 
-struct Course {
-    double peak = 0.0, peak_at = 0.0, last = 0.0, last_at = 0.0;
-    bool any = false;      ///< the amount is measurable at all
-    bool changes = false;  ///< by more than its error
-    bool shown = false;    ///< it is above its error at some time
-};
-
 Course course_of(std::span<const TargetPoint> target, std::optional<Amount> TargetPoint::*amount) {
     const CourseError& errors = amount == &TargetPoint::blood  ? blood_course
                                 : amount == &TargetPoint::veil ? veil_course
@@ -71,9 +64,9 @@ std::string hidden_by_smoke(std::span<const TargetPoint> target) {
 }
 
 /// The same as without_course() of blood.
-std::string without_blood(const Course& course, std::span<const TargetPoint> target) {
-    const bool unseen = course.any && !shows_blood(target);
-    const std::string why = unseen ? "no bleeding is seen, left as it is" : without_course(course, "blood");
+std::string without_blood(const Courses& courses, std::span<const TargetPoint> target) {
+    const bool unseen = courses.blood.any && !courses.blood_is_seen;
+    const std::string why = unseen ? "no bleeding is seen, left as it is" : without_course(courses.blood, "blood");
     return why.empty() ? why : why + hidden_by_smoke(target);
 }
 
@@ -84,30 +77,37 @@ bool too_rare(const std::string& key, std::span<const TargetPoint> target) {
            static_cast<double>(moments_with_blood(target)) < least_told * static_cast<double>(target.size());
 }
 
-bool shows_anything_of(const std::string& key, std::span<const TargetPoint> target) {
-    if (key.starts_with("bleeding.")) return shows_blood(target) && course_of(target, &TargetPoint::blood).changes;
-    if (is_of_plume(key) && course_of(target, &TargetPoint::plume).changes) return true;
-    if (key.starts_with("smoke.")) return course_of(target, &TargetPoint::veil).changes;
+Courses courses_of(std::span<const TargetPoint> target) {
+    return {.blood = course_of(target, &TargetPoint::blood),
+            .veil = course_of(target, &TargetPoint::veil),
+            .plume = course_of(target, &TargetPoint::plume),
+            .blood_is_seen = shows_blood(target)};
+}
+
+bool shows_anything_of(const std::string& key, const Courses& courses) {
+    if (key.starts_with("bleeding.")) return courses.blood_is_seen && courses.blood.changes;
+    if (is_of_plume(key) && courses.plume.changes) return true;
+    if (key.starts_with("smoke.")) return courses.veil.changes;
     return true;
 }
 
 std::string why_undetermined(std::size_t parameter, const std::vector<FreeParameter>& parameters,
                              const std::vector<Certainty>& certainties, std::span<const TargetPoint> target,
-                             const Weights& weights) {
+                             const Courses& courses, const Weights& weights) {
     const std::string& key = parameters[parameter].key;
-    const Course blood = course_of(target, &TargetPoint::blood), veil = course_of(target, &TargetPoint::veil);
+    const Course &blood = courses.blood, &veil = courses.veil;
     if (key.starts_with("bleeding.")) {
         if (weights.blood == 0.0) return "blood does not count, its weight is 0";
         if (blood.any && too_rare(key, target))
             return "blood of the reference is measurable in " + std::to_string(moments_with_blood(target)) + " of " +
                    std::to_string(target.size()) + " moments only" + hidden_by_smoke(target);
-        if (const std::string why = without_blood(blood, target); !why.empty()) return why;
+        if (const std::string why = without_blood(courses, target); !why.empty()) return why;
         if (key == "bleeding.max_extent" && blood.last > still_grows * blood.peak)
             return "blood still spreads when the video ends; a video of its standstill would tell it";
     }
     if (key.starts_with("smoke.")) {
         if (weights.veil == 0.0) return "the veil does not count, its weight is 0";
-        const bool by_plume = is_of_plume(key) && course_of(target, &TargetPoint::plume).changes;
+        const bool by_plume = is_of_plume(key) && courses.plume.changes;
         if (const std::string why = without_course(veil, "veil"); !by_plume && !why.empty()) return why;
         if (key == "smoke.haze.ventilation" &&
             (veil.last > (1.0 - clears_by) * veil.peak || veil.last_at - veil.peak_at < telling_decay))

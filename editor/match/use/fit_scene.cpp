@@ -70,7 +70,7 @@ std::vector<TargetPoint> target_of(const SceneFit& fit) {
 FittedScene propose_scene(const SceneFit& fit) {
     FittedScene found = begun(fit);
     FitInput input = input_of(fit, found);
-    found.lines = begin_with_proposal(input, fit.tools);
+    found.lines = texts_of(begin_with_proposal(input, fit.tools));
     found.tuned = input.proposed.value_or(input.start);
     return found;
 }
@@ -78,8 +78,8 @@ FittedScene propose_scene(const SceneFit& fit) {
 FittedScene fit_scene(const SceneFit& fit, PreviewCurve& curve, const FitCalls& calls) {
     FittedScene found = begun(fit);
     FitInput input = input_of(fit, found);
-    std::vector<std::string> lines = begin_with_proposal(input, fit.tools);
-    if (fit.tools) found.lines = std::move(lines);
+    const std::vector<ProposalLine> lines = begin_with_proposal(input, fit.tools);
+    found.lines = texts_of(fit.tools ? lines : without_moves(lines));
     FitShares shares(fit.colors, calls);
     const auto drawing = [&shares](double share) { return shares.drawing(share); };
     input.draw = [&](const document::Content& tuned, std::span<const double> times) {
@@ -95,7 +95,10 @@ FittedScene fit_scene(const SceneFit& fit, PreviewCurve& curve, const FitCalls& 
     if (fit.colors == ColorsOfFit::match)
         input.match_colors = [&colors](const document::Content& tuned) { return colors.amidst(tuned); };
     FitResult& result = found.result.emplace(match::fit(input));
-    if (result.proposal_left) found.lines = {scene_was_nearer(fit.start.scene)};
+    if (result.proposal_left) {
+        found.lines = texts_of(without_moves(lines));
+        found.lines.insert(found.lines.begin(), scene_was_nearer(fit.start.scene).text);
+    }
     if (fit.colors == ColorsOfFit::match && !result.after.empty())
         found.colors = colors.finish(result);
     else if (fit.colors != ColorsOfFit::leave && !result.ended_early)

@@ -287,14 +287,31 @@ TEST(Likeness, AnErrorThatLeavesNothingKnownIsNoMatch) {
     EXPECT_TRUE(wide.blood.cannot_tell());
     EXPECT_FALSE(wide.blood.matches());
     EXPECT_NEAR(*wide.blood.error, 0.2 * std::numbers::sqrt2, 1e-9);
+    EXPECT_NEAR(*wide.blood.larger_error, 0.2, 1e-9);
+    EXPECT_TRUE(wide.blood.seen_apart()) << "0.25 is more than 0.2";
+    EXPECT_FALSE(wide.veil.seen_apart());
     EXPECT_TRUE(wide.veil.cannot_tell()) << "0.28 is more than half of its peak of 0.5";
     EXPECT_EQ(in_words(wide),
-              "cannot tell whether blood matches: the error of measuring is 28 % of the view; cannot tell whether veil "
-              "matches: the error of measuring is 28 % of the view");
+              "blood is less in the preview, but how much cannot be told: the error of measuring is 28 % of the view; "
+              "cannot tell whether veil matches: the error of measuring is 28 % of the view");
     const Likeness less = likeness(0.16);
     EXPECT_FALSE(less.blood.within_error()) << "0.25 is beyond 0.23";
     EXPECT_TRUE(less.veil.matches()) << "0.23 is less than half of its peak";
     EXPECT_EQ(in_words(less).substr(0, 8), "blood is");
+}
+
+TEST(Likeness, WhatIsApartByMoreThanTheLargerErrorIsMoreOrLessThough) {
+    const auto blood = [](double preview, double reference, double half) {
+        const Taken narrow{.half = 0.1 * half}, wide{.half = half};
+        return likeness_of(frames_of(even(0.0), even(preview), wide), frames_of(even(0.0), even(reference), narrow), 0);
+    };
+    const Likeness more = blood(0.3, 0.1, 0.1995);
+    EXPECT_NEAR(*more.blood.larger_error, 0.1995, 1e-9) << "not their sum, nor the smaller";
+    EXPECT_EQ(in_words(more).substr(0, in_words(more).find(';')),
+              "blood is more in the preview, but how much cannot be told: the error of measuring is 20 % of the view");
+    EXPECT_TRUE(blood(0.3, 0.1, 0.205).blood.cannot_tell());
+    EXPECT_FALSE(blood(0.3, 0.1, 0.205).blood.seen_apart());
+    EXPECT_FALSE(blood(0.3, 0.1, 0.15).blood.seen_apart()) << "it differs, and by how much is told";
 }
 
 TEST(Likeness, WhatNeitherShowsIsNotKnownWhereTheErrorIsLarge) {

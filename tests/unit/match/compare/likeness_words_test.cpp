@@ -213,6 +213,12 @@ TEST(LikenessWords, WhatDiffersIsSaidBeforeWhatNobodyCanTellAndThatBeforeAMatch)
     EXPECT_EQ(in_words({.overlap = 10.0, .blood = alike(), .veil = unknown}),
               "cannot tell whether veil matches: the error of measuring is 21 % of the view; blood matches within the "
               "error of measuring");
+    unknown.larger_error = 0.15, unknown.bias = -0.16;
+    expect(of_blood(unknown),
+           "blood is less in the preview, but how much cannot be told: the error of measuring is 21 % of the view",
+           Said::seen_apart, "bleeding.max_extent");
+    unknown.bias = 0.14;
+    EXPECT_EQ(of_blood(unknown).what, Said::cannot_tell);
     unknown.error = 0.09;
     expect(
         of_blood(unknown),

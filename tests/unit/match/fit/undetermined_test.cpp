@@ -26,7 +26,8 @@ std::vector<TargetPoint> target_with(Blood blood, Veil veil) {
 
 std::string why(const std::string& key, const std::vector<TargetPoint>& target, int alike = -1) {
     const Certainty certainty{.alike = alike};
-    return why_undetermined(0, parameters({key, "bleeding.speed=1..9"}), {certainty, certainty}, target);
+    return why_undetermined(0, parameters({key, "bleeding.speed=1..9"}), {certainty, certainty}, target,
+                            courses_of(target));
 }
 
 TEST(Undetermined, BloodThatSmokeHidesIsNotCalledMissing) {
@@ -57,8 +58,11 @@ TEST(Undetermined, BloodThatSmokeHidesIsNotCalledMissing) {
 
 TEST(Undetermined, BloodThatIsNotSeenShowsNothingOfBleeding) {
     const auto none = [](int) { return 0.0; };
-    EXPECT_TRUE(shows_anything_of("bleeding.speed", target_with([](int i) { return 0.1 * i; }, none)));
-    EXPECT_FALSE(shows_anything_of("bleeding.speed", target_with([](int i) { return i == 5 ? 0.3 : 0.0; }, none)));
+    const auto shows = [&](auto blood) {
+        return shows_anything_of("bleeding.speed", courses_of(target_with(blood, none)));
+    };
+    EXPECT_TRUE(shows([](int i) { return 0.1 * i; }));
+    EXPECT_FALSE(shows([](int i) { return i == 5 ? 0.3 : 0.0; }));
 }
 
 TEST(Undetermined, BloodInFewMomentsIsTooRare) {
