@@ -3,6 +3,7 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <vector>
 
 #include "lapfx/scene.h"
 #include "match/frame/film.h"
@@ -39,12 +40,16 @@ class BloodFinder {
                      const Laid& laid);
     void see_covered(const cv::Mat& baseline, const cv::Mat& baseline_redness, const cv::Mat& tissue);
     void clear_smoke(const cv::Mat& frame, const cv::Mat& veil, const cv::Mat& light);
+    void clear_sure_smoke(const cv::Mat& frame, const cv::Mat& veil, const cv::Mat& light, const cv::Mat& valid,
+                          const cv::Mat& tissue, double within);
+    float share_of_smoke(const cv::Mat& light, const cv::Mat& valid, const cv::Mat& tissue);
     void grow(const cv::Mat& valid, double of_patch);
     void fill_hidden(const cv::Mat& valid);
 
     FilmSolver film_;
     cv::Mat clear_, redness_, near_, nearer_, seen_, seen_redness_, sure_, maybe_, blood_, hidden_, redder_, labels_;
-    cv::Mat covered_, unshaded_, unshaded_near_, unshaded_nearer_, decided_, share_, weight_;
+    std::vector<float> reds_;
+    cv::Mat smoke_, covered_, unshaded_, unshaded_near_, unshaded_nearer_, decided_, share_, weight_;
 };
 
 }  // namespace lapfx::match

@@ -118,6 +118,17 @@ TEST(Blood, BehindSmokeIsMissedRatherThanInventedWhereTissueMoved) {
     for (const double taken_for : {0.2, 0.4, 0.6}) EXPECT_EQ(behind(test::tissue(), 0.2, taken_for), 0.0) << taken_for;
 }
 
+/// What the smoke surely adds is removed there, too, up to where the tissue is as red as it was.
+TEST(Blood, BehindThinSmokeIsFoundWhereTissueMoved) {
+    for (const double veil : {0.1, 0.2, 0.3}) {
+        const auto behind = [veil](const cv::Mat& tissue) {
+            return Found(test::veiled(tissue, even(veil), test::light_of({})), even(veil)).blood();
+        };
+        EXPECT_NEAR(behind(bloody()), disc, 0.1 * disc) << veil;
+        EXPECT_EQ(behind(test::tissue()), 0.0) << veil;
+    }
+}
+
 TEST(Blood, CannotBeReadBehindDenseSmoke) {
     const Found found(test::veiled(bloody(), even(0.9), test::light_of({})), even(0.9));
     EXPECT_EQ(found.blood(), 0.0);
