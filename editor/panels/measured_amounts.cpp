@@ -26,7 +26,7 @@ namespace {
 using app::PreviewMeasuring;
 
 constexpr int reference_series = 1, fit_series = 3;   // colours of the theme's series
-constexpr float high_enough_for_colors = 17.5F;       // em of the panel
+constexpr float high_enough_for_colors = 16;          // em of the panel
 constexpr float least_width = 14, least_height = 10;  // em of a plot; in a smaller panel they scroll
 constexpr float narrow_plot = 26;                     // em: below, the names of its curves are short
 
