@@ -485,6 +485,9 @@ FrameAmounts Estimator::State::amounts_of(double time, bool moved) {
     set_intervals(amounts);
     set_camera_intervals(amounts, added);
     if (options.painted_blood && amounts.measurable()) set_painted_interval(amounts.blood);
+    // Where other tissue is compared its colour is another: that widened the intervals, and tells nothing of the
+    // camera.
+    if (placement.likeness() < well_placed) amounts.flags &= ~told::tinted;
     return amounts;
 }
 

@@ -276,21 +276,38 @@ cv::Mat plume(double veil) {
     return map;
 }
 
-/// The flow finds it again, where no motion of the camera lays it over the frame: what a map of pixels tells there is
-/// the tissue's, and most of it is not told.
-TEST(Estimator, TakesTissueThatMovesByItselfForNoSmoke) {
-    const cv::Mat clear = test::tissue();
-    cv::Mat from(clear.size(), CV_32FC2), moved;
+/// Tissue that moved by itself: the flow finds it again, where no motion of the camera lays it over the frame.
+cv::Mat moved_by_itself(const cv::Mat& tissue) {
+    cv::Mat from(tissue.size(), CV_32FC2), moved;
     for (int y = 0; y < test::height; ++y)
         for (int x = 0; x < test::width; ++x)
             from.at<cv::Vec2f>(y, x) = {static_cast<float>(x + 8.0 * std::sin(y / 25.0)),
                                         static_cast<float>(y + 8.0 * std::sin(x / 30.0))};
-    cv::remap(clear, moved, from, {}, cv::INTER_LINEAR, cv::BORDER_REFLECT);
+    cv::remap(tissue, moved, from, {}, cv::INTER_LINEAR, cv::BORDER_REFLECT);
+    return moved;
+}
+
+/// What a map of pixels tells there is the tissue's, and most of it is not told.
+TEST(Estimator, TakesTissueThatMovesByItselfForNoSmoke) {
+    const cv::Mat clear = test::tissue();
     Estimator estimator(test::image_of(clear), {.survey = std::make_shared<const Survey>()});
-    const FrameAmounts a = estimator.measure(test::image_of(moved), 0);
+    const FrameAmounts a = estimator.measure(test::image_of(moved_by_itself(clear)), 0);
     EXPECT_GT(a.likeness, 0.6);
     EXPECT_LT(estimator.veil_figures().likeness, 0.5);
     EXPECT_LT(a.veil.value, 0.01) << estimator.veil_figures().map;
+}
+
+/// Its colours may as well be those of other tissue. They make the amounts no surer.
+TEST(Estimator, TellsNoWhiteBalanceOfTissueThatMovesByItself) {
+    const cv::Mat clear = test::tissue();
+    cv::Mat bluer;
+    cv::multiply(moved_by_itself(clear), cv::Scalar(1.4, 1.0, 0.95), bluer);
+    Estimator estimator(test::image_of(clear), {.survey = std::make_shared<const Survey>()});
+    const FrameAmounts as_it_was = estimator.measure(test::image_of(moved_by_itself(clear)), 0),
+                       other = estimator.measure(test::image_of(bluer), 0);
+    EXPECT_TRUE(other.measurable());
+    EXPECT_FALSE(other.flags & told::tinted);
+    EXPECT_GT(other.veil.high - other.veil.value, as_it_was.veil.high - as_it_was.veil.value);
 }
 
 TEST(Estimator, TakesACameraThatChangesForNoSmoke) {
