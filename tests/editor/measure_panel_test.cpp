@@ -64,6 +64,7 @@ TEST_F(MeasurePanel, LightAndGainAreShownWhereOneAsksForThem) {
         EXPECT_TRUE(seen(name)) << name;
     }
     ui().click(panel + "Amounts", {.at = {0.5F, 0.6F}}).key('C', Mods::command).frame();
+    EXPECT_NE(ui().clipboard().text.find("Gain"), std::string::npos);
     EXPECT_TRUE(ui().clipboard().text.find("Light") < ui().clipboard().text.find("Gain")) << ui().clipboard().text;
     app::MeasuredCurve gain;
     gain.set(measuring().frames(), app::gain_curve);

@@ -55,7 +55,7 @@ std::string shift_text(const std::vector<std::string>& names, double later) {
     std::snprintf(text, sizeof text, " of the reference %s %.1f s %s than the scene's: an offset that is %.1f s %s ",
                   comes, std::abs(later), later > 0.0 ? "later" : "earlier", std::abs(later),
                   later > 0.0 ? "more" : "less");
-    return "reference.offset: " + joined(names) + text + "brings them together, and no tool has to move";
+    return "reference.offset: " + joined(names) + text + "brings them together instead of moving tools";
 }
 
 }  // namespace

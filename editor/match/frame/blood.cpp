@@ -21,14 +21,16 @@ struct Moves {
 };
 constexpr Moves tissue_moves[] = {{0.3, 20.0}, {0.5, 8.0}, {0.7, 3.0}};
 constexpr double maybe_nearer = 0.5;  // of these px, for what may be blood
-// There the map of the veil is known badly, too. But smoke adds no more light than the darkest place within so many px
-// of 256 has, and no more of it is removed than is beyond that error. Both were chosen by known blood over tissue that
-// moves (video01_010 to 298 without those that the bench holds out, and DeSmoke-LAP).
+// There the map of the veil is known badly, too. But smoke adds no more blue and green, which blood leaves dark, than
+// the darkest place within so many px of 256 has, and no more of it is removed than is beyond that error. Both were
+// chosen by known blood over tissue that moves (video01_010 to 298 without those that the bench holds out, and
+// DeSmoke-LAP).
 constexpr double smoke_within = 24.0;
 constexpr float unsure_veil = 0.03F;
 constexpr float most_smoke = 0.7F;  // of the light: what remains is noise
 constexpr float least_light = 1e-3F;
 constexpr int every = 2, halvings = 6;                // px; of the search for how much of it
+constexpr std::size_t palest = 4;                     // a quarter of the tissue is paler
 constexpr double least_red = 0.72;                    // share of the qualifier's redness
 constexpr double sure_more = 0.75, maybe_more = 0.3;  // shares of the qualifier's rise over 1
 constexpr float least_code = 50.0F;                   // of red: what lies darker in a shadow seems redder
@@ -138,12 +140,13 @@ void BloodFinder::clear_smoke(const cv::Mat& frame, const cv::Mat& veil, const c
     redness_of(clear_, redness_);
 }
 
-/// Of the smoke that the map tells, how much may be removed until the tissue's middle is as red as the baseline's was:
-/// what a map that is too dense would make redder stays as it is. Blood makes it redder, too, so that less is removed.
+/// Of the smoke that the map tells, how much may be removed until the palest of the tissue is as red as the baseline's
+/// was: what a map that is too dense would make redder stays as it is. Blood is not among the palest, unless it covers
+/// nearly all.
 float BloodFinder::share_of_smoke(const cv::Mat& light, const cv::Mat& valid, const cv::Mat& tissue) {
-    const auto middle = [this] {
+    const auto pale = [this] {
         if (reds_.empty()) return 0.0F;
-        const auto at = reds_.begin() + static_cast<std::ptrdiff_t>(reds_.size() / 2);
+        const auto at = reds_.begin() + static_cast<std::ptrdiff_t>(reds_.size() / palest);
         std::nth_element(reds_.begin(), at, reds_.end());
         return *at;
     };
@@ -154,7 +157,7 @@ float BloodFinder::share_of_smoke(const cv::Mat& light, const cv::Mat& valid, co
                 if (part.at<std::uint8_t>(y, x) != 0) reds_.push_back(red_at(y, x));
     };
     each(tissue, [this](int y, int x) { return unshaded_.at<float>(y, x); });
-    const float was = middle();
+    const float was = pale();
     float low = 0.0F, high = 1.0F;
     for (int i = 0; i < halvings; ++i) {
         const float share = 0.5F * (low + high);
@@ -162,13 +165,13 @@ float BloodFinder::share_of_smoke(const cv::Mat& light, const cv::Mat& valid, co
             return unshaded_redness(
                 without_smoke(seen_.at<cv::Vec3f>(y, x), light.at<cv::Vec3f>(y, x), share * smoke_.at<float>(y, x)));
         });
-        (middle() <= was ? low : high) = share;
+        (pale() <= was ? low : high) = share;
     }
     return low;
 }
 
 /// The frame without the smoke that is surely before it: no more than the darkest place near by leaves, and than makes
-/// the tissue as red as it was. `unshaded_` is that of the baseline.
+/// the palest tissue as red as it was. `unshaded_` is that of the baseline.
 void BloodFinder::clear_sure_smoke(const cv::Mat& frame, const cv::Mat& veil, const cv::Mat& light,
                                    const cv::Mat& valid, const cv::Mat& tissue, double within) {
     cv::GaussianBlur(frame, seen_, {3, 3}, 0);
@@ -181,7 +184,11 @@ void BloodFinder::clear_sure_smoke(const cv::Mat& frame, const cv::Mat& veil, co
             smoke_.at<float>(y, x) = known ? std::min(most, most_smoke) : most_smoke;
         }
     cv::erode(smoke_, smoke_, square(within));
-    cv::min(smoke_, cv::max(veil - unsure_veil, 0.0F), smoke_);
+    for (int y = 0; y < frame.rows; ++y)
+        for (int x = 0; x < frame.cols; ++x) {
+            const float sure = std::max(veil.at<float>(y, x) - unsure_veil, 0.0F);
+            smoke_.at<float>(y, x) = std::min(smoke_.at<float>(y, x), sure);
+        }
     const float share = share_of_smoke(light, valid, tissue);
     for (int y = 0; y < frame.rows; ++y)
         for (int x = 0; x < frame.cols; ++x) {

@@ -233,10 +233,10 @@ TEST(Proposal, NamesTheOffsetWhereTheReferenceIsTheSceneShifted) {
     for (ToolContact& event : later.scene.events) event.time += 1.6;
     EXPECT_EQ(of_offset(propose(start, organ(), seen(later), {.aspect = aspect})),
               "reference.offset: blood and veil of the reference come 1.6 s later than the scene's: an offset that is "
-              "1.6 s more brings them together, and no tool has to move");
+              "1.6 s more brings them together instead of moving tools");
     EXPECT_EQ(of_offset(propose(later, organ(), seen(start), {.aspect = aspect})),
               "reference.offset: blood and veil of the reference come 1.6 s earlier than the scene's: an offset that "
-              "is 1.6 s less brings them together, and no tool has to move");
+              "is 1.6 s less brings them together instead of moving tools");
     EXPECT_EQ(of_offset(propose(start, organ(), seen(start), {.aspect = aspect})), "");
     EXPECT_EQ(of_offset(of(seen(hidden()))), "") << "blood comes later by more than smoke does";
 }

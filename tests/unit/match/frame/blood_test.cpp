@@ -129,6 +129,15 @@ TEST(Blood, BehindThinSmokeIsFoundWhereTissueMoved) {
     }
 }
 
+TEST(Blood, OverMostOfTheViewIsFoundBehindSmokeWhereTissueMoved) {
+    cv::Mat frame = test::tissue();
+    test::bleed(frame, {test::width / 2, test::height / 2}, 125);
+    const double much = Found(frame, even(0)).blood(),
+                 behind = Found(test::veiled(frame, even(0.3), test::light_of({})), even(0.3)).blood();
+    EXPECT_GT(much, 0.5);
+    EXPECT_NEAR(behind, much, 0.1 * much);
+}
+
 TEST(Blood, CannotBeReadBehindDenseSmoke) {
     const Found found(test::veiled(bloody(), even(0.9), test::light_of({})), even(0.9));
     EXPECT_EQ(found.blood(), 0.0);

@@ -305,6 +305,8 @@ TEST(Estimator, TellsNoWhiteBalanceOfTissueThatMovesByItself) {
     Estimator estimator(test::image_of(clear), {.survey = std::make_shared<const Survey>()});
     const FrameAmounts as_it_was = estimator.measure(test::image_of(moved_by_itself(clear)), 0),
                        other = estimator.measure(test::image_of(bluer), 0);
+    cv::multiply(clear, cv::Scalar(1.4, 1.0, 0.95), bluer);
+    EXPECT_TRUE(estimator.measure(test::image_of(bluer), 0).flags & told::tinted);
     EXPECT_TRUE(other.measurable());
     EXPECT_FALSE(other.flags & told::tinted);
     EXPECT_GT(other.veil.high - other.veil.value, as_it_was.veil.high - as_it_was.veil.value);
