@@ -31,7 +31,7 @@ void add_fit_commands(app::Editor& editor) {
         return editor.fitting().found() != nullptr && !editor.fitting().taken() && !editor.fitting().busy();
     };
     const char* const no_start = "there is no reference that can be shown, or it is being fitted";
-    const char* const nothing = "nothing has been found yet, or it is being looked for anew";
+    const char* const nothing = "nothing has been found yet, it has been taken, or it is being looked for anew";
     const auto show = [&editor] { editor.layouts().bring_to_front("Fit"); };
     editor.commands.add({.id = "fit.start",
                          .title = "Fit",

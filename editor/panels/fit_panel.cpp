@@ -82,10 +82,10 @@ void choose_clip(ui::Ui& ui, const FitParts& on) {
 void state(ui::Ui& ui, const FitParts& on) {
     for (const Fault& fault : on.fitting.faults()) wrapped(ui, ui.copy(fault.text()), ui::Tone::error);
     choose_clip(ui, on);
-    if (on.fitting.busy() || !on.fitting.faults().empty()) return;
+    if (on.fitting.busy()) return;
     const FitFound* const found = on.fitting.found();
     if (found == nullptr) {
-        if (on.reference.video() == nullptr)
+        if (on.reference.video() == nullptr && on.fitting.faults().empty())
             wrapped(ui, "There is no reference to fit to. Open a surgery video first.", ui::Tone::dim);
         return;
     }

@@ -133,13 +133,15 @@ void add_strokes(app::Editor& editor) {
                              .enabled = [&editor] { return editor.measure_bench().look.paints(); },
                              .tip = row.tip,
                              .missing = "no brush is in hand"});
-    editor.commands.add({.id = "measure.without_blood",
-                         .title = "No blood in this frame",
-                         .group = "Reference",
-                         .run = [&editor] { app::name_frame_without_blood(editor.document, editor.reference()); },
-                         .enabled = [shown, painted] { return shown() && painted(); },
-                         .tip = "The frame of the reference that is shown has no blood: strokes learn from all of it",
-                         .missing = "only strokes learn from it, and nothing is painted over the reference"});
+    editor.commands.add(
+        {.id = "measure.without_blood",
+         .title = "No blood in this frame",
+         .group = "Reference",
+         .run = [&editor] { app::name_frame_without_blood(editor.document, editor.reference()); },
+         .enabled = [shown, painted] { return shown() && painted(); },
+         .tip = "The frame of the reference that is shown has no blood: strokes learn from all of it",
+         .missing = "only strokes learn from it: there is no reference that can be shown, or nothing is painted "
+                    "over it"});
     editor.commands.add({.id = "measure.open_strokes",
                          .title = "Open strokes...",
                          .group = "Reference",

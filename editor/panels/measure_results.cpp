@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <utility>
 
 #include "app/measure/measure_bench.h"
 #include "app/measure/measured_curve.h"

@@ -117,7 +117,7 @@ TEST_F(PaintedStrokes, AFrameWithoutBloodIsNamedOnlyForStrokes) {
     EXPECT_TRUE(says("Without blood: none"));
     EXPECT_FALSE(ui().exists(rows + "Blood/Without blood")) << "-1 s is no time";
     EXPECT_TRUE(ui().is(button, ui::Is::disabled));
-    EXPECT_NE(ui().tip(button).find("nothing is painted over the reference"), std::string::npos) << ui().tip(button);
+    EXPECT_NE(ui().tip(button).find("nothing is painted over it"), std::string::npos) << ui().tip(button);
     editor().document.change("Paint", [&](document::Content& c) {
         c.scene.reference.measure.strokes = {{.time = bloody_time, .points = {{0.5, 0.55}}}};
     });

@@ -8,6 +8,7 @@
 #include "lapfx/prepared_organ.h"
 #include "match/fit/certainty.h"
 #include "match/fit/color_match.h"
+#include "match/fit/fit_input.h"
 #include "match/fit/search.h"
 #include "match/fit/undetermined.h"
 #include "match/frame/frame_amounts.h"
@@ -93,6 +94,7 @@ class Fit {
             for (const FreeParameter& p : input_.parameters)
                 shown_.push_back(shows_anything_of(p.key, courses) || (too_much && p.key.starts_with("smoke.")));
             if (match_colors() && learn_unknown()) search_and_hold();
+            go_back_if_farther();
             if (hold_undetermined()) search_rounds(rounds_beside_held - 1, options_with(held_));
             go_back_if_farther();
             tell_certainties();
@@ -414,13 +416,15 @@ class Fit {
         when_held_.resize(next.size());
         ruled_out_.assign(next.size(), false);
         while (const std::optional<std::size_t> k = early_ ? std::nullopt : least_told(next)) {
-            held_[*k] = true, when_held_[*k] = certainties_[*k];
+            held_[*k] = true, one_of_many_[*k] = false, when_held_[*k] = certainties_[*k];
             std::vector<double> beside = next;
             beside[*k] = kept_coordinate(*k);
             const bool moves = beside[*k] != next[*k];
             if (moves && (shown_[*k] || space().cost_at(beside) > most))
                 beside = search(space(), beside, options_with(held_));
-            ruled_out_[*k] = moves && space().cost_at(beside) > most;
+            const double cost = space().cost_at(beside);
+            ruled_out_[*k] = moves && cost > most;
+            one_of_many_[*k] = ruled_out_[*k] && (!shown_[*k] || cost <= space().cost_at(next) + denial);
             held_[*k] = !ruled_out_[*k];
             if (held_[*k]) next = beside, certainties_ = certainties(next, Errors::of_course);
         }
@@ -431,9 +435,11 @@ class Fit {
         return false;
     }
     /// What was told of values that are put back may not be what is drawn then: where that is farther than the
-    /// reference denies, or than the scene was, they stay where the curves were nearest.
+    /// reference denies, or than the scene was while the nearest is not, they stay where the curves were nearest.
     void go_back_if_farther() {
-        if (best_.cost <= nearest_.cost + denial && distance(best_.frames) <= distance(shared_.before)) return;
+        const double scene = distance(shared_.before);
+        const bool than_scene = distance(best_.frames) > scene && distance(nearest_.frames) <= scene;
+        if (early_ || (best_.cost <= nearest_.cost + denial && !than_scene)) return;
         for (std::size_t k = 0; k < held_.size(); ++k) {
             if (!held_[k] || kept_coordinate(k) == nearest_.coordinates[k]) continue;
             held_[k] = false, one_of_many_[k] = true;
@@ -498,8 +504,10 @@ class Fit {
             fitted.why = behind_smoke_[k]
                              ? std::string(behind_smoke)
                              : why_undetermined(k, input_.parameters, certainties_, told, courses, input_.weights);
-            if (one_of_many_[k] || (ruled_out_[k] && !shown_[k]))
-                fitted.why += "; with the value before the curves are farther, so it is one of many that fit as well";
+            if (one_of_many_[k])
+                fitted.why +=
+                    "; put back together with the others, the value before makes the curves farther: this is "
+                    "one of many that fit";
             else if (ruled_out_[k])
                 fitted.why += "; but the curves rule out the value before, so it is where they are nearest" +
                               std::string(fitted.at_bound ? ", at its bound" : "");
@@ -531,41 +539,6 @@ class Fit {
     bool early_ = false;
 };
 
-void require_something(const FitInput& input) {
-    const auto refuse = [](const std::string& reason) {
-        throw Error(Failure::bad_input, Fault{.file = "", .place = "", .reason = reason});
-    };
-    if (input.parameters.empty()) refuse("no parameter is free: there is nothing to fit");
-    if (input.target.size() < 2)
-        refuse("the reference has fewer than two measured moments within the scene: nothing to fit to");
-    const Weights& weights = input.weights;
-    if (weights.blood == 0.0 && weights.veil == 0.0)
-        refuse("the weights of blood and of the veil are 0: there is nothing to fit to");
-    const bool bleeds = shows_blood(input.target);
-    const bool any = std::any_of(input.target.begin(), input.target.end(), [&](const TargetPoint& aim) {
-        return (aim.blood && weights.blood > 0.0 && bleeds) || (aim.veil && weights.veil > 0.0);
-    });
-    if (!any && !bleeds && weights.blood > 0.0 &&
-        std::any_of(input.target.begin(), input.target.end(), [](const TargetPoint& aim) { return aim.blood; }))
-        refuse(
-            "no bleeding is seen in the reference, and its veil does not count or is not measurable: nothing to fit "
-            "to");
-    if (!any) refuse("neither blood nor veil of the reference is measurable within the scene: nothing to fit to");
-}
-
-bool moves_tools(const FitInput& input) {
-    const Scene &start = input.start.scene, &before = input.before->scene;
-    return start.events != before.events || start.curves.emission != before.curves.emission;
-}
-
-FitInput without_proposal(const FitInput& input) {
-    FitInput without = input;
-    without.start = *without.before;
-    without.before.reset();
-    without.parameters.resize(without.parameters.size() - input.of_proposal);
-    return without;
-}
-
 }  // namespace
 
 FitResult fit(const FitInput& input) {
@@ -590,7 +563,9 @@ FitResult fit(const FitInput& input) {
         return run_as_it_is(false);
     FitResult result = begun.run(!both);
     const bool farther = both && as_it_is.distance(result.after) > as_it_is.distance(result.before);
-    return farther ? run_as_it_is(result.ended_early) : result;
+    if (!farther) return result;
+    shared.most_curves += as_it_is.most_curves();
+    return run_as_it_is(result.ended_early);
 }
 
 }  // namespace lapfx::match

@@ -21,6 +21,7 @@ ColorMatch FitColors::match(const document::Content& start, std::vector<std::str
 std::optional<document::Content> FitColors::amidst(const document::Content& tuned) {
     std::vector<std::string> keys = input_.keys;
     std::erase_if(keys, [](const std::string& key) { return key.starts_with("bleeding."); });  // once all is found
+    begun_.reset();  // of a fit that was dropped
     ColorMatch found =
         match(tuned, std::move(keys), [this](int, double share) { return !input_.amidst || input_.amidst(share); });
     if (found.drawn == 0 || found.ended_early) return {};

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include "lapfx/prepared_organ.h"
 #include "match/compare/joined.h"
@@ -332,7 +333,9 @@ std::vector<std::string> texts_of(std::span<const ProposalLine> lines) {
     return texts;
 }
 
-ProposalLine scene_was_nearer(const Scene& before) {
+ProposalLine scene_was_nearer(const Scene& before, const Scene& proposed) {
+    if (before.events == proposed.events && before.curves.emission == proposed.curves.emission)
+        return {About::amounts, "the scene as it was is nearer to the reference than what was proposed"};
     return {About::tools, before.events.empty()
                               ? "tools: none are added, what they would explain is within the error of measuring"
                               : "tools: stay as they are, with which the scene is nearer to the reference than with "

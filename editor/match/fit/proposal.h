@@ -66,7 +66,7 @@ Proposal propose(const document::Content& start, const std::shared_ptr<const Pre
 std::vector<ProposalLine> begin_with_proposal(FitInput& input, bool tools = true);
 
 /// Instead of the proposal's lines, where FitResult::proposal_left. `before`: the scene without the proposal.
-ProposalLine scene_was_nearer(const Scene& before);
+ProposalLine scene_was_nearer(const Scene& before, const Scene& proposed);
 
 /// Those that are true of the scene without the proposal, too: on the offset.
 std::vector<ProposalLine> without_moves(std::span<const ProposalLine> lines);

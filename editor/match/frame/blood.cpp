@@ -130,10 +130,9 @@ void BloodFinder::clear_smoke(const cv::Mat& frame, const cv::Mat& veil, const c
     clear_.create(frame.size(), CV_32FC3);
     for (int y = 0; y < frame.rows; ++y)
         for (int x = 0; x < frame.cols; ++x) {
-            const float through = std::max(1.0F - veil.at<float>(y, x), 0.5F * least_through);
-            cv::Vec3f clear =
-                (frame.at<cv::Vec3f>(y, x) - light.at<cv::Vec3f>(y, x) * (1.0F - through)) * (1.0F / through);
-            for (int k = 0; k < 3; ++k) clear[k] = std::clamp(clear[k], 0.0F, 1.0F);
+            const float smoke = std::min(veil.at<float>(y, x), 1.0F - 0.5F * least_through);
+            cv::Vec3f clear = without_smoke(frame.at<cv::Vec3f>(y, x), light.at<cv::Vec3f>(y, x), smoke);
+            for (int k = 0; k < 3; ++k) clear[k] = std::min(clear[k], 1.0F);
             clear_.at<cv::Vec3f>(y, x) = clear;
         }
     cv::GaussianBlur(clear_, clear_, {3, 3}, 0);

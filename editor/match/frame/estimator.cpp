@@ -138,6 +138,7 @@ struct Estimator::State {
     }
     void lay_over();
     void see_likeness();
+    bool laid_well() const { return options.still || placement.likeness() >= well_placed; }
     void see_light(const HazeLight& found);
     void take(const Image& frame);
     void see_view();
@@ -310,7 +311,7 @@ void Estimator::State::find_foreign() {
 
 void Estimator::State::find_blood(const cv::Mat& within) {
     blood.find(placed_linear, placed_redness, frame_linear, veil.veil(), light_map, within, options.blood,
-               {.well = placement.likeness() >= well_placed, .likeness = likeness, .tissue = placed_counted});
+               {.well = laid_well(), .likeness = likeness, .tissue = placed_counted});
 }
 
 /// A camera that changes makes neither smoke nor blood: then both are looked for over the baseline as it would be now.
@@ -324,7 +325,7 @@ void Estimator::State::explain() {
 
 /// The gains of the camera's channels, if they explain more of the frame than a whole map of veil does.
 std::optional<cv::Vec3f> Estimator::State::gains_that_explain() const {
-    if (placement.likeness() < well_placed) return {};
+    if (!laid_well()) return {};
     const cv::Vec3f found = camera_gains(placed_linear, frame_linear, readable);
     if (cv::norm(found, ungained, cv::NORM_INF) < least_gained) return {};
     if (misfit_of_gains(placed_linear, found, frame_linear, readable) >=
@@ -478,7 +479,7 @@ FrameAmounts Estimator::State::amounts_of(double time, bool moved) {
         amounts.veil.value = cv::mean(veil.veil(), valid)[0];
     }
     judge(amounts, moved);
-    if (amounts.measurable() && placement.likeness() >= well_placed) {
+    if (amounts.measurable() && laid_well()) {
         amounts.plume = Amount{.value = standing_out(veil.veil(), valid, sorted_veil)};
         set_plume_interval(*amounts.plume);
     }
@@ -487,7 +488,7 @@ FrameAmounts Estimator::State::amounts_of(double time, bool moved) {
     if (options.painted_blood && amounts.measurable()) set_painted_interval(amounts.blood);
     // Where other tissue is compared its colour is another: that widened the intervals, and tells nothing of the
     // camera.
-    if (placement.likeness() < well_placed) amounts.flags &= ~told::tinted;
+    if (!laid_well()) amounts.flags &= ~told::tinted;
     return amounts;
 }
 

@@ -50,8 +50,10 @@ struct EstimatorOptions {
     std::vector<MaskPolygon> masks = {};  ///< drawn by the user: left out
     /// The round view: its middle, fractions of width and height, and radius, of the height; none: it is looked for.
     std::optional<glm::dvec3> round_view = {};
-    double round_aspect = 0.0;                  ///< width over height with which it is round; 0: that of the pictures
-    std::shared_ptr<const Survey> survey = {};  ///< of the same baseline, when it is known already
+    double round_aspect = 0.0;  ///< width over height with which it is round; 0: that of the pictures
+    /// Nothing moves, as in a preview without a plate: tissue that is little alike is covered, and not elsewhere.
+    bool still = false;
+    std::shared_ptr<const Survey> survey = {};         ///< of the same baseline, when it is known already
     std::shared_ptr<const VeilModel> veil_model = {};  ///< of the mean veil; none: the shipped one
     /// What a person's strokes say of this video's blood; none: what is new since the baseline is looked for.
     std::shared_ptr<const PaintedBlood> painted_blood = {};

@@ -141,6 +141,7 @@ std::optional<std::vector<FrameAmounts>> PreviewCurve::measure(const Scene& scen
     of_estimator.survey.reset();
     if (scene.plate.use) of_estimator.held_blood = plate_blood_;
     const glm::dvec2 shape(options_.size);
+    of_estimator.still = !scene.plate.use;
     if (!scene.plate.use) {  // else as it is
         of_estimator.round_view = round_view_of(scene.camera, shape.x / shape.y);
         if (options_.measured.x > 0) of_estimator.round_aspect = shape.x / shape.y;

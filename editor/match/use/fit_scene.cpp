@@ -97,7 +97,7 @@ FittedScene fit_scene(const SceneFit& fit, PreviewCurve& curve, const FitCalls& 
     FitResult& result = found.result.emplace(match::fit(input));
     if (result.proposal_left) {
         found.lines = texts_of(without_moves(lines));
-        found.lines.insert(found.lines.begin(), scene_was_nearer(fit.start.scene).text);
+        found.lines.insert(found.lines.begin(), scene_was_nearer(fit.start.scene, input.start.scene).text);
     }
     if (fit.colors == ColorsOfFit::match && !result.after.empty())
         found.colors = colors.finish(result);

@@ -471,8 +471,8 @@ TEST(Fit, WhatEvenBloodDoesNotTellIsNotPutBackWhereThatIsFarther) {
     EXPECT_LT(extent.after, 8.0) << "12 before";
     EXPECT_FALSE(extent.determined);
     EXPECT_EQ(extent.why,
-              "the blood of the reference does not change beyond the error of measuring; with the value before the "
-              "curves are farther, so it is one of many that fit as well");
+              "the blood of the reference does not change beyond the error of measuring; put back together with "
+              "the others, the value before makes the curves farther: this is one of many that fit");
 }
 
 TEST(Fit, WhatEvenBloodDoesNotTellKeepsItsValueWhereThatIsAsNear) {

@@ -47,6 +47,21 @@ TEST(Estimator, MeasuresBloodAndSmokeTogether) {
     }
 }
 
+TEST(Estimator, TissueOfAStillViewThatIsLittleAlikeIsCovered) {
+    const cv::Mat clear = test::tissue();
+    cv::Mat bloody = clear.clone();
+    const cv::Rect pool(0, test::height / 4, test::width, test::height - test::height / 4);
+    bloody(pool) = cv::Scalar(0.015, 0.012, 0.16);  // level: nothing of the tissue shows
+    const Image picture = test::image_of(test::veiled(bloody, even(0.2), test::light_of({})));
+    const auto told = [&](bool still) {
+        return Estimator(test::image_of(clear), {.still = still, .survey = std::make_shared<const Survey>()})
+            .measure(picture, 0)
+            .blood.value;
+    };
+    EXPECT_NEAR(told(true), 0.75, 0.1);
+    EXPECT_LT(told(false), 0.1) << "tissue that may have moved is sure of nothing here";
+}
+
 TEST(Estimator, LearnsTheLightOfTheSmoke) {
     const HazeLight truth{.color = {0.40, 0.37, 0.42}, .fall_off = 0.25};
     const cv::Mat clear = test::tissue();
