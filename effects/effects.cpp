@@ -3,7 +3,6 @@
 #include <cassert>
 #include <cmath>
 #include <future>
-#include <sstream>
 #include <system_error>
 
 #include "body.h"
@@ -374,12 +373,7 @@ std::optional<OrganHit> Effects::pick(glm::dvec3 origin, glm::dvec3 direction) c
 }
 
 std::string bleeding_shader() {
-    // The text goes without the #line marks: their file numbers mean nothing to a host.
-    std::istringstream lines(gl::shader_source(bleeding::shaders_of(bleeding::Model::spread).for_hosts).text);
-    std::string text, line;
-    while (std::getline(lines, line))
-        if (!line.starts_with("#line ")) text += line + "\n";
-    return text;
+    return gl::host_text(bleeding::shaders_of(bleeding::Model::spread).for_hosts);
 }
 
 }  // namespace lapfx

@@ -35,7 +35,7 @@ unsigned Frame::depth() const noexcept {
     return state_->frame.scene_depth();
 }
 void Frame::finish(unsigned framebuffer, const CameraResponse& response) noexcept {
-    state_->frame.finish(framebuffer, static_cast<float>(response.exposure), static_cast<float>(response.vignette));
+    state_->frame.finish(framebuffer, response);
 }
 
 void Frame::read(std::span<std::uint8_t> rgba, const CameraResponse& response) {

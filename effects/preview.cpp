@@ -83,15 +83,14 @@ struct Preview::State {
     SceneCamera camera(glm::ivec2 size) const {
         return through_plate() ? render::fitted(scene.camera, plate()->aspect, size) : scene.camera;
     }
-    /// A plate's picture of the video already has its vignette.
+    /// A plate's picture of the video already has its vignette, and its camera has sharpened it.
     void finish(unsigned framebuffer, const SceneCamera& seen, glm::ivec2 size) const noexcept {
-        const auto exposure = static_cast<float>(seen.exposure);
-        if (!through_plate())
-            return frame.finish(framebuffer, exposure, static_cast<float>(seen.vignette),
-                                {.there = plate().has_value()});
+        CameraResponse response = seen.response();
+        if (!through_plate()) return frame.finish(framebuffer, response, {.there = plate().has_value()});
         const double height = std::tan(glm::radians(seen.field_of_view) / 2.0);
         const glm::vec2 extent(plate()->half_extent() / glm::dvec2(height * size.x / size.y, height));
-        frame.finish(framebuffer, exposure, 0.0f, {.there = true, .picture = plate_picture.name(), .extent = extent});
+        response.vignette = response.sharpening = 0.0;
+        frame.finish(framebuffer, response, {.there = true, .picture = plate_picture.name(), .extent = extent});
     }
 
     /// Draws organ and tool at `time` into the frame, without smoke; resolved and bound.

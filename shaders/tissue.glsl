@@ -72,12 +72,16 @@ vec3 body_light(vec3 normal) {
     return lapfx_lamp(v_position) * diffuse + u_light.rgb * ambient;
 }
 
-// The light of the plate's picture, before the exposure: the picture comes out as it is.
+// The light of the plate's picture before the camera, which makes the picture of it again.
 vec3 plate_light() {
     vec4 thrown = u_projector * vec4(v_rest, 1.0);
     vec2 half_texel = 0.5 / vec2(textureSize(u_base_color, 0));
     vec2 place = clamp(thrown.xy / thrown.w, half_texel, 1.0 - half_texel);  // the texture repeats
-    return texture(u_base_color, place).rgb / u_beam.z;
+    vec3 picture = texture(u_base_color, place).rgb;
+    if (u_plate_film.w == 0.0) return picture / u_beam.z;
+    vec3 light = lapfx_before_film(picture, u_plate_film.xyz);
+    vec3 grey = vec3(dot(light, vec3(0.2126, 0.7152, 0.0722)));
+    return mix(grey, light, 1.0 / max(u_plate_light.a, 0.1)) / u_plate_light.rgb;
 }
 
 // A plate has the colour that the lamp shows as its picture, so that blood and char over it are lit like any. It has no

@@ -8,6 +8,8 @@ layout(std140, binding = 0) uniform LapfxView {
     vec4 u_axis;        // xyz: unit viewing direction in organ space
     vec4 u_light;       // rgb: colour * intensity; a: distance at which a white surface facing the lamp is lit to 1
     vec4 u_beam;        // x: cosine at half of the lamp's strength; y: ambient share; z: exposure over a plate, else 0
+    vec4 u_plate_light;  // over a plate with a film curve, for which u_beam.z is 0: lapfx_camera[0] and
+    vec4 u_plate_film;   // [1] of post.glsl, whose w is 1; else 0
 };
 
 // Light that arrives at a point from the lamp: the inverse square of the distance, and the beam's fall-off.
@@ -27,8 +29,8 @@ float lapfx_view_depth(float depth) { return u_projection[3][2] / (2.0 * depth -
 // Farther tissue has more haze before it: 1 at the focus distance.
 float lapfx_haze_reach(float scene) { return clamp(scene / u_light.a, 0.4, 1.8); }
 
-// Light as it is drawn. The picture of a plate has been through a camera's shoulder already, so everything over it goes
-// through it by itself; other frames do as a whole (post.frag).
+// Light as it is drawn. The camera's shoulder has no white, so what a plate's picture was before it cannot be told:
+// everything over the picture goes through the shoulder by itself. Other frames do as a whole (post.glsl).
 vec3 lapfx_drawn_light(vec3 light) {
     float exposure = u_beam.z;
     return exposure > 0.0 ? lapfx_shoulder(light * exposure) / exposure : light;

@@ -132,6 +132,10 @@ class ScenePanel {
         row(t, "field_of_view", owner, {.prefix = "Camera", .standard = &standard, .maximum = 110, .minimum = 20});
         row(t, "exposure", owner, {.prefix = "Camera", .standard = &standard, .maximum = 10, .minimum = 0.1});
         row(t, "vignette", owner, {.prefix = "Camera", .standard = &standard});
+        row(t, "white_balance", owner, {.prefix = "Camera", .standard = &standard, .maximum = 2});
+        for (const char* key : {"sharpening", "saturation", "lens_falloff", "curve", "toe", "knee"})
+            row(t, key, owner, {.prefix = "Camera", .standard = &standard});
+        row(t, "white", owner, {.prefix = "Camera", .standard = &standard, .maximum = 8});
     }
 
     void light() {

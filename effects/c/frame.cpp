@@ -1,3 +1,7 @@
+#include <array>
+#include <cmath>
+#include <cstring>
+
 #include "c/calls.h"
 #include "c/objects.h"
 #include "gl/gl.h"
@@ -13,7 +17,24 @@ CameraResponse response_of(const lapfx_response* response) {
     const lapfx_response& r = LAPFX_SIZED(lapfx_response, response);
     not_negative("response.exposure", r.exposure);
     finite("response.vignette", r.vignette);
-    return {.exposure = r.exposure, .vignette = r.vignette};
+    for (const double factor : r.white_balance) not_negative("response.white_balance", factor);
+    not_negative("response.sharpening", r.sharpening);
+    not_negative("response.saturation", r.saturation);
+    finite("response.lens_falloff", r.lens_falloff);
+    not_negative("response.toe", r.toe);
+    if (r.curve != 0 && r.curve != 1) refuse_value("response.curve", "is neither 0, shoulder, nor 1, film");
+    if (!(r.knee >= 0.0 && r.knee < 1.0)) refuse_value("response.knee", "is not from 0 to below 1");
+    if (!(r.white > 1.0) || !std::isfinite(r.white)) refuse_value("response.white", "is not more than 1");
+    return {.exposure = r.exposure,
+            .vignette = r.vignette,
+            .white_balance = {r.white_balance[0], r.white_balance[1], r.white_balance[2]},
+            .sharpening = r.sharpening,
+            .saturation = r.saturation,
+            .lens_falloff = r.lens_falloff,
+            .curve = static_cast<ResponseCurve>(r.curve),
+            .toe = r.toe,
+            .knee = r.knee,
+            .white = r.white};
 }
 
 /// Calls between begin and the end.
@@ -46,6 +67,22 @@ FrameObject::~FrameObject() {
 }  // namespace lapfx::c
 
 using namespace lapfx::c;
+
+lapfx_status lapfx_post_shader(const char** text) {
+    return call(__func__, [&] {
+        given(text, "text");
+        static const std::string& kept = *new std::string(lapfx::post_shader());
+        *text = kept.c_str();
+    });
+}
+
+lapfx_status lapfx_post_values(const lapfx_response* response, int width, int height, float values[16]) {
+    return call(__func__, [&] {
+        positive_size(width, height);
+        const std::array<glm::vec4, 4> rows = lapfx::post_values(response_of(response), {width, height});
+        std::memcpy(given(values, "values"), &rows, sizeof rows);
+    });
+}
 
 lapfx_status lapfx_frame_create(lapfx_context* context, lapfx_frame** frame) {
     return make<FrameObject>(__func__, frame, "frame", [&] {

@@ -30,7 +30,8 @@ import os
 import numpy
 
 __all__ = ["ACTIONS", "Amounts", "BadInput", "Contact", "Context", "Effects", "Error", "Frame", "Misuse", "NoOpenGL", "Organ",
-           "Player", "Preset", "Response", "Sample", "Scene", "View", "bleeding_shader", "render", "version"]
+           "Player", "Preset", "Response", "Sample", "Scene", "View", "bleeding_shader", "post_shader", "post_values",
+           "render", "version"]
 
 ACTIONS = ("cauterise", "cut", "coagulate", "tear", "suction", "irrigation", "clip")
 WOUND_STATES = ("waiting", "bleeding", "spent", "clotting", "closed")
@@ -145,6 +146,18 @@ def bleeding_shader():
     return _get(ctypes.c_char_p, "bleeding_shader").decode()
 
 
+def post_shader():
+    """The text that makes the camera's picture of a frame that you finish yourself (lapfx/camera.h)."""
+    return _get(ctypes.c_char_p, "post_shader").decode()
+
+
+def post_values(response, width, height):
+    """What the uniform array lapfx_camera of post_shader() is set to: (4, 4)."""
+    values = (ctypes.c_float * 16)()
+    _call("post_values", ctypes.byref(response), width, height, values)
+    return numpy.array(values, numpy.float32).reshape(4, 4)
+
+
 class _Struct(ctypes.Structure):
     """A struct that begins with its size; arguments that are not given have their defaults."""
 
@@ -202,8 +215,11 @@ class View(_Struct):
 
 class Response(_Struct):
     """How light becomes a picture."""
-    _fields_ = [("size", _size), ("exposure", _double), ("vignette", _double)]
-    defaults = {"exposure": 1.0, "vignette": 1.0}
+    _fields_ = [("size", _size), ("exposure", _double), ("vignette", _double), ("white_balance", _double3),
+                ("sharpening", _double), ("saturation", _double), ("lens_falloff", _double), ("curve", _int),
+                ("toe", _double), ("knee", _double), ("white", _double)]
+    defaults = {"exposure": 1.0, "vignette": 1.0, "white_balance": (1.0, 1.0, 1.0), "sharpening": 0.0,
+                "saturation": 1.0, "lens_falloff": 0.45, "curve": 0, "toe": 0.2, "knee": 0.6, "white": 3.0}
 
 
 class Amounts(_Struct):

@@ -111,8 +111,17 @@ lapfx_status lapfx_scene_get_response(const lapfx_scene* scene, lapfx_response* 
     return call(__func__, [&] {
         const Held<SceneObject> held(scene, "scene");
         lapfx_response& out = LAPFX_SIZED(lapfx_response, response);
-        out.exposure = held->scene.camera.exposure;
-        out.vignette = held->scene.camera.vignette;
+        const lapfx::CameraResponse shown = held->scene.camera.response();
+        out.exposure = shown.exposure;
+        out.vignette = shown.vignette;
+        put(out.white_balance, shown.white_balance);
+        out.sharpening = shown.sharpening;
+        out.saturation = shown.saturation;
+        out.lens_falloff = shown.lens_falloff;
+        out.curve = static_cast<int>(shown.curve);
+        out.toe = shown.toe;
+        out.knee = shown.knee;
+        out.white = shown.white;
     });
 }
 

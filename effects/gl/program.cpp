@@ -237,6 +237,10 @@ void Program::set(const char* uniform, glm::vec3 value) const {
 void Program::set(const char* uniform, glm::vec4 value) const {
     glProgramUniform4fv(name(), location(uniform, GL_FLOAT_VEC4), 1, glm::value_ptr(value));
 }
+void Program::set(const char* uniform, std::span<const glm::vec4> values) const {
+    glProgramUniform4fv(name(), location(uniform, GL_FLOAT_VEC4), static_cast<GLsizei>(values.size()),
+                        glm::value_ptr(values.front()));
+}
 void Program::set(const char* uniform, glm::ivec4 value) const {
     glProgramUniform4iv(name(), location(uniform, GL_INT_VEC4), 1, glm::value_ptr(value));
 }

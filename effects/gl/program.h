@@ -40,6 +40,7 @@ class Program {
     void set(const char* uniform, glm::vec2 value) const;
     void set(const char* uniform, glm::vec3 value) const;
     void set(const char* uniform, glm::vec4 value) const;
+    void set(const char* uniform, std::span<const glm::vec4> values) const;  ///< an array
     void set(const char* uniform, glm::ivec4 value) const;
     void set(const char* uniform, const glm::mat3& value) const;
     void set(const char* uniform, const glm::mat4& value) const;

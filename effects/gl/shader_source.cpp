@@ -132,6 +132,14 @@ ShaderSource shader_source(const std::string& name) {
     return source;
 }
 
+std::string host_text(const std::string& name) {
+    std::istringstream lines(shader_source(name).text);
+    std::string text, line;
+    while (std::getline(lines, line))
+        if (!line.starts_with("#line ")) text += line + "\n";
+    return text;
+}
+
 void set_shader_folder(const std::filesystem::path& folder) {
     shader_folder() = folder;
 }

@@ -22,6 +22,10 @@ struct ShaderSource {
 /// `name` is a file name such as "organ.frag". Throws Error (runtime) when it, or a file that it includes, is missing.
 ShaderSource shader_source(const std::string& name);
 
+/// The same for a host, which pastes it into a shader of its own: without #line marks, whose file numbers mean nothing
+/// to it.
+std::string host_text(const std::string& name);
+
 /// While it lives, and afterwards if kept, the files of a folder come before the embedded ones, with their present
 /// content, so that a later mistake in a file breaks nothing. Shaders that are not in the folder are the embedded ones.
 /// Any thread.

@@ -67,6 +67,26 @@ constexpr Parameter camera_rows[] = {
                          "Brightness of the whole picture, as a factor on its light."),
     number<&C::vignette>("vignette", "Vignette", {0, 1, 0.01},
                          "0 shows the whole rectangle, 1 the round picture of an endoscope."),
+    vector<&C::white_balance>("white_balance", "White balance", {0.2, 5, 0.01},
+                              "Factors on red, green and blue light. Cameras of endoscopes show the same instruments "
+                              "as 1.03, 0.96, 1.08 times grey."),
+    number<&C::sharpening>(
+        "sharpening", "Sharpening", {0, 2, 0.05},
+        "Factor by which details of 1/340 of the height gain contrast, at edges only up to a bound. "
+        "Endoscope processors do so: 0.9 brings a render to the gradients of real clips; 0 is none."),
+    number<&C::saturation>("saturation", "Saturation", {0, 2, 0.01},
+                           "0 is grey, 1 leaves colours as they are. A film curve saturates; 0.85 beside it is as real "
+                           "clips are."),
+    number<&C::lens_falloff>("lens_falloff", "Lens fall-off", {0, 1, 0.01},
+                             "Share of the light that is missing at the rim of the round view. Real lenses: about "
+                             "0.15."),
+    choice<&C::curve>("curve", "Curve", response_curves,
+                      "How light becomes the picture's. shoulder: as it is up to 0.7, then ever slower towards white; "
+                      "film: as toe, knee and white say, as cameras do."),
+    number<&C::toe>("toe", "Toe", {0, 1, 0.01}, "Of film: how far darks are darkened; 0 leaves them as they are."),
+    number<&C::knee>("knee", "Knee", {0.1, 0.95, 0.01}, "Of film: from which light on lights are compressed."),
+    number<&C::white>("white", "White", {1.05, 20, 0.1, "", Scale::logarithmic},
+                      "Of film: the least light that is shown as white."),
 };
 
 std::string check_target(const void* owner) {

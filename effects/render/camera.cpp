@@ -43,7 +43,7 @@ View view_of(const SceneCamera& camera, const SceneLight& light, glm::ivec2 size
                  .focus_distance = light.focus_distance,
                  .beam_angle = light.beam_angle,
                  .color = light.color};
-    view.exposure = camera.exposure;
+    view.response = camera.response();
     return view;
 }
 

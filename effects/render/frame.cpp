@@ -1,5 +1,6 @@
 #include "render/frame.h"
 
+#include <array>
 #include <string>
 
 #include "lapfx/error.h"
@@ -69,7 +70,7 @@ void Frame::begin_smoke() const noexcept {
     glBindFramebuffer(GL_FRAMEBUFFER, smoke_.name());
 }
 
-void Frame::finish(GLuint framebuffer, float exposure, float vignette, const PlateShown& plate) const noexcept {
+void Frame::finish(GLuint framebuffer, const CameraResponse& response, const PlateShown& plate) const noexcept {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
@@ -81,10 +82,9 @@ void Frame::finish(GLuint framebuffer, float exposure, float vignette, const Pla
         glBindSampler(1, 0);
     }
     glBindVertexArray(no_attributes_.name());
-    post_.set("u_exposure", exposure);
-    post_.set("u_vignette", vignette);
-    post_.set("u_size", glm::vec2(size_));
-    post_.set("u_over_plate", plate.there ? 1 : 0);
+    std::array<glm::vec4, 4> camera = post_values(response, size_);
+    if (plate.there && response.curve == ResponseCurve::shoulder) camera[1].w = 2.0f;
+    post_.set("lapfx_camera", camera);
     post_.set("u_plate", plate.extent);
     post_.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);

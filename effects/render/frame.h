@@ -4,12 +4,13 @@
 
 #include "gl/objects.h"
 #include "gl/program.h"
+#include "lapfx/camera.h"
 
 namespace lapfx::render {
 
 /// How a plate is shown.
 struct PlateShown {
-    bool there = false;      ///< the frame is over a plate: its light has been through the camera's shoulder
+    bool there = false;      ///< the frame is over a plate: where the camera has a shoulder, light has been through it
     GLuint picture = 0;      ///< in the middle, sRGB code values; alpha: what is drawn, the rest stays as it is
     glm::vec2 extent{0.0f};  ///< share of the frame that the picture covers, black around it; 0: none is shown
 };
@@ -28,7 +29,7 @@ class Frame {
     std::size_t memory() const noexcept;            ///< bytes on the GPU
     GLuint scene_depth() const noexcept { return resolved_depth_.name(); }
     /// Writes the finished picture into `framebuffer`, lower left corner first.
-    void finish(GLuint framebuffer, float exposure, float vignette, const PlateShown& plate = {}) const noexcept;
+    void finish(GLuint framebuffer, const CameraResponse& response, const PlateShown& plate = {}) const noexcept;
 
   private:
     glm::ivec2 size_{0};

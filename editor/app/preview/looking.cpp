@@ -12,7 +12,8 @@ SceneCamera Looking::through(const SceneCamera& of_scene) const {
     // too.
     const double nearer = nearness(of_scene, camera);
     SceneCamera seen = camera;
-    seen.exposure = of_scene.exposure * std::clamp(nearer * nearer, 0.05, 4.0);
+    seen.set_response(of_scene.response());
+    seen.exposure *= std::clamp(nearer * nearer, 0.05, 4.0);
     seen.vignette = 0;
     return seen;
 }

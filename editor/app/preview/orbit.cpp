@@ -77,8 +77,7 @@ SceneCamera frame(const OrganReport& organ) {
 
 void see_whole(Scene& scene, const OrganReport& organ) {
     SceneCamera seen = frame(organ);
-    seen.exposure = scene.camera.exposure;
-    seen.vignette = scene.camera.vignette;
+    seen.set_response(scene.camera.response());
     scene.camera = seen;
     scene.tool.port = port_for(seen);
     scene.light.focus_distance = std::clamp(glm::distance(seen.eye, seen.target), 1.0, 2000.0);

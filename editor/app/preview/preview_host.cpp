@@ -19,7 +19,7 @@ namespace {
 
 bool same_camera(const SceneCamera& a, const SceneCamera& b) {
     return a.eye == b.eye && a.target == b.target && a.up == b.up && a.field_of_view == b.field_of_view &&
-           a.exposure == b.exposure && a.vignette == b.vignette;
+           a.response() == b.response();
 }
 
 /// The name says what the organ is loaded from.

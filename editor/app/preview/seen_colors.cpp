@@ -90,13 +90,14 @@ glm::dvec3 SeenColors::solve(std::string_view name, const glm::dvec3& picked, co
     const glm::ivec2 size = glm::max(glm::ivec2(glm::round(glm::dvec2(picture.size) * scale)), glm::ivec2(1));
     const auto began = std::chrono::steady_clock::now();
     const auto solve_in = [&](const Shot& shot, bool plumes) {
-        return solve_color(picked, now, picture.place, [&](const glm::dvec3& color) {
+        const auto draw = [&](const glm::dvec3& color) {
             const auto change = [&](document::Content& content) {
                 put(content, color);
                 if (!plumes) without_plumes(content);
             };
             return preview_.picture_with(change, shot, size);
-        });
+        };
+        return solve_color(picked, now, picture.place, draw, shot.camera.response());
     };
     // A plume passes, and only its own colours need it.
     SolvedColor solved = solve_in(picture.shot, false);

@@ -22,13 +22,10 @@ constexpr double pure_share = 0.93;    // of the largest share of the light, fro
 constexpr double pointed_share = 0.2;  // of the strongest gain, from which the place that was pointed at will do
 constexpr double as_near = 2;          // Delta E, less than an eye tells apart (2.3: Mahy and others, 1994)
 constexpr double clipped = 0.96;       // light from which a channel says nothing
-constexpr double knee = 0.7;           // shaders/color.glsl has the same knee
 
-/// What the camera's shoulder does, taken back: light that is a straight line over the field's.
-double before_shoulder(double shown) {
-    if (shown <= knee) return shown;
-    const double over = std::min((shown - knee) / (1 - knee), 0.98);
-    return knee + (1 - knee) * over / (1 - over);
+/// What the camera's curve does, taken back: light that is a straight line over the field's.
+glm::dvec3 before_curve(const glm::dvec3& shown, const CameraResponse& response) {
+    return {light_shown_as(shown.x, response), light_shown_as(shown.y, response), light_shown_as(shown.z, response)};
 }
 
 glm::dvec3 to_light(const glm::dvec3& color) {
@@ -155,7 +152,7 @@ class Acting {
 };
 
 struct Tried {
-    glm::dvec3 field{0}, light{0};  ///< both linear; the light before the shoulder
+    glm::dvec3 field{0}, light{0};  ///< both linear; the light before the curve
 };
 
 /// The next field of a channel: the line through the two tries that are nearest to what is wanted.
@@ -188,9 +185,9 @@ SolvedColor nearer_to_picked(const SolvedColor& best, const glm::dvec3& picked,
 }  // namespace
 
 SolvedColor solve_color(const glm::dvec3& picked, const glm::dvec3& now, const std::optional<glm::dvec2>& place,
-                        const std::function<Image(const glm::dvec3&)>& draw) {
+                        const std::function<Image(const glm::dvec3&)>& draw, const CameraResponse& response) {
     const glm::dvec3 first_color = in_codes(now);
-    // Far enough from it to be seen everywhere, and not so bright that the shoulder hides how much it does.
+    // Far enough from it to be seen everywhere, and not so bright that the curve hides how much it does.
     const bool bright = std::max({first_color.x, first_color.y, first_color.z}) > 0.6;
     const glm::dvec3 second_color = in_codes(bright ? 0.4 * first_color : glm::dvec3(0.75));
     const Lights first(draw(first_color)), second(draw(second_color));
@@ -200,8 +197,7 @@ SolvedColor solve_color(const glm::dvec3& picked, const glm::dvec3& now, const s
     const Acting acting(first, second, by);
     if (!acting.any()) return none;
 
-    const glm::dvec3 wanted = glm::dvec3(before_shoulder(to_light(picked).x), before_shoulder(to_light(picked).y),
-                                         before_shoulder(to_light(picked).z));
+    const glm::dvec3 wanted = before_curve(to_light(picked), response);
     const auto seen_at = [&](glm::ivec2 at) {
         return [&draw, at](const glm::dvec3& color) { return glm::convertLinearToSRGB(Lights(draw(color)).mean(at)); };
     };
@@ -211,8 +207,7 @@ SolvedColor solve_color(const glm::dvec3& picked, const glm::dvec3& now, const s
         std::vector<Tried> tried;
         const auto take = [&](const glm::dvec3& color, const Lights& lights) {
             const glm::dvec3 light = lights.mean(at), seen = glm::convertLinearToSRGB(light);
-            tried.push_back(
-                {to_light(color), {before_shoulder(light.x), before_shoulder(light.y), before_shoulder(light.z)}});
+            tried.push_back({to_light(color), before_curve(light, response)});
             if (const double off = apart(seen, picked); off < best.off)
                 best.color = color, best.seen = seen, best.off = off;
         };

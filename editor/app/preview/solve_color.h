@@ -13,6 +13,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "lapfx/camera.h"
 #include "lapfx/organ.h"
 
 namespace lapfx::app {
@@ -32,8 +33,8 @@ inline constexpr double reached_color = 3;
 /// `now`: the field as it is. `draw` gives the picture, of one size, with the field as it is told. The place is `place`
 /// where the field acts there and the colour can be reached, else a typical one among those where it acts most. Where
 /// the colour cannot be reached, one that comes as near to the eye as the nearest, and is not farther from what was
-/// picked.
+/// picked. `response`: of the pictures.
 SolvedColor solve_color(const glm::dvec3& picked, const glm::dvec3& now, const std::optional<glm::dvec2>& place,
-                        const std::function<Image(const glm::dvec3&)>& draw);
+                        const std::function<Image(const glm::dvec3&)>& draw, const CameraResponse& response = {});
 
 }  // namespace lapfx::app

@@ -228,7 +228,7 @@ void ReferenceLook::make() {
     } else {
         const match::SceneLook now = match::look_of(document_.scene(), document_.preset());
         match::LookProposal found = match::propose_look(in_shape(reference_.image(), shape), clean_.image(), now,
-                                                        organ_in(preview_, camera, size));
+                                                        organ_in(preview_, camera, size), camera.response());
         say(std::move(found.notes));
         if (found.possible)
             proposed_ = std::make_shared<Proposed>(Proposed{

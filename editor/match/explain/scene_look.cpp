@@ -23,7 +23,7 @@ constexpr double least_tissue = 0.3;  // of the view
 constexpr int least_pixels = 400;     // of the worked size: fewer say nothing
 constexpr double least_exposure = 0.01, most_exposure = 100;
 
-// What is overexposed, as light before the shoulder, where 1 is white.
+// What is overexposed, as light before the curve, where 1 is white.
 constexpr double bright_end = 0.98;  // share of the tissue that is darker: the rest are highlights
 constexpr double most_tissue = 0.8;  // at the bright end, unless the video's is brighter
 constexpr double most_haze = 0.7;    // of a dense veil
@@ -68,20 +68,12 @@ double luminance(const Vec& linear) {
     return 0.2126 * linear.r + 0.7152 * linear.g + 0.0722 * linear.b;
 }
 
-/// What shaders/post.frag does to light beyond its knee, taken back.
-double without_shoulder(double shown) {
-    constexpr double knee = 0.7;
-    if (shown <= knee) return shown;
-    const double over = std::min((shown - knee) / (1 - knee), 0.98);
-    return knee + (1 - knee) * over / (1 - over);
-}
-
-/// The fall-off of light that shaders/post.frag draws with a vignette, at a place of a picture.
-double fall_off(cv::Size size, int x, int y, double vignette) {
+/// The fall-off of light that shaders/post.glsl draws with a vignette, at a place of a picture.
+double fall_off(cv::Size size, int x, int y, double vignette, double lens_falloff) {
     const glm::dvec2 from = glm::dvec2(x + 0.5, y + 0.5) - 0.5 * glm::dvec2(size.width, size.height);
     const double radius = glm::length(from) / (0.5 * size.height);
     const double t = std::clamp((radius - 0.35) / (1.15 - 0.35), 0.0, 1.0);
-    return glm::mix(1.0, 1 - 0.45 * t * t * (3 - 2 * t), vignette);
+    return glm::mix(1.0, 1 - lens_falloff * t * t * (3 - 2 * t), vignette);
 }
 
 /// A picture at the worked size, with what of it counts.
@@ -131,17 +123,38 @@ void each_pixel(const cv::Mat& mask, const F& f) {
     }
 }
 
-/// Light of the lit tissue before the shoulder, without its brightest and darkest parts, channel by channel.
-/// `vignette`: that the picture was drawn with and that it is to have.
-std::optional<Vec> tissue_light(const WorkedPicture& w, double drawn, double wanted) {
+/// Light before the camera's curve, for a picture that was drawn with one vignette and is to have another one.
+class LightBefore {
+  public:
+    LightBefore(const WorkedPicture& w, const CameraResponse& response, double drawn, double wanted)
+        : w_(w), response_(response), drawn_(drawn), wanted_(wanted) {}
+
+    Vec at(int x, int y) const {
+        const Vec light = match::at(w_.linear, x, y);
+        const double before = fall_off(w_.code.size(), x, y, drawn_, response_.lens_falloff),
+                     after = fall_off(w_.code.size(), x, y, wanted_, response_.lens_falloff);
+        const bool lens_after = response_.curve == ResponseCurve::shoulder;
+        Vec made;
+        for (int c = 0; c < 3; ++c)
+            made[c] = lens_after ? light_shown_as(light[c] / before, response_) * after
+                                 : light_shown_as(light[c], response_) / before * after;
+        return made;
+    }
+
+  private:
+    const WorkedPicture& w_;
+    const CameraResponse& response_;
+    double drawn_, wanted_;
+};
+
+/// Light of the lit tissue before the curve, without its brightest and darkest parts, channel by channel.
+std::optional<Vec> tissue_light(const WorkedPicture& w, const LightBefore& before) {
     std::array<std::vector<double>, 3> values;
     each_pixel(w.counts, [&](int x, int y) {
         const double most = brightest_code(w.code, x, y);
         if (most < least_code || most >= clipped_code) return;
-        const Vec light = at(w.linear, x, y);
-        const double before = fall_off(w.code.size(), x, y, drawn), after = fall_off(w.code.size(), x, y, wanted);
-        for (int c = 0; c < 3; ++c)
-            values[static_cast<std::size_t>(c)].push_back(without_shoulder(light[c] / before) * after);
+        const Vec light = before.at(x, y);
+        for (int c = 0; c < 3; ++c) values[static_cast<std::size_t>(c)].push_back(light[c]);
     });
     if (values[0].size() < least_pixels) return std::nullopt;
     Vec mean(0.0);
@@ -158,15 +171,11 @@ std::optional<Vec> tissue_light(const WorkedPicture& w, double drawn, double wan
 
 /// The brightest channel at the bright end of the tissue, as tissue_light(). `gain`: what each channel is brightened
 /// by.
-double brightest_light(const WorkedPicture& w, double drawn, double wanted, const Vec& gain) {
+double brightest_light(const WorkedPicture& w, const LightBefore& before, const Vec& gain) {
     std::vector<double> values;
     each_pixel(w.counts, [&](int x, int y) {
         if (brightest_code(w.code, x, y) < least_code) return;
-        const Vec light = at(w.linear, x, y);
-        const double before = fall_off(w.code.size(), x, y, drawn), after = fall_off(w.code.size(), x, y, wanted);
-        double most = 0;
-        for (int c = 0; c < 3; ++c) most = std::max(most, without_shoulder(light[c] / before) * after * gain[c]);
-        values.push_back(most);
+        values.push_back(largest(before.at(x, y) * gain));
     });
     if (values.empty()) return 0;
     const auto end = values.begin() + static_cast<std::ptrdiff_t>(bright_end * static_cast<double>(values.size() - 1));
@@ -311,7 +320,8 @@ void put_look(const SceneLook& look, Scene& scene, Preset& preset) {
     put_color(preset.smoke.haze.color, look.haze);
 }
 
-LookProposal propose_look(const Image& reference, const Image& preview, const SceneLook& now, const cv::Mat& organ) {
+LookProposal propose_look(const Image& reference, const Image& preview, const SceneLook& now, const cv::Mat& organ,
+                          const CameraResponse& response) {
     const WorkedPicture video = worked(reference);
     WorkedPicture ours = worked(preview);
     if (video.viewed < least_pixels) return impossible(now, "This frame of the reference is black.");
@@ -326,15 +336,16 @@ LookProposal propose_look(const Image& reference, const Image& preview, const Sc
     look.vignette = disc_of(video.view) ? 1 : 0;
     made.notes.emplace_back(look.vignette > 0 ? "The view is round: vignette on."
                                               : "No round view is found in this frame: vignette off.");
-    const auto theirs = tissue_light(video, 0, 0), own = tissue_light(ours, now.vignette, look.vignette);
+    const LightBefore in_video(video, response, 0, 0), in_ours(ours, response, now.vignette, look.vignette);
+    const auto theirs = tissue_light(video, in_video), own = tissue_light(ours, in_ours);
     if (!theirs) return impossible(now, "This frame shows too little lit tissue.");
     if (!own) return impossible(now, "The preview shows too little lit tissue.");
     const auto haze = haze_light_of(video);
     const auto lamp = haze ? std::nullopt : lamp_color(video);  // behind smoke, highlights have its colour
     const Vec gain = *theirs / *own;
-    const double white = std::max(most_tissue, brightest_light(video, 0, 0, Vec(1)));
-    const double ours_white = std::max(white, brightest_light(ours, now.vignette, look.vignette, Vec(1)));
-    const double brightest = brightest_light(ours, now.vignette, look.vignette, gain);
+    const double white = std::max(most_tissue, brightest_light(video, in_video, Vec(1)));
+    const double ours_white = std::max(white, brightest_light(ours, in_ours, Vec(1)));
+    const double brightest = brightest_light(ours, in_ours, gain);
     const double held = std::min(1.0, ours_white / std::max(brightest, 1e-6));
     balance(gain * held, lamp, now, look);
     made.notes.push_back(

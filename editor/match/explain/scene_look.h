@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "lapfx/camera.h"
 #include "lapfx/organ.h"
 #include "lapfx/scene.h"
 
@@ -42,8 +43,9 @@ struct LookProposal {
 /// the frame; empty: everywhere. Light and organ have 1 as their largest channel afterwards; the rest is in the
 /// exposure, up to where the brightest tissue of the preview would be overexposed that is not in the video. Blood and
 /// haze take over the hue and saturation that the frame shows, and keep their brightness, which a single frame does not
-/// determine, unless the new exposure would bleach them.
-LookProposal propose_look(const Image& reference, const Image& preview, const SceneLook& now,
-                          const cv::Mat& organ = {});
+/// determine, unless the new exposure would bleach them. `response`: of the scene's camera, by which the preview was
+/// drawn, and is to look as the video does.
+LookProposal propose_look(const Image& reference, const Image& preview, const SceneLook& now, const cv::Mat& organ = {},
+                          const CameraResponse& response = {});
 
 }  // namespace lapfx::match

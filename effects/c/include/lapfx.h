@@ -257,10 +257,16 @@ typedef struct lapfx_view {
 typedef struct lapfx_response {
     size_t size;
     double exposure;
-    double vignette;  ///< 0 = whole rectangle, 1 = the round picture of an endoscope
+    double vignette;          ///< 0 = whole rectangle, 1 = the round picture of an endoscope
+    double white_balance[3];  ///< factors on red, green and blue
+    double sharpening;        ///< 0..2
+    double saturation;        ///< 0 = grey
+    double lens_falloff;      ///< 0..1
+    int curve;                ///< 0 = shoulder, 1 = film
+    double toe, knee, white;  ///< of film
 } lapfx_response;
 #define LAPFX_RESPONSE \
-    { sizeof(lapfx_response), 1.0, 1.0 }
+    { sizeof(lapfx_response), 1.0, 1.0, {1.0, 1.0, 1.0}, 0.0, 1.0, 0.45, 0, 0.2, 0.6, 3.0 }
 
 // Scenes (lapfx/scene.h). A simulator has its own; these are for previews, tests and pictures by the thousand.
 
@@ -417,6 +423,10 @@ LAPFX_API lapfx_status lapfx_effects_draw_smoke(lapfx_effects* effects, const la
 
 /// For your own organ shader (lapfx/effects.h, bleeding_shader): its text, valid for ever,
 LAPFX_API lapfx_status lapfx_bleeding_shader(const char** text);
+/// For a frame that you finish yourself (lapfx/camera.h, post_shader): its text, valid for ever,
+LAPFX_API lapfx_status lapfx_post_shader(const char** text);
+/// and what its uniform array `vec4 lapfx_camera[4]` is set to, for a frame of so many pixels.
+LAPFX_API lapfx_status lapfx_post_values(const lapfx_response* response, int width, int height, float values[16]);
 /// the OpenGL buffer of two floats per vertex that it reads,
 LAPFX_API lapfx_status lapfx_effects_bleed_buffer(lapfx_effects* effects, unsigned* buffer);
 /// and its uniform block, at binding 1. Both are those of the organ that is shown: bind them again when another one is.

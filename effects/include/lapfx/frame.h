@@ -20,14 +20,9 @@
 #include <span>
 
 #include "lapfx/api.h"
+#include "lapfx/camera.h"
 
 namespace lapfx {
-
-/// How light becomes a picture: exposure, a soft shoulder for highlights, the endoscope's view, sRGB.
-struct CameraResponse {
-    double exposure = 1.0;
-    double vignette = 1.0;  ///< 0 = whole rectangle, 1 = the round picture of an endoscope
-};
 
 class LAPFX_API Frame {
   public:

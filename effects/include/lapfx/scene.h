@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lapfx/api.h"
+#include "lapfx/camera.h"
 #include "lapfx/curves.h"
 #include "lapfx/parameter.h"
 #include "lapfx/tool.h"
@@ -39,8 +40,35 @@ struct SceneCamera {
     glm::dvec3 target{0.0};
     glm::dvec3 up{0.0, 1.0, 0.0};
     double field_of_view = 60.0;  ///< vertical, degrees
+    // How light becomes the picture: CameraResponse.
     double exposure = 1.0;
-    double vignette = 1.0;  ///< 0 = whole rectangle, 1 = the round picture of an endoscope
+    double vignette = 1.0;
+    glm::dvec3 white_balance{1.0};
+    double sharpening = 0.0;
+    double saturation = 1.0;
+    double lens_falloff = 0.45;
+    ResponseCurve curve = ResponseCurve::shoulder;
+    double toe = 0.2;
+    double knee = 0.6;
+    double white = 3.0;
+
+    CameraResponse response() const {
+        return {.exposure = exposure,
+                .vignette = vignette,
+                .white_balance = white_balance,
+                .sharpening = sharpening,
+                .saturation = saturation,
+                .lens_falloff = lens_falloff,
+                .curve = curve,
+                .toe = toe,
+                .knee = knee,
+                .white = white};
+    }
+    void set_response(const CameraResponse& r) {
+        exposure = r.exposure, vignette = r.vignette, white_balance = r.white_balance, sharpening = r.sharpening;
+        saturation = r.saturation, lens_falloff = r.lens_falloff, curve = r.curve;
+        toe = r.toe, knee = r.knee, white = r.white;
+    }
 };
 
 /// The endoscope's lamp, at the camera.

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <string_view>
 
+#include "lapfx/camera.h"
 #include "lapfx/rows.h"
 
 namespace lapfx {
@@ -68,8 +69,8 @@ struct View {
     glm::mat4 view{1.0f};        ///< organ space to camera space, rigid
     glm::mat4 projection{1.0f};  ///< OpenGL clip space, z in -1..1, perspective
     Lamp lamp;
-    bool haze = true;       ///< false: left out, as of a look from far away
-    double exposure = 1.0;  ///< with which the finished frame is shown; only a plate needs it (lapfx/scene.h)
+    bool haze = true;              ///< false: left out, as of a look from far away
+    CameraResponse response = {};  ///< with which the finished frame is shown; only a plate needs it (lapfx/scene.h)
 };
 
 }  // namespace lapfx

@@ -170,6 +170,16 @@ TEST_F(MisuseTest, FramesHaveAnOrderAndASize) {
     response.exposure = nan;
     expect_fails(lapfx_frame_read(frame, &response, rgba.data(), rgba.size()), LAPFX_BAD_INPUT,
                  "response.exposure: nan is no finite number");
+    float values[16];
+    response = LAPFX_RESPONSE;
+    response.curve = 2;
+    expect_fails(lapfx_post_values(&response, width, height, values), LAPFX_BAD_INPUT,
+                 "response.curve: is neither 0, shoulder, nor 1, film");
+    response.curve = 1, response.white = 1.0;
+    expect_fails(lapfx_post_values(&response, width, height, values), LAPFX_BAD_INPUT,
+                 "response.white: is not more than 1");
+    expect_fails(lapfx_post_values(nullptr, 0, height, values), LAPFX_BAD_INPUT, "size: 0x");
+    expect_fails(lapfx_post_values(nullptr, width, height, nullptr), LAPFX_MISUSE, "values is NULL");
     expect_fails(lapfx_frame_finish(frame, 12345, nullptr), LAPFX_BAD_INPUT,
                  "framebuffer: 12345 is no complete framebuffer");
     lapfx_get_proc_address functions = nullptr;

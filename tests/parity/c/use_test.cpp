@@ -170,6 +170,17 @@ TEST_F(UseTest, ScenesSayWhatAHostNeeds) {
     lapfx_response response = LAPFX_RESPONSE;
     expect_ok(lapfx_scene_get_response(scene, &response));
     EXPECT_EQ(response.exposure, 1.5);
+    EXPECT_EQ(response.lens_falloff, 0.45);
+    EXPECT_EQ(response.curve, 0);
+    const char* text = nullptr;
+    expect_ok(lapfx_post_shader(&text));
+    EXPECT_NE(std::string(text).find("vec3 lapfx_post(sampler2D frame, vec2 uv)"), std::string::npos);
+    float values[16];
+    response.curve = 1;
+    expect_ok(lapfx_post_values(&response, 200, 100, values));
+    EXPECT_FLOAT_EQ(values[0], 1.5f);
+    EXPECT_FLOAT_EQ(values[6], 6.0f) << "(3 - .6) / (1 - .6)";
+    EXPECT_EQ(values[12], 200.0f);
     lapfx_organ* none = nullptr;
     expect_fails(lapfx_scene_load_organ(scene, &none), LAPFX_BAD_INPUT, (folder / "o.obj").string());
     expect_ok(lapfx_effects_set_curves(effects, scene));

@@ -31,31 +31,31 @@ class ProgramTest : public test::GpuTest {
 };
 
 TEST_F(ProgramTest, AValueOfTheDeclaredTypeArrives) {
-    const Program program("fullscreen.vert", "post.frag");
-    program.set("u_exposure", 1.5f);
-    program.set("u_frame", 0);
-    program.set("u_size", glm::vec2(320.0f, 256.0f));
-    EXPECT_EQ(value_of(program, "u_exposure"), 1.5f);
+    const Program program("resolve.vert", "resolve.frag", "#define LAPFX_EVEN\n");
+    program.set("u_even", 1.5f);
+    program.set("u_scene_depth", 0);
+    program.set("u_color", glm::vec3(0.5f));
+    EXPECT_EQ(value_of(program, "u_even"), 1.5f);
 }
 
 TEST_F(ProgramTest, AnUnknownUniformIsRefused) {
-    const Program program("fullscreen.vert", "post.frag");
-    EXPECT_THAT(faults(program, "u_exposur", 1.5f),
-                ElementsAre("fullscreen.vert + post.frag: u_exposur: is set, but not declared as a uniform"));
-    EXPECT_THAT(faults(program.rebuilt(), "u_exposur", 1.5f), testing::SizeIs(1));
+    const Program program("resolve.vert", "resolve.frag", "#define LAPFX_EVEN\n");
+    EXPECT_THAT(faults(program, "u_eve", 1.5f),
+                ElementsAre("resolve.vert + resolve.frag: u_eve: is set, but not declared as a uniform"));
+    EXPECT_THAT(faults(program.rebuilt(), "u_eve", 1.5f), testing::SizeIs(1));
 }
 
 TEST_F(ProgramTest, AValueOfAnotherTypeIsRefusedAndTheOldOneStays) {
-    const Program program("fullscreen.vert", "post.frag");
-    program.set("u_exposure", 1.5f);
+    const Program program("resolve.vert", "resolve.frag", "#define LAPFX_EVEN\n");
+    program.set("u_even", 1.5f);
     EXPECT_THAT(
-        faults(program, "u_exposure", glm::vec3(2.0f)),
-        ElementsAre("fullscreen.vert + post.frag: u_exposure: a value of type vec3 is set; it is declared as float"));
-    EXPECT_THAT(faults(program, "u_exposure", 2),
-                ElementsAre("fullscreen.vert + post.frag: u_exposure: a value of type int is set; it is declared as "
+        faults(program, "u_even", glm::vec3(2.0f)),
+        ElementsAre("resolve.vert + resolve.frag: u_even: a value of type vec3 is set; it is declared as float"));
+    EXPECT_THAT(faults(program, "u_even", 2),
+                ElementsAre("resolve.vert + resolve.frag: u_even: a value of type int is set; it is declared as "
                             "float"));
-    EXPECT_THAT(faults(program, "u_frame", 0.0f), testing::SizeIs(1)) << "a sampler's unit is an int";
-    EXPECT_EQ(value_of(program, "u_exposure"), 1.5f);
+    EXPECT_THAT(faults(program, "u_scene_depth", 0.0f), testing::SizeIs(1)) << "a sampler's unit is an int";
+    EXPECT_EQ(value_of(program, "u_even"), 1.5f);
 }
 
 // organ.vert does not use all uniforms of organ.frag, and a variant of a shader may not use those of another.

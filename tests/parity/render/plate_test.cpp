@@ -91,6 +91,45 @@ TEST_F(PlateTest, EveryCodeValueComesOut) {
     }
 }
 
+TEST_F(PlateTest, EveryCodeValueComesOutOfAFilmCurve) {
+    Image ramp = picture;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                ramp.pixels[4 * static_cast<std::size_t>(y * size.x + x) + c] =
+                    static_cast<std::uint8_t>((x + y * size.x + 85 * static_cast<int>(c)) % 256);
+    show(ramp);
+    scene.camera.curve = ResponseCurve::film;
+    scene.camera.white_balance = {1.03, 0.96, 1.08};
+    scene.camera.sharpening = 0.9;
+    for (const double saturation : {0.85, 1.0})
+        for (const double exposure : {0.2, 1.0, 6.0}) {
+            scene.camera.exposure = exposure, scene.camera.saturation = saturation;
+            EXPECT_LE(largest_difference(drawn(), ramp), 1) << exposure << ' ' << saturation;
+        }
+}
+
+TEST_F(PlateTest, HazeOverAFilmCurveIsLaidOverItsLight) {
+    scene.plate.depth = PlateDepth::flat;
+    scene.camera.curve = ResponseCurve::film;
+    scene.camera.exposure = 1.5;
+    smoke(-50.0);
+    Preview p = preview();
+    const Image image = p.image(4.0, size);
+    const double haze = p.amounts().haze;
+    ASSERT_GT(haze, 0.2);
+    const CameraResponse response = scene.camera.response();
+    const glm::dvec3 light = scene.light.color, smoke_color = preset.smoke.haze.color;
+    for (const glm::ivec2 at : {glm::ivec2(120, 80), {200, 40}, {220, 130}, {170, 90}})
+        for (int c = 0; c < 3; ++c) {
+            const double tissue = light_shown_as(to_linear(test::pixel(picture, at)[c] / 255.0), response);
+            const double through = std::exp(-haze * preset.smoke.haze.extinction[c]);
+            const double veil = to_linear(smoke_color[c]) * to_linear(light[c]) * scene.camera.exposure;
+            const double seen = to_srgb(shown_light(tissue * through + veil * (1.0 - through), response));
+            EXPECT_NEAR(test::pixel(image, at)[c], 255.0 * seen, 1.5) << at.x << ' ' << c;
+        }
+}
+
 TEST_F(PlateTest, ARoundViewComesOutWithItsSurround) {
     show(test::behind_round_view(picture, {118.0, 80.0}, 74.0));
     EXPECT_LE(largest_difference(drawn(), picture), 1);
