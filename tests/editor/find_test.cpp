@@ -77,7 +77,7 @@ TEST_F(FindTest, WhatThePaletteListsOfTheSceneHasItsRow) {
         EXPECT_EQ(panels::wanted_row(ui().ui()), nullptr) << title;
     }
     EXPECT_EQ(measured, 11) << "times, blood and region, in the Measure panel";
-    EXPECT_EQ(found, 50) << "rows of the scene, but files that commands load, and what is no row: events and curves";
+    EXPECT_EQ(found, 58) << "rows of the scene, but files that commands load, and what is no row: events and curves";
 }
 
 TEST_F(FindTest, TheReferencesAspectIsARow) {
