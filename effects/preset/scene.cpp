@@ -68,8 +68,8 @@ constexpr Parameter camera_rows[] = {
     number<&C::vignette>("vignette", "Vignette", {0, 1, 0.01},
                          "0 shows the whole rectangle, 1 the round picture of an endoscope."),
     vector<&C::white_balance>("white_balance", "White balance", {0.2, 5, 0.01},
-                              "Factors on red, green and blue light. Cameras of endoscopes show the same instruments "
-                              "as 1.03, 0.96, 1.08 times grey."),
+                              "Factors on red, green and blue light; 1.03, 0.96, 1.08 bring the sample to the tint of "
+                              "clear frames of real operations."),
     number<&C::sharpening>(
         "sharpening", "Sharpening", {0, 2, 0.05},
         "Factor by which details of 1/340 of the height gain contrast, at edges only up to a bound. "

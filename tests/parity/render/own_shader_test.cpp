@@ -3,6 +3,7 @@
 #include "gl/program.h"
 #include "gl/shader_source.h"
 #include "lapfx/effects.h"
+#include "parity/render/host_shader.h"
 #include "parity/render/scene_fixture.h"
 
 namespace lapfx {
@@ -20,16 +21,7 @@ TEST_F(OwnShader, TheTextStandsAlone) {
         "    o_color = vec4(b.color * b.coverage + b.opacity + b.slope, b.depth + b.clot + b.gloss + b.level) *\n"
         "        lapfx_blood_film(0.1, 1.0, b.spread).wetness;\n}\n";
     for (const char* const version : {"#version 420 core\n", "#version 450 core\n"}) {
-        const std::string whole = version + text + own;
-        const char* const source = whole.c_str();
-        const GLuint shader = glCreateShader(GL_FRAGMENT_SHADER);
-        glShaderSource(shader, 1, &source, nullptr);
-        glCompileShader(shader);
-        GLint compiled = 0;
-        glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-        char log[2048] = "";
-        glGetShaderInfoLog(shader, sizeof log, nullptr, log);
-        EXPECT_EQ(compiled, GL_TRUE) << log;
+        const GLuint shader = test::host_shader(GL_FRAGMENT_SHADER, version + text + own);
         glDeleteShader(shader);
     }
 }

@@ -77,13 +77,18 @@ TEST_F(PlateTest, WithoutSmokeAndBloodItIsTheFrame) {
     }
 }
 
-TEST_F(PlateTest, EveryCodeValueComesOut) {
-    Image ramp = picture;
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x)
+/// In each channel, next to others.
+Image every_code_value(Image image) {
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
             for (std::size_t c = 0; c < 3; ++c)
-                ramp.pixels[4 * static_cast<std::size_t>(y * size.x + x) + c] =
-                    static_cast<std::uint8_t>((x + y * size.x + 85 * static_cast<int>(c)) % 256);
+                image.pixels[4 * static_cast<std::size_t>(y * image.width + x) + c] =
+                    static_cast<std::uint8_t>((x + y * image.width + 85 * static_cast<int>(c)) % 256);
+    return image;
+}
+
+TEST_F(PlateTest, EveryCodeValueComesOut) {
+    const Image ramp = every_code_value(picture);
     show(ramp);
     for (const double exposure : {0.2, 1.0, 6.0}) {
         scene.camera.exposure = exposure;
@@ -92,12 +97,7 @@ TEST_F(PlateTest, EveryCodeValueComesOut) {
 }
 
 TEST_F(PlateTest, EveryCodeValueComesOutOfAFilmCurve) {
-    Image ramp = picture;
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x)
-            for (std::size_t c = 0; c < 3; ++c)
-                ramp.pixels[4 * static_cast<std::size_t>(y * size.x + x) + c] =
-                    static_cast<std::uint8_t>((x + y * size.x + 85 * static_cast<int>(c)) % 256);
+    const Image ramp = every_code_value(picture);
     show(ramp);
     scene.camera.curve = ResponseCurve::film;
     scene.camera.white_balance = {1.03, 0.96, 1.08};

@@ -5,6 +5,7 @@
 #include "gl/objects.h"
 #include "gl/read_back.h"
 #include "lapfx/camera.h"
+#include "parity/render/host_shader.h"
 #include "parity/render/scene_fixture.h"
 #include "support/post_cpu.h"
 
@@ -28,27 +29,15 @@ out vec4 o_color;
 void main() { o_color = vec4(lapfx_post(my_frame, v_uv), 1.0); }
 )";
 
-GLuint compiled(GLenum stage, const std::string& text) {
-    const GLuint shader = glCreateShader(stage);
-    const char* const source = text.c_str();
-    glShaderSource(shader, 1, &source, nullptr);
-    glCompileShader(shader);
-    GLint good = 0;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
-    char log[2048] = "";
-    glGetShaderInfoLog(shader, sizeof log, nullptr, log);
-    EXPECT_EQ(good, GL_TRUE) << log;
-    return shader;
-}
-
 /// A host that finishes its frames itself.
 class PostTest : public test::GpuTest {
   protected:
     void SetUp() override {
         test::GpuTest::SetUp();
         program_ = glCreateProgram();
-        for (const GLuint shader : {compiled(GL_VERTEX_SHADER, fullscreen),
-                                    compiled(GL_FRAGMENT_SHADER, "#version 450 core\n" + post_shader() + own)}) {
+        for (const GLuint shader :
+             {test::host_shader(GL_VERTEX_SHADER, fullscreen),
+              test::host_shader(GL_FRAGMENT_SHADER, "#version 450 core\n" + post_shader() + own)}) {
             glAttachShader(program_, shader);
             glDeleteShader(shader);
         }
